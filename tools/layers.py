@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+"""The table behind check_layers.py: which folder is which layer, and who may include whom."""
+
+# Longest matching prefix wins; a file may be named to take it out of its folder's layer.
+LAYER_OF = {
+    "runtime/diag/": "diag",
+    "runtime/xml/": "xml",
+    "runtime/rtt/os/": "os",
+    "runtime/rtt/rtt-config.h": "os",       # made by CMake from rtt-config.h.in
+    "runtime/rtt/Time.hpp": "os",
+    "runtime/rtt/": "core",                 # rtt/, base/, internal/, types/: one library, API templates force that
+    "runtime/rtt/RTT.hpp": "umbrella",      # what components include; nothing inside the runtime does
+    "runtime/rtt/Component.hpp": "component",   # the macros that component libraries export themselves with
+    "runtime/rtt/plugin/": "plugin",
+    # The C interface of plugins: TypekitPlugin.hpp, core API, brings it along.
+    "runtime/rtt/plugin/Plugin.hpp": "plugin_api",
+    "runtime/rtt/plugin/c_linkage.hpp": "plugin_api",
+    "runtime/rtt/typekit/": "typekit",
+    "runtime/rtt/extras/": "extras",
+    # TaskContext and ExecutionEngine need these two, so they are built into core; only their paths say extras.
+    "runtime/rtt/extras/SequentialActivity.": "core",
+    "runtime/rtt/extras/SlaveActivity.": "core",
+    "runtime/rtt/marsh/": "marsh",
+    "runtime/rtt/deployment/": "loader",
+    "runtime/rtt/scripting/": "scripting",
+    "runtime/rtt/transports/corba/": "corba",
+    "runtime/rtt/transports/mqueue/": "mqueue",
+    "runtime/ros/": "ros",
+    "deployer/ocl/": "ocl",
+    "deployer/deployment/": "deployment",
+    "deployer/console/": "console",
+    "deployer/lua/": "lua",
+    "deployer/reporting/": "reporting",
+    "deployer/logging/": "logging",
+    "deployer/components/": "components",
+    "deployer/bin/": "bin",
+    "generator/model/": "model",
+    "generator/manifest/": "manifest",
+    "generator/clang/": "clang",
+    "generator/check/": "check",
+    "generator/view/": "view",
+    "generator/render/": "render",
+    "generator/emit/": "emit",
+    "generator/emit/banner.": "banner",     # text that views put on top of generated files; writes nothing
+    "generator/driver/": "driver",
+    "typekit_gen/collect/": "collect",
+    "typekit_gen/plan/": "plan",
+    "typekit_gen/driver/": "typegen",
+    "templates/": "templates",
+}
+
+LEAFS = {"diag", "xml"}
+API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
+RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
+GENERATOR = {"diag", "model", "manifest", "clang", "check", "view", "render", "emit", "banner"}
+OUTER = LEAFS | API | {"plugin"}
+DEPLOYER = RUNTIME | {"ocl"}
+UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
+
+# layer -> the other layers it may include
+MAY_INCLUDE = {
+    "diag": set(),
+    "xml": {"diag"},
+    "os": set(),
+    "plugin_api": {"os"},
+    "core": LEAFS | {"os", "plugin_api"},
+    "component": {"os", "core", "plugin_api"},
+    "umbrella": UMBRELLA,
+    "plugin": LEAFS | API,
+    "typekit": OUTER,
+    "extras": LEAFS | {"os", "core"},
+    "marsh": OUTER,
+    "loader": OUTER,
+    "scripting": OUTER | {"extras"},
+    "corba": OUTER,
+    "mqueue": OUTER,
+    "ros": OUTER | {"marsh"},
+    "ocl": API | {"umbrella", "plugin", "extras", "loader"},
+    "deployment": DEPLOYER | {"corba"},
+    "console": DEPLOYER,
+    "lua": DEPLOYER,
+    "reporting": DEPLOYER,
+    "logging": DEPLOYER,
+    "components": DEPLOYER,
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "corba"},
+    "model": {"diag"},
+    "manifest": LEAFS | {"model"},
+    "clang": {"diag", "model"},
+    "check": LEAFS | {"model"},
+    "banner": set(),
+    "view": LEAFS | {"model", "banner"},
+    "render": {"diag"},
+    "emit": {"diag", "banner"},
+    "driver": GENERATOR | {"xml"},
+    "collect": {"diag", "model", "clang"},
+    "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
+    "typegen": GENERATOR | {"collect", "plan"},
+    # Text that ends up in the user's package: installed headers only.
+    "templates": API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting", "ocl"},
+}
+
+# Where <a/b.hpp> is looked for, in the order of the include path.
+INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/"]
+
+# header name (regular expression, from the start) -> folders that alone may include it
+FOREIGN = {
+    r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/"],
+    r"tinyxml2\.h": ["runtime/xml/"],
+    r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/"],
+    r"mqueue\.h": ["runtime/rtt/transports/mqueue/"],
+    r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
+    r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
+    r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
+    r"kainjow/": ["generator/render/"],
+    r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
+    r"(gtest|gmock)/": ["tests/", "templates/"],    # generated packages bring a test
+    r"benchmark/": ["bench/"],
+    # Every component translation unit would pay for these (mpl/bool.hpp: archives of boost.serialization must name it).
+    r"boost/(fusion|mpl(?!/bool\.hpp)|spirit|phoenix|lambda)/": [],
+}
+
+# Installed headers: a user's compiler must find all that they include.
+INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
+NOT_INSTALLED = ["runtime/diag/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
+                 "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
+                 "deployer/components/", "deployer/bin/", "generator/", "typekit_gen/"]
+
+# Private headers (or folders of them) that a second part shares, because the two are one mechanism.
+SHARED_DETAIL = {
+    # Components and plugins are found on one search path and opened by one function.
+    "runtime/rtt/plugin/detail/": ["runtime/rtt/deployment/"],
+    # Property files update bags as updateProperties() does, but report where in the file.
+    "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/"],
+    # The deployer reads property structs that stand inside its own XML.
+    "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
+    # Activities and operation calls wait on the futex that threads wait on; activities log where os logs.
+    "runtime/rtt/os/detail/": ["runtime/rtt/extras/", "runtime/rtt/internal/"],
+}
+
+# "file that includes -> file included": known exceptions. Keep it short; each line says why.
+ALLOWED = {
+}
