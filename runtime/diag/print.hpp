@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Writes diagnostics as a compiler does:
+///
+///     tank.xml:7:20: error: [OM012] port name 'level' is already used
+///         <port name="level" …/>
+///                    ^
+///     tank.xml:6:20: note: first used here
+///
+/// What is unknown (file, line, column, code) is left out.
+#ifndef OROFORGE_DIAG_PRINT_HPP
+#define OROFORGE_DIAG_PRINT_HPP
+
+#include <iosfwd>
+#include <string>
+
+#include <diag/sink.hpp>
+#include <diag/source_cache.hpp>
+
+namespace oroforge::diag {
+
+void print(std::ostream& out, const Diagnostic& diagnostic, SourceCache& sources);
+
+/// All of them, ordered by place and without repeats.
+void print(std::ostream& out, const Sink& sink, SourceCache& sources);
+void print(std::ostream& out, const Sink& sink);
+
+/// "file:line:col" as far as known; empty if nothing is.
+std::string toString(const Location& where);
+
+/// One line, "error: [CODE] message" with its place in front, for logs.
+std::string toString(const Diagnostic& diagnostic);
+
+}  // namespace oroforge::diag
+
+#endif
