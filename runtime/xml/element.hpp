@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// A parsed XML element with the places it came from.
+#ifndef OROFORGE_XML_ELEMENT_HPP
+#define OROFORGE_XML_ELEMENT_HPP
+
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+namespace oroforge::xml {
+
+struct Attribute {
+    std::string name;
+    std::string value;           ///< entities resolved
+    diag::Location where;        ///< first letter of the name
+    diag::Location valueWhere;   ///< first letter of the value, inside the quotes
+};
+
+struct Element {
+    std::string name;
+    std::vector<Attribute> attributes;  ///< in the order of the source
+    std::vector<Element> children;      ///< in the order of the source
+    std::string text;                   ///< own character data and CDATA, white space trimmed at both ends
+    diag::Location where;               ///< the '<' of the start tag
+    diag::Location textWhere;           ///< first letter of `text`; the start tag if there is none
+
+    const diag::Location& location() const { return where; }
+
+    /// Null if there is none.
+    const Attribute* attribute(const std::string& name) const;
+    bool hasAttribute(const std::string& name) const { return attribute(name) != nullptr; }
+    std::string attributeOr(const std::string& name, const std::string& fallback) const;
+
+    /// Reports XML010 at the element, and returns null, if the attribute is missing.
+    const Attribute* requireAttribute(const std::string& name, diag::Sink& sink) const;
+
+    /// The first child of that name; null if there is none.
+    const Element* child(const std::string& name) const;
+    std::vector<const Element*> childrenNamed(const std::string& name) const;
+};
+
+}  // namespace oroforge::xml
+
+#endif

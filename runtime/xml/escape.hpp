@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Text that is written into XML.
+#ifndef OROFORGE_XML_ESCAPE_HPP
+#define OROFORGE_XML_ESCAPE_HPP
+
+#include <string>
+
+namespace oroforge::xml {
+
+/// For character data: & < > escaped; control characters XML cannot carry are dropped.
+std::string escapeText(const std::string& text);
+
+/// For a value between double quotes: also the quotes, tabs and line ends, so that they survive reading.
+std::string escapeAttribute(const std::string& text);
+
+}  // namespace oroforge::xml
+
+#endif
