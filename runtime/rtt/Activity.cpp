@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/Activity.hpp>
+
+namespace RTT {
+
+namespace {
+// More reasons to wake the thread, beside those of os::Thread.
+constexpr std::uint32_t kTrigger = 8u;
+constexpr std::uint32_t kTimeout = 16u;
+constexpr std::uint32_t kNewPeriod = 32u;
+
+nsecs periodInNs(Seconds period) {
+    if (!(period > 0)) return 0;
+    const nsecs ns = Seconds_to_nsecs(period);
+    return ns > 0 ? ns : 1;  // shorter than the clock can tell, but periodic
+}
+}  // namespace
+
+Activity::Activity(base::RunnableInterface* r, const std::string& name)
+    : Activity(ORO_SCHED_OTHER, os::LowestPriority, 0.0, 0, r, name) {}
+Activity::Activity(int priority, base::RunnableInterface* r, const std::string& name)
+    : Activity(ORO_SCHED_RT, priority, 0.0, 0, r, name) {}
+Activity::Activity(int priority, Seconds period, base::RunnableInterface* r, const std::string& name)
+    : Activity(ORO_SCHED_RT, priority, period, 0, r, name) {}
+Activity::Activity(int scheduler, int priority, base::RunnableInterface* r, const std::string& name)
+    : Activity(scheduler, priority, 0.0, 0, r, name) {}
+Activity::Activity(int scheduler, int priority, Seconds period, base::RunnableInterface* r, const std::string& name)
+    : Activity(scheduler, priority, period, 0, r, name) {}
+
+// The thread itself has no period: session() waits for both, the end of a period and a wake-up.
+Activity::Activity(int scheduler, int priority, Seconds period, unsigned cpuAffinity, base::RunnableInterface* r,
+                   const std::string& name)
+    : base::ActivityInterface(r),
+      os::Thread(scheduler, priority, 0.0, cpuAffinity, name),
+      updatePeriod_(periodInNs(period)) {}
+
+Activity::~Activity() {
+    stop();
+    terminate();
+}
+
+bool Activity::run(base::RunnableInterface* r) { return base::ActivityInterface::run(r); }
+bool Activity::start() {
+    if (isActive() && !isPeriodic()) return trigger();
+    if (!os::Thread::start()) return false;
+    if (isSelf())  // stopped and started within its session, which goes on and would not notice
+        wake(kTrigger);
+    return true;
+}
+
+bool Activity::stop() { return os::Thread::stop(); }
+bool Activity::isRunning() const { return isActive() && mayRun(); }
+bool Activity::isActive() const { return os::Thread::isActive(); }
+bool Activity::isPeriodic() const { return getPeriodNS() != 0; }
+Seconds Activity::getPeriod() const { return nsecs_to_Seconds(getPeriodNS()); }
+nsecs Activity::getPeriodNS() const { return updatePeriod_; }
+unsigned Activity::getCpuAffinity() const { return os::Thread::getCpuAffinity(); }
+bool Activity::setCpuAffinity(unsigned cpuAffinity) { return os::Thread::setCpuAffinity(cpuAffinity); }
+os::ThreadInterface* Activity::thread() { return this; }
+bool Activity::isSelf() const { return os::Thread::isSelf(); }
+bool Activity::execute() { return false; }
+
+bool Activity::setPeriod(Seconds period) {
+    if (!(period >= 0)) return false;
+    updatePeriod_ = periodInNs(period);
+    if (isActive()) wake(kNewPeriod | kTrigger);
+    return true;
+}
+
+bool Activity::trigger() {
+    if (!isActive()) return false;
+    wake(kTrigger);
+    return true;
+}
+
+bool Activity::timeout() {
+    if (isPeriodic()) return false;
+    wake(kTimeout);
+    return true;
+}
+
+void Activity::session() {
+    // The session may begin before start() has posted its reason: so it counts as a trigger here, and not there.
+    constexpr std::uint32_t kOwnReasons = kTrigger | kTimeout | kNewPeriod;
+    std::uint32_t reasons = takeEarlyReasons() | kTrigger | kNewPeriod;
+    nsecs period = 0;
+    nsecs wakeUp = InfiniteNSecs;
+    bool starting = true;
+    while (mayRun()) {
+        if (reasons & kNewPeriod) {
+            period = updatePeriod_;
+            wakeUp = period > 0 ? rtos_get_time_ns() + period : InfiniteNSecs;
+        }
+        const nsecs now = period > 0 ? rtos_get_time_ns() : 0;
+        if (period == 0) {
+            executeTriggered(reasons);
+        } else if (now >= wakeUp) {
+            wakeUp = nextWakeUp(wakeUp, now, period);
+            if (wakeUp == 0) return;
+            executePeriod();
+        } else if (reasons != 0) {
+            executeBetweenPeriods(starting);
+        }
+        starting = false;
+        if (mayRun()) reasons = waitForWake(wakeUp) & kOwnReasons;
+    }
+}
+
+void Activity::executeTriggered(std::uint32_t reasons) {
+    if (reasons & kTimeout) {
+        UserCode mark(*this);
+        if (!mayRun()) return;
+        step();
+        work(base::RunnableInterface::TimeOut);
+    }
+    // Not "else": a runner with a loop() of its own would miss the trigger.
+    if (reasons & kTrigger) {
+        UserCode mark(*this);
+        if (!mayRun()) return;
+        loop();
+        work(base::RunnableInterface::Trigger);
+    }
+}
+
+void Activity::executePeriod() {
+    step();
+    work(base::RunnableInterface::TimeOut);
+}
+
+void Activity::executeBetweenPeriods(bool starting) {
+    if (!starting)  // the first step() is due one period after the start
+        step();
+    work(base::RunnableInterface::Trigger);
+}
+
+bool Activity::initialize() { return !runner || runner->initialize(); }
+
+void Activity::step() {
+    if (runner) runner->step();
+}
+
+void Activity::loop() {
+    if (runner) runner->loop();
+}
+
+bool Activity::breakLoop() { return runner ? runner->breakLoop() : os::Thread::breakLoop(); }
+
+void Activity::finalize() {
+    if (runner) runner->finalize();
+}
+
+void Activity::work(base::RunnableInterface::WorkReason reason) {
+    if (runner) runner->work(reason);
+}
+
+}  // namespace RTT

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_ACTIVITY_HPP
+#define ORO_ACTIVITY_HPP
+
+#include <rtt/base/ActivityInterface.hpp>
+#include <rtt/os/Thread.hpp>
+
+#include <atomic>
+#include <string>
+
+namespace RTT {
+
+/**
+ * An activity with a thread of its own, periodic or not. setPeriod() switches between the two at any time.
+ *
+ * Not periodic: start(), trigger() and start() again execute loop() and work(Trigger) once, timeout() executes step()
+ * and work(TimeOut). Wake-ups that arrive while it executes are remembered, one of each kind.
+ *
+ * Periodic: start() executes work(Trigger) at once; step() and work(TimeOut) follow one period later and then once
+ * per period; trigger() executes step() and work(Trigger) in between without moving the periods. If a trigger and the
+ * end of a period coincide, the work of the period serves both.
+ *
+ * trigger() and timeout() are real-time safe: one atomic operation, and one system call only if the thread sleeps.
+ */
+class RTT_API Activity : public base::ActivityInterface, public os::Thread {
+public:
+    /** Not periodic, ORO_SCHED_OTHER. */
+    explicit Activity(base::RunnableInterface* r = nullptr, const std::string& name = "Activity");
+    /** Not periodic, ORO_SCHED_RT. */
+    explicit Activity(int priority, base::RunnableInterface* r = nullptr, const std::string& name = "Activity");
+    /** ORO_SCHED_RT with a period in seconds. */
+    Activity(int priority, Seconds period, base::RunnableInterface* r = nullptr, const std::string& name = "Activity");
+    Activity(int scheduler, int priority, base::RunnableInterface* r = nullptr, const std::string& name = "Activity");
+    Activity(int scheduler, int priority, Seconds period, base::RunnableInterface* r = nullptr,
+             const std::string& name = "Activity");
+    /** cpuAffinity: bit n allows CPU n, 0 allows all. */
+    Activity(int scheduler, int priority, Seconds period, unsigned cpuAffinity, base::RunnableInterface* r = nullptr,
+             const std::string& name = "Activity");
+    /** Stops and ends the thread; blocks until it has ended. */
+    ~Activity() override;
+
+    bool run(base::RunnableInterface* r) override;
+    /** Calls initialize() in the caller. See os::Thread::start(). */
+    bool start() override;
+    /** Calls finalize() in the caller once the thread is idle. See os::Thread::stop(). */
+    bool stop() override;
+    bool isRunning() const override;
+    bool isActive() const override;
+    bool isPeriodic() const override;
+    Seconds getPeriod() const override;
+    nsecs getPeriodNS() const override;
+    /** Seconds, 0 for not periodic; false if negative. Takes effect at once and executes one trigger. */
+    bool setPeriod(Seconds period) override;
+    unsigned getCpuAffinity() const override;
+    bool setCpuAffinity(unsigned cpuAffinity) override;
+    /** Always false: only the own thread executes. */
+    bool execute() override;
+    /** False if not active. */
+    bool trigger() override;
+    /** False if periodic. Called while not active, it is executed after the next start(). */
+    bool timeout() override;
+    os::ThreadInterface* thread() override;
+    bool isSelf() const override;
+
+protected:
+    // These call the runner if there is one; a sub-class may override them and have no runner.
+    bool initialize() override;
+    void step() override;
+    void loop() override;
+    bool breakLoop() override;
+    void finalize() override;
+    virtual void work(base::RunnableInterface::WorkReason reason);
+
+    void session() final;
+
+private:
+    void executeTriggered(std::uint32_t reasons);
+    void executePeriod();
+    void executeBetweenPeriods(bool starting);
+
+    std::atomic<nsecs> updatePeriod_{0};
+};
+
+}  // namespace RTT
+#endif

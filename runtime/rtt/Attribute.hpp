@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_CORELIB_ATTRIBUTE_HPP
+#define ORO_CORELIB_ATTRIBUTE_HPP
+
+#include <rtt/base/AttributeBase.hpp>
+#include <rtt/internal/DataSources.hpp>
+
+namespace RTT {
+
+/**
+ * A named variable of type T: shown to scripts and tools, not saved to property files.
+ * get() and set() are real-time safe if copying T is. Not thread safe.
+ */
+template <typename T>
+class Attribute : public base::AttributeBase {
+public:
+    typedef internal::AssignableDataSource<T> DataSourceType;
+    typedef typename DataSourceType::param_t param_t;
+    typedef typename DataSourceType::reference_t reference_t;
+
+    /** Not ready. */
+    Attribute() {}
+    explicit Attribute(const std::string& name) : AttributeBase(name), data(new internal::ValueDataSource<T>()) {}
+    Attribute(const std::string& name, T value)
+        : AttributeBase(name), data(new internal::ValueDataSource<T>(std::move(value))) {}
+    Attribute(const std::string& name, internal::AssignableDataSource<T>* source)
+        : AttributeBase(name), data(source) {}
+    /** Shares the data of `other`; not ready if its type is not T. */
+    Attribute(base::AttributeBase* other)
+        : AttributeBase(other ? other->getName() : std::string()),
+          data(other ? DataSourceType::narrow(other->getDataSource().get()) : nullptr) {}
+
+    Attribute& operator=(base::AttributeBase* other) { return *this = Attribute(other); }
+
+    T get() const { return data->get(); }
+    typename DataSourceType::const_reference_t rvalue() const { return data->rvalue(); }
+    void set(param_t value) {
+        data->set(value);
+        data->updated();
+    }
+    reference_t set() { return data->set(); }
+
+    base::DataSourceBase::shared_ptr getDataSource() const override { return data; }
+    typename DataSourceType::shared_ptr getAssignableDataSource() const { return data; }
+    void setDataSource(typename DataSourceType::shared_ptr source) { data = source; }
+
+    Attribute<T>* clone() const override { return new Attribute<T>(mname, data.get()); }
+    Attribute<T>* copy(internal::CopyMap& replacements, bool instantiate) const override {
+        if (!instantiate) return new Attribute<T>(mname, data->copy(replacements));
+        auto* made = new Attribute<T>(mname, data->clone());
+        replacements[data.get()] = made->data.get();
+        return made;
+    }
+
+    static Attribute<T>* narrow(base::AttributeBase* from) { return dynamic_cast<Attribute<T>*>(from); }
+
+protected:
+    typename DataSourceType::shared_ptr data;
+};
+
+/** A named value of type T that cannot be changed through its name. */
+template <typename T>
+class Constant : public base::AttributeBase {
+public:
+    Constant(const std::string& name, T value)
+        : AttributeBase(name), data(new internal::ConstantDataSource<T>(std::move(value))) {}
+    Constant(const std::string& name, internal::DataSource<T>* source) : AttributeBase(name), data(source) {}
+    /** Shares the data of `other`; not ready if its type is not T. */
+    Constant(base::AttributeBase* other)
+        : AttributeBase(other ? other->getName() : std::string()),
+          data(other ? internal::DataSource<T>::narrow(other->getDataSource().get()) : nullptr) {}
+
+    Constant& operator=(base::AttributeBase* other) { return *this = Constant(other); }
+
+    T get() const { return data->get(); }
+    typename internal::DataSource<T>::const_reference_t rvalue() const { return data->rvalue(); }
+
+    base::DataSourceBase::shared_ptr getDataSource() const override { return data; }
+    Constant<T>* clone() const override { return new Constant<T>(mname, data.get()); }
+    Constant<T>* copy(internal::CopyMap&, bool) const override { return clone(); }
+
+protected:
+    typename internal::DataSource<T>::shared_ptr data;
+};
+
+/** A name for any data source. */
+class RTT_API Alias : public base::AttributeBase {
+public:
+    Alias(const std::string& name, base::DataSourceBase::shared_ptr source);
+    base::DataSourceBase::shared_ptr getDataSource() const override;
+    Alias* clone() const override;
+    Alias* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& replacements,
+                bool instantiate) const override;
+
+private:
+    base::DataSourceBase::shared_ptr data;
+};
+
+} // namespace RTT
+
+#endif

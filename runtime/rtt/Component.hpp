@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/**
+ * Macros that make component classes known to the component loader. The class is written with its namespace and is
+ * constructed from a std::string, its name.
+ *
+ *     ORO_CREATE_COMPONENT(NS::Class)        // a library with one component type
+ *
+ *     ORO_CREATE_COMPONENT_LIBRARY()         // a library with several: this once,
+ *     ORO_LIST_COMPONENT_TYPE(NS::Class)     // and this per type, in any source file
+ *
+ * With RTT_COMPONENT defined (orocos_component() does so) the library can be loaded at run time. Without it the types
+ * are registered in the program that links the code.
+ */
+#ifndef ORO_COMPONENT_HPP
+#define ORO_COMPONENT_HPP
+
+#include <rtt/TaskContext.hpp>
+#include <rtt/plugin/c_linkage.hpp>
+#include <rtt/rtt-config.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace RTT {
+
+/** Creates a component of one type with the given name. May throw what the constructor throws. */
+typedef TaskContext* (*ComponentLoaderSignature)(std::string instance_name);
+/** Component types and how to create them. */
+typedef std::map<std::string, ComponentLoaderSignature> FactoryMap;
+
+/** The component types linked into the program itself. Filled before main; not thread-safe while being filled. */
+class RTT_API ComponentFactories {
+public:
+    static FactoryMap& Instance();
+};
+
+namespace plugin {
+
+/** The types of the library this is compiled into: hidden, so each library has its own. */
+RTT_HIDE inline FactoryMap& libraryFactories() {
+    static FactoryMap types;
+    return types;
+}
+
+template <class C>
+RTT_HIDE TaskContext* createComponentOf(std::string instance_name) {
+    return new C(instance_name);
+}
+
+}  // namespace plugin
+
+/** A static object of this type registers a component class under the given name. */
+template <class C>
+class RTT_HIDE ComponentFactoryLoader {
+public:
+    explicit ComponentFactoryLoader(const std::string& type_name) {
+#ifdef RTT_COMPONENT
+        plugin::libraryFactories()[type_name] = &plugin::createComponentOf<C>;
+#else
+        ComponentFactories::Instance()[type_name] = &plugin::createComponentOf<C>;
+#endif
+    }
+};
+
+}  // namespace RTT
+
+#define ORO_COMPONENT_CONCAT2_(a, b) a##b
+#define ORO_COMPONENT_CONCAT_(a, b) ORO_COMPONENT_CONCAT2_(a, b)
+
+/** Registers one component type of a library or program that has several. */
+#define ORO_LIST_COMPONENT_TYPE(...)                                                                 \
+    namespace {                                                                                      \
+    const RTT::ComponentFactoryLoader<__VA_ARGS__> ORO_COMPONENT_CONCAT_(oroListedComponent,         \
+                                                                         __COUNTER__)(#__VA_ARGS__); \
+    }
+
+#ifdef RTT_COMPONENT
+
+/** Makes the library one that holds exactly this component type. Use once per library. */
+#define ORO_CREATE_COMPONENT(...)                                                                                      \
+    ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                                        \
+    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name);                                           \
+    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name) { return new __VA_ARGS__(instance_name); } \
+    RTT_EXPORT std::string getComponentType();                                                                         \
+    RTT_EXPORT std::string getComponentType() { return #__VA_ARGS__; }                                                 \
+    ORO_PLUGIN_C_LINKAGE_END_
+
+/** Makes the library one that holds the types listed with ORO_LIST_COMPONENT_TYPE. Use once per library. */
+#define ORO_CREATE_COMPONENT_LIBRARY()                                                                   \
+    ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                          \
+    RTT_EXPORT RTT::TaskContext* createComponentType(std::string instance_name, std::string type_name);  \
+    RTT_EXPORT RTT::TaskContext* createComponentType(std::string instance_name, std::string type_name) { \
+        const auto found = RTT::plugin::libraryFactories().find(type_name);                              \
+        return found == RTT::plugin::libraryFactories().end() ? nullptr : found->second(instance_name);  \
+    }                                                                                                    \
+    RTT_EXPORT std::vector<std::string> getComponentTypeNames();                                         \
+    RTT_EXPORT std::vector<std::string> getComponentTypeNames() {                                        \
+        std::vector<std::string> names;                                                                  \
+        for (const auto& type : RTT::plugin::libraryFactories()) names.push_back(type.first);            \
+        return names;                                                                                    \
+    }                                                                                                    \
+    RTT_EXPORT RTT::FactoryMap* getComponentFactoryMap();                                                \
+    RTT_EXPORT RTT::FactoryMap* getComponentFactoryMap() { return &RTT::plugin::libraryFactories(); }    \
+    ORO_PLUGIN_C_LINKAGE_END_
+
+#else
+
+#define ORO_CREATE_COMPONENT(...) ORO_LIST_COMPONENT_TYPE(__VA_ARGS__)
+#define ORO_CREATE_COMPONENT_LIBRARY() static_assert(true, "linked into the program: nothing to export");
+
+#endif
+
+/** Old name of ORO_CREATE_COMPONENT_LIBRARY. */
+#define ORO_CREATE_COMPONENT_TYPE() ORO_CREATE_COMPONENT_LIBRARY()
+
+#endif

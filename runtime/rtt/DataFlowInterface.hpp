@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// A service's, and so a component's, ports.
+#ifndef ORO_DATA_FLOW_INTERFACE_HPP
+#define ORO_DATA_FLOW_INTERFACE_HPP
+
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/base/PortInterface.hpp>
+
+#include <boost/function.hpp>
+
+#include <string>
+#include <vector>
+
+namespace RTT {
+class Service;
+class TaskContext;
+
+/** Ports are referred to, not owned. Nothing here is real-time safe. Adding and removing are for one thread at a time;
+    data may flow through the ports meanwhile. */
+class RTT_API DataFlowInterface {
+public:
+    typedef std::vector<base::PortInterface*> Ports;
+    typedef std::vector<std::string> PortNames;
+    typedef boost::function<void(base::PortInterface*)> SlotFunction;
+
+    explicit DataFlowInterface(Service* parent = nullptr);
+    ~DataFlowInterface();
+    DataFlowInterface(const DataFlowInterface&) = delete;
+    DataFlowInterface& operator=(const DataFlowInterface&) = delete;
+
+    /** The component; null if the service is in none. */
+    TaskContext* getOwner() const;
+    Service* getService() const { return service_; }
+
+    /** Adds a port and a service of the same name with its operations. A port, or service, that has the name already is
+        replaced, with a warning. With a name, the port is renamed (unless it is connected). */
+    base::PortInterface& addPort(const std::string& name, base::PortInterface& port);
+    base::PortInterface& addPort(base::PortInterface& port);
+    /** The same for a port whose new samples wake the component. They call `callback` in the component's thread, or
+        without one trigger the component. */
+    base::InputPortInterface& addEventPort(const std::string& name, base::InputPortInterface& port,
+                                           const SlotFunction& callback = SlotFunction());
+    base::InputPortInterface& addEventPort(base::InputPortInterface& port,
+                                           const SlotFunction& callback = SlotFunction());
+    /** The same without a service. */
+    base::PortInterface& addLocalPort(base::PortInterface& port);
+    base::InputPortInterface& addLocalEventPort(base::InputPortInterface& port,
+                                                const SlotFunction& callback = SlotFunction());
+
+    /** Disconnects the port and removes its service and callback. Ignores unknown names. */
+    void removePort(const std::string& name);
+    void removeLocalPort(const std::string& name);
+    /** Takes the port out without disconnecting it; for its destructor. */
+    void forgetPort(base::PortInterface& port);
+    /** Removes all ports, without disconnecting them. */
+    void clear();
+
+    /** In the order of adding. */
+    Ports getPorts() const { return ports_; }
+    PortNames getPortNames() const;
+    /** Null if there is none. */
+    base::PortInterface* getPort(const std::string& name) const;
+    template <class Type>
+    Type* getPortType(const std::string& name) const
+    {
+        return dynamic_cast<Type*>(getPort(name));
+    }
+    std::string getPortDescription(const std::string& name) const;
+    bool setPortDescription(const std::string& name, const std::string& description);
+
+    /** A sample came for an event port; called in the writer's thread. Real-time safe. */
+    void dataOnPort(base::PortInterface* port);
+
+private:
+    void replacePort(const std::string& name);
+    void setupCallback(base::InputPortInterface& port, const SlotFunction& callback);
+    void takeOut(base::PortInterface& port);
+
+    Service* service_;
+    Ports ports_;
+};
+
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_EXECUTION_ENGINE_HPP
+#define ORO_EXECUTION_ENGINE_HPP
+
+#include <rtt/base/DisposableInterface.hpp>
+#include <rtt/base/ExecutableInterface.hpp>
+#include <rtt/base/RunnableInterface.hpp>
+#include <rtt/internal/Mailbox.hpp>
+#include <rtt/internal/WaitPoint.hpp>
+
+#include <boost/function.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace RTT {
+namespace base {
+class PortInterface;
+class TaskCore;
+}
+
+/**
+ * Executes what a component has to do, in the thread of its activity: sent operations, callbacks of event ports,
+ * functions (scripts), hooks. One step for each call of work():
+ *
+ *   Trigger             messages and port callbacks, in order of arrival
+ *   TimeOut, IOReady    the same, then functions, then updateHook() or errorHook()
+ *
+ * While a component waits for the operation of another one it executes messages, so that two components that call each
+ * other do not wait for ever; its port callbacks, functions and hooks have to wait with it.
+ *
+ * What throws here puts the component into Exception. One queue of Mailbox::kCapacity entries takes everything that
+ * other threads ask for.
+ */
+class RTT_API ExecutionEngine : public base::RunnableInterface {
+public:
+    /** `owner` is null for an engine that only executes messages. */
+    explicit ExecutionEngine(base::TaskCore* owner = nullptr);
+    /** Disposes of what is still queued. The activity must be stopped. */
+    ~ExecutionEngine() override;
+
+    /** Queues a message and wakes the activity. False, and the caller keeps the message, if it is null, the component is
+        in FatalError, there is no activity or the queue is full. Any thread; real-time safe. */
+    bool process(base::DisposableInterface* message) override;
+    /** Queues the callback of a port. As above. */
+    bool process(base::PortInterface* port);
+    /** Executes `function` in every step until its execute() returns false. False as above. Any thread. */
+    bool runFunction(base::ExecutableInterface* function);
+    /** Stops executing it; waits until it is not being executed. True if it was not loaded or is removed. */
+    bool removeFunction(base::ExecutableInterface* function);
+
+    /** Waits until `done()` is true. In the engine's own thread it executes messages meanwhile; blocks. */
+    void waitForMessages(const boost::function<bool()>& done);
+    /** Wakes those who wait here; see internal::WaitPoint. */
+    const std::shared_ptr<internal::WaitPoint>& waitPoint() const { return wait_point_; }
+
+    /** True in the thread that executes this engine. Real-time safe. */
+    bool isSelf() const;
+    /** True within work() of this engine, in the thread that executes it. Other than isSelf(), this is false in a thread
+        that stands for the activity (SlaveActivity, SequentialActivity) and is doing something else. Real-time safe. */
+    bool isStepping() const;
+    /** The component; null for an engine without. */
+    base::TaskCore* getTaskCore() const { return task_; }
+    base::TaskCore* getParent() const { return task_; }
+
+    /** Called by an operation that threw in this engine: logs and puts the component into Exception. */
+    void setExceptionTask();
+    /** Called by the component in FatalError: stops the activity for good and disposes of what is queued. */
+    void setFatalTask();
+    /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop. */
+    bool stopTask();
+
+    bool initialize() override;
+    void step() override;
+    void loop() override;
+    bool breakLoop() override;
+    void finalize() override;
+    void work(WorkReason reason) override;
+    bool hasWork() override;
+
+private:
+    enum class Depth { Step, Waiting };
+
+    bool accepts() const;
+    bool enqueue(internal::Mailbox::Item item);
+    void disposeQueued();
+    void processMailbox(Depth depth);
+    void execute(internal::Mailbox::Item item, Depth depth);
+    void callDeferredPorts();
+    void processFunctions();
+    void processHooks();
+    template <class Action> bool guarded(const char* what, Action&& action);
+
+    base::TaskCore* task_;
+    internal::Mailbox mailbox_;
+    std::shared_ptr<internal::WaitPoint> wait_point_;
+
+    // Touched in the engine's thread only. Ports whose callbacks came up while the component was waiting:
+    std::vector<base::PortInterface*> deferred_ports_;
+    std::vector<base::ExecutableInterface*> functions_;
+    std::atomic<bool> deferred_{false};  // there are such ports
+};
+
+}  // namespace RTT
+
+#endif

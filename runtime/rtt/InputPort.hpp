@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The reading end of connections, for samples of T.
+#ifndef ORO_INPUT_PORT_HPP
+#define ORO_INPUT_PORT_HPP
+
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/DataSourceTypeInfo.hpp>
+#include <rtt/types/TypeOps.hpp>
+
+namespace RTT {
+template <typename T> class OutputPort;
+
+/** Reading is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does, and never
+    blocks. It is meant for the component's own thread, but several threads may read: each new sample is then new for one
+    of them. */
+template <typename T>
+class InputPort : public base::InputPortInterface {
+public:
+    typedef T value_t;
+    typedef T& reference_t;
+
+    InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy())
+        : base::InputPortInterface(name, default_policy, &types::typeOps<T>())
+    {
+    }
+
+    /** NewData: a sample never read before. OldData: none is new, `sample` is the last one again unless copy_old_data is
+        false. NoData: nothing was written yet; `sample` is untouched. */
+    FlowStatus read(reference_t sample, bool copy_old_data = true) { return readSample(&sample, copy_old_data); }
+    using base::InputPortInterface::read;
+    /** Reads until nothing is new; NewData if anything was. */
+    FlowStatus readNewest(reference_t sample, bool copy_old_data = true)
+    {
+        return readNewestSample(&sample, copy_old_data);
+    }
+    /** A sample of the size the writer announced with setDataSample(); untouched if there is none. */
+    void getDataSample(reference_t sample) { copyDataSample(&sample); }
+
+    const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
+    InputPort<T>* clone() const override;
+    base::PortInterface* antiClone() const override;
+    /** A new data source of T that reads this port at each evaluation. */
+    base::DataSourceBase* getDataSource() override;
+    Service* createPortObject() override;
+    base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
+
+    /** For getDataSource(). */
+    bool sourceValue(reference_t value) { return read(value) != NoData; }
+
+private:
+    FlowStatus readOperation(reference_t sample) { return read(sample); }
+};
+
+}  // namespace RTT
+
+#include <rtt/internal/ports_inl.hpp>
+
+#endif

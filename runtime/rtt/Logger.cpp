@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/Logger.hpp>
+
+#include <rtt/detail/log_line.hpp>
+#include <rtt/detail/log_sink.hpp>
+#include <rtt/os/StartStopManager.hpp>
+#include <rtt/os/log_hook.hpp>
+
+/** @file The face of the log: << ─► line of this thread (detail/log_line) ─► sink of the process (detail/log_sink). */
+namespace RTT {
+
+using detail::logLine;
+using detail::logSink;
+
+namespace {
+
+void logFromOs(int level, const char* module, const std::string& text) {
+    Logger::Instance();
+    if (logSink().mayLog(static_cast<LoggerLevel>(level)))
+        logSink().write(static_cast<LoggerLevel>(level), module, text, true);
+}
+
+int startLogging() {
+    Logger::Instance()->startup();
+    return 0;
+}
+
+// When the library is loaded: a thread may be created before anything else asks for the log.
+const bool hooked = (os::setLogHook(&logFromOs), true);
+os::InitFunction onStart(&startLogging, os::StartLogging);
+os::CleanupFunction onStop(&Logger::Release, os::StopLogging);
+
+}  // namespace
+
+Logger::In::In(const std::string& module) : previous_(Logger::log().getLogModule()) { Logger::log().in(module); }
+Logger::In::~In() { Logger::log().out(previous_); }
+
+Logger* Logger::Instance() {
+    static Logger* const instance = [] {
+        static Logger logger;  // has no state of its own
+        logger.startup();
+        return &logger;
+    }();
+    return instance;
+}
+
+Logger* Logger::Instance(std::ostream& console) {
+    logSink().setConsole(console);
+    return Instance();
+}
+
+void Logger::Release() { logSink().shutdown(); }
+
+Logger& Logger::log() { return *Instance(); }
+
+Logger& Logger::log(LogLevel level) {
+    logLine().level = level;
+    return *Instance();
+}
+
+std::ostream& Logger::endl(std::ostream& s) { return s << std::endl; }
+std::ostream& Logger::nl(std::ostream& s) { return s << '\n'; }
+std::ostream& Logger::flush(std::ostream& s) { return s << std::flush; }
+
+std::ostream* Logger::openLine() {
+    detail::LogLine& line = logLine();
+    if (!logSink().mayLog(line.level)) return nullptr;
+    line.opened = true;
+    return &line.stream;
+}
+
+Logger& Logger::operator<<(const char* text) {
+    if (std::ostream* line = openLine()) *line << (text ? text : "(null)");
+    return *this;
+}
+
+Logger& Logger::operator<<(const std::string& text) {
+    if (std::ostream* line = openLine()) *line << text;
+    return *this;
+}
+
+Logger& Logger::operator<<(LogLevel level) {
+    logLine().level = level;
+    return *this;
+}
+
+Logger& Logger::operator<<(LogFunction manipulator) {
+    if (manipulator == static_cast<LogFunction>(&Logger::endl))
+        logendl();
+    else if (manipulator == static_cast<LogFunction>(&Logger::nl))
+        lognl();
+    else if (manipulator == static_cast<LogFunction>(&Logger::flush))
+        logflush();
+    else if (std::ostream* line = openLine())
+        manipulator(*line);
+    return *this;
+}
+
+void Logger::logendl() { logLine().finish(true); }
+void Logger::lognl() { logLine().finish(false); }
+void Logger::logflush() { logSink().flush(); }
+
+void Logger::in(const std::string& module) { logLine().module = module; }
+void Logger::out(const std::string& previousModule) { logLine().module = previousModule; }
+std::string Logger::getLogModule() const { return logLine().module; }
+
+void Logger::setLogLevel(LogLevel level) { logSink().setLevel(level); }
+Logger::LogLevel Logger::getLogLevel() const { return logSink().level(); }
+void Logger::setStdStream(std::ostream& stream) { logSink().setConsole(stream); }
+
+bool Logger::mayLog() const { return logSink().mayLog(logLine().level); }
+bool Logger::mayLogStdOut() const { return logSink().reachesConsole(logLine().level); }
+bool Logger::mayLogFile() const { return logSink().reachesFile(logLine().level); }
+void Logger::mayLogStdOut(bool yes) { logSink().enableConsole(yes); }
+void Logger::mayLogFile(bool yes) { logSink().enableFile(yes); }
+
+void Logger::allowRealTime() {
+    logSink().write(Warning, "Logger", "log messages of real-time code are allowed now", true);
+    logSink().allowRealTime(true);
+}
+
+void Logger::disallowRealTime() {
+    logSink().write(Warning, "Logger", "log messages of real-time code are not allowed any more", true);
+    logSink().allowRealTime(false);
+}
+
+std::string Logger::getLogLine() { return logSink().takeLine(); }
+os::TimeService::ticks Logger::getReferenceTime() const { return logSink().referenceTime(); }
+
+void Logger::startup() { logSink().startup(); }
+void Logger::shutdown() { logSink().shutdown(); }
+
+}  // namespace RTT

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_LOGGER_HPP
+#define ORO_LOGGER_HPP
+
+#include <rtt/os/TimeService.hpp>
+#include <rtt/rtt-config.h>
+
+#include <cmath>
+#include <ostream>
+#include <string>
+
+namespace RTT {
+
+// Code inside this namespace that takes a logarithm would find only the functions below without this.
+using std::log;
+
+/** How bad or how detailed a message is; smaller is worse. */
+enum LoggerLevel { Never = 0, Fatal = 1, Critical = 2, Error = 3, Warning = 4, Info = 5, Debug = 6, RealTime = 7 };
+
+/**
+ * The log of the process: `log(Error) << "what happened" << endlog();`
+ *
+ * The console (std::cerr) shows lines up to the log level (default Warning), the file `orocos.log` those up to Info or
+ * the log level, whichever is more. Environment at start-up: ORO_LOGLEVEL (number; negative: no logging at all) and
+ * ORO_LOGFILE (file name). Logging starts by itself with the first use.
+ *
+ * Every thread composes its own line, with its own level and module name; a finished line is handed over as a whole, so
+ * lines of several threads never mix. A message below both levels costs one comparison per `<<`. Writing a line that
+ * is shown or stored allocates and locks: not for hard real-time paths.
+ */
+class RTT_API Logger {
+public:
+    typedef LoggerLevel LogLevel;
+    static constexpr LogLevel Never = RTT::Never;
+    static constexpr LogLevel Fatal = RTT::Fatal;
+    static constexpr LogLevel Critical = RTT::Critical;
+    static constexpr LogLevel Error = RTT::Error;
+    static constexpr LogLevel Warning = RTT::Warning;
+    static constexpr LogLevel Info = RTT::Info;
+    static constexpr LogLevel Debug = RTT::Debug;
+    static constexpr LogLevel RealTime = RTT::RealTime;
+
+    /** Names the module of this thread's messages until the end of the scope. */
+    class RTT_API In {
+    public:
+        explicit In(const std::string& module);
+        ~In();
+        In(const In&) = delete;
+        In& operator=(const In&) = delete;
+
+    private:
+        std::string previous_;
+    };
+
+    static Logger& log();
+    /** Sets the level of this thread's current line, and of its next ones. */
+    static Logger& log(LogLevel level);
+    /** Starts logging if it was not started. The argument sets the console stream. */
+    static Logger* Instance();
+    static Logger* Instance(std::ostream& console);
+    /** Ends logging, as shutdown(). The instance stays valid. */
+    static void Release();
+
+    /** Ends the line and flushes. On another stream: std::endl. */
+    static std::ostream& endl(std::ostream& s);
+    /** Ends the line. On another stream: a newline. */
+    static std::ostream& nl(std::ostream& s);
+    static std::ostream& flush(std::ostream& s);
+    typedef std::ostream& (*LogFunction)(std::ostream&);
+
+    template <class T>
+    Logger& operator<<(const T& value) {
+        if (std::ostream* line = openLine()) *line << value;
+        return *this;
+    }
+    Logger& operator<<(const char* text);
+    Logger& operator<<(const std::string& text);
+    /** Sets the level of this thread's current line. */
+    Logger& operator<<(LogLevel level);
+    /** Logger::endl, Logger::nl, Logger::flush, or a manipulator of the text stream. */
+    Logger& operator<<(LogFunction manipulator);
+
+    /** End the line of this thread; logendl() also flushes. */
+    void logendl();
+    void lognl();
+    void logflush();
+
+    /** Module name of this thread. Prefer Logger::In. */
+    void in(const std::string& module);
+    void out(const std::string& previousModule);
+    std::string getLogModule() const;
+
+    void setLogLevel(LogLevel level);
+    LogLevel getLogLevel() const;
+    /** Console stream; it must live as long as it is used. Default: std::cerr. */
+    void setStdStream(std::ostream& stream);
+    /** True if the level of this thread's current line reaches the console or the file. */
+    bool mayLog() const;
+    bool mayLogStdOut() const;
+    bool mayLogFile() const;
+    /** Switch the console and the file on or off. */
+    void mayLogStdOut(bool yes);
+    void mayLogFile(bool yes);
+    /** Without this, the log level RealTime silences everything. */
+    void allowRealTime();
+    void disallowRealTime();
+
+    /** The next line that went to the console, without its end of line, and removes it; the last 1000 are kept. */
+    std::string getLogLine();
+    /** Ticks at which logging started: zero of the time in the lines. */
+    os::TimeService::ticks getReferenceTime() const;
+
+    void startup();
+    void shutdown();
+
+private:
+    Logger() = default;
+    std::ostream* openLine();
+};
+
+/** The log. Never blocks. */
+inline Logger& log() { return Logger::log(); }
+inline Logger& log(LoggerLevel level) { return Logger::log(level); }
+/** Ends a line and flushes. */
+inline Logger::LogFunction endlog() { return Logger::endl; }
+/** Ends a line that shall have this level. */
+inline Logger::LogFunction endlog(LoggerLevel level) {
+    Logger::log(level);
+    return Logger::endl;
+}
+/** Ends a line; the next one has the same level. */
+inline Logger::LogFunction nlog() { return Logger::nl; }
+inline Logger::LogFunction flushlog() { return Logger::flush; }
+
+}  // namespace RTT
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/OperationInterface.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/internal/DataSource.hpp>
+
+namespace RTT {
+
+OperationInterfacePart::~OperationInterfacePart() = default;
+OperationInterface::OperationInterface() = default;
+OperationInterface::~OperationInterface() = default;
+
+std::vector<std::string> OperationInterface::getNames() const
+{
+    std::vector<std::string> names;
+    for (const auto& entry : parts_) names.push_back(entry.first);
+    return names;
+}
+
+bool OperationInterface::hasMember(const std::string& name) const { return parts_.count(name) != 0; }
+
+OperationInterfacePart* OperationInterface::getPart(const std::string& name) const
+{
+    const auto found = parts_.find(name);
+    return found == parts_.end() ? nullptr : found->second.get();
+}
+
+OperationInterfacePart& OperationInterface::part(const std::string& name) const
+{
+    OperationInterfacePart* found = getPart(name);
+    if (!found) throw name_not_found_exception(name);
+    return *found;
+}
+
+base::DataSourceBase::shared_ptr OperationInterface::produce(const std::string& name, const Args& args,
+                                                             ExecutionEngine* caller) const
+{
+    return part(name).produce(args, caller);
+}
+base::DataSourceBase::shared_ptr OperationInterface::produceSend(const std::string& name, const Args& args,
+                                                                 ExecutionEngine* caller) const
+{
+    return part(name).produceSend(args, caller);
+}
+base::DataSourceBase::shared_ptr OperationInterface::produceHandle(const std::string& name) const
+{
+    return part(name).produceHandle();
+}
+base::DataSourceBase::shared_ptr OperationInterface::produceCollect(const std::string& name, const Args& args,
+                                                                    internal::DataSource<bool>::shared_ptr blocking) const
+{
+    return part(name).produceCollect(args, blocking);
+}
+OperationInterface::Descriptions OperationInterface::getArgumentList(const std::string& name) const
+{
+    return part(name).getArgumentList();
+}
+std::string OperationInterface::getResultType(const std::string& name) const { return part(name).resultType(); }
+std::string OperationInterface::getDescription(const std::string& name) const { return part(name).description(); }
+int OperationInterface::getArity(const std::string& name) const { return static_cast<int>(part(name).arity()); }
+int OperationInterface::getCollectArity(const std::string& name) const
+{
+    return static_cast<int>(part(name).collectArity());
+}
+bool OperationInterface::isSynchronous(const std::string& name) const { return part(name).isSynchronous(); }
+
+void OperationInterface::add(const std::string& name, OperationInterfacePart* part) { parts_[name].reset(part); }
+void OperationInterface::remove(const std::string& name) { parts_.erase(name); }
+void OperationInterface::clear() { parts_.clear(); }
+
+}  // namespace RTT

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OPERATION_INTERFACE_HPP
+#define ORO_OPERATION_INTERFACE_HPP
+
+#include <rtt/OperationInterfacePart.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+
+/** The operations of a service by name. Not thread safe, not real-time safe. */
+class RTT_API OperationInterface {
+public:
+    typedef OperationInterfacePart Factory;
+    typedef OperationInterfacePart::Args Args;
+    typedef std::vector<ArgumentDescription> Descriptions;
+
+    OperationInterface();
+    virtual ~OperationInterface();
+    OperationInterface(const OperationInterface&) = delete;
+    OperationInterface& operator=(const OperationInterface&) = delete;
+
+    /** In alphabetical order. */
+    std::vector<std::string> getNames() const;
+    std::vector<std::string> getOperationNames() const { return getNames(); }
+    bool hasMember(const std::string& name) const;
+    /** Null if there is none. */
+    OperationInterfacePart* getPart(const std::string& name) const;
+
+    // All of these throw name_not_found_exception; the first four also what OperationInterfacePart throws.
+    base::DataSourceBase::shared_ptr produce(const std::string& name, const Args& args, ExecutionEngine* caller) const;
+    base::DataSourceBase::shared_ptr produceSend(const std::string& name, const Args& args, ExecutionEngine* caller) const;
+    base::DataSourceBase::shared_ptr produceHandle(const std::string& name) const;
+    base::DataSourceBase::shared_ptr produceCollect(const std::string& name, const Args& args,
+                                                    boost::intrusive_ptr<internal::DataSource<bool>> blocking) const;
+    Descriptions getArgumentList(const std::string& name) const;
+    std::string getResultType(const std::string& name) const;
+    std::string getDescription(const std::string& name) const;
+    int getArity(const std::string& name) const;
+    int getCollectArity(const std::string& name) const;
+    bool isSynchronous(const std::string& name) const;
+
+    /** Takes ownership; replaces what has the name. */
+    void add(const std::string& name, OperationInterfacePart* part);
+    void remove(const std::string& name);
+    virtual void clear();
+
+private:
+    OperationInterfacePart& part(const std::string& name) const;
+    std::map<std::string, std::unique_ptr<OperationInterfacePart>> parts_;
+};
+
+}  // namespace RTT
+
+#endif

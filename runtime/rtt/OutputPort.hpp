@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The writing end of connections, for samples of T.
+#ifndef ORO_OUTPUT_PORT_HPP
+#define ORO_OUTPUT_PORT_HPP
+
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/DataSourceTypeInfo.hpp>
+#include <rtt/types/TypeOps.hpp>
+
+namespace RTT {
+template <typename T> class InputPort;
+
+/** Writing is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does (avoid it
+    by setDataSample()), and never blocks. Several threads may write. */
+template <typename T>
+class OutputPort : public base::OutputPortInterface {
+public:
+    typedef T value_t;
+    typedef const T& param_t;
+    typedef T& reference_t;
+
+    OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true)
+        : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value)
+    {
+    }
+
+    /** NotConnected if there is no connection, WriteFailure if a mandatory one could not take the sample, else WriteSuccess. */
+    WriteStatus write(param_t sample) { return writeSample(&sample); }
+    using base::OutputPortInterface::write;
+    /** Sizes the storage of all connections, also later ones, for samples like this one. Readers never see it; samples
+        that they have not read yet, and the last written value, are forgotten. Not real-time safe. */
+    void setDataSample(param_t sample) { setSample(&sample); }
+
+    /** A default value if nothing was written yet, or nothing is kept. */
+    value_t getLastWrittenValue() const;
+    /** False, and `sample` untouched, if nothing was written yet, or nothing is kept. */
+    bool getLastWrittenValue(reference_t sample) const { return copyLastWritten(&sample); }
+
+    const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
+    OutputPort<T>* clone() const override;
+    base::PortInterface* antiClone() const override;
+    /** A new data source of T that gives the last written value. */
+    base::DataSourceBase* getDataSource() const override;
+    Service* createPortObject() override;
+    base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
+
+    /** For getDataSource(). */
+    bool sourceValue(reference_t value) const { return copyLastWritten(&value); }
+
+private:
+    WriteStatus writeOperation(param_t sample) { return write(sample); }
+    value_t lastOperation() { return getLastWrittenValue(); }
+};
+
+}  // namespace RTT
+
+#include <rtt/internal/ports_inl.hpp>
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_PROPERTY_HPP
+#define ORO_PROPERTY_HPP
+
+#include <rtt/base/PropertyBase.hpp>
+#include <rtt/internal/DataSources.hpp>
+
+namespace RTT {
+
+class PropertyBag;
+
+namespace internal { namespace detail {
+/** Logs that a property of type `source` cannot stand behind a Property of type `destination`. */
+RTT_API void logPropertyMismatch(const base::PropertyBase& from, const std::string& destination);
+/** The property is null: returns an empty string instead of its name or description. */
+RTT_API const std::string& nameOf(const base::PropertyBase* property);
+RTT_API const std::string& descriptionOf(const base::PropertyBase* property);
+}}
+
+/**
+ * A property of type T. get() and set() are real-time safe if copying T is.
+ * Using the value of a property that is not ready() is a programming error.
+ */
+template <typename T>
+class Property : public base::PropertyBase {
+public:
+    typedef T DataSourceType;
+    typedef internal::AssignableDataSource<T> SourceType;
+    typedef typename SourceType::param_t param_t;
+    typedef typename SourceType::reference_t reference_t;
+    typedef typename SourceType::const_reference_t const_reference_t;
+
+    /** Not ready. */
+    Property() {}
+    explicit Property(const std::string& name) : PropertyBase(name, ""), _value(new internal::ValueDataSource<T>()) {}
+    Property(const std::string& name, const std::string& description, const T& value = T())
+        : PropertyBase(name, description), _value(new internal::ValueDataSource<T>(value)) {}
+    Property(const std::string& name, const std::string& description,
+             const typename internal::AssignableDataSource<T>::shared_ptr& source)
+        : PropertyBase(name, description), _value(source) {}
+    // The pointer form exists because a pointer would rather become the value of a Property<bool>.
+    Property(const std::string& name, const std::string& description, internal::AssignableDataSource<T>* source)
+        : PropertyBase(name, description), _value(source) {}
+    /** Copies the value. */
+    Property(const Property<T>& other)
+        : PropertyBase(other), _value(other._value ? new internal::ValueDataSource<T>(other.rvalue()) : nullptr) {}
+    /** Shares the value of `source`; not ready, and an error in the log, if it is of another type. */
+    Property(base::PropertyBase* source)
+        : PropertyBase(internal::detail::nameOf(source), internal::detail::descriptionOf(source)),
+          _value(source ? SourceType::narrow(source->getDataSource().get()) : nullptr) {
+        if (source && !_value) internal::detail::logPropertyMismatch(*source, internal::DataSource<T>::GetType());
+    }
+
+    Property<T>& operator=(base::PropertyBase* source) {
+        Property<T> made(source);
+        _name = made._name;
+        _description = made._description;
+        _value = made._value;
+        return *this;
+    }
+    /** Takes over name, description and value. */
+    Property<T>& operator=(const Property<T>& other) {
+        if (this == &other) return *this;
+        PropertyBase::operator=(other);
+        if (!other._value) _value = nullptr;
+        else if (_value) set(other.rvalue());
+        else _value = new internal::ValueDataSource<T>(other.rvalue());
+        return *this;
+    }
+    Property<T>& operator=(param_t value) {
+        set(value);
+        return *this;
+    }
+    Property<T>& operator<<=(const Property<T>& source) {
+        this->update(&source);
+        return *this;
+    }
+
+    operator T() const { return _value->get(); }
+    T get() const { return _value->get(); }
+    const_reference_t rvalue() const { return _value->rvalue(); }
+    void set(param_t value) {
+        _value->set(value);
+        _value->updated();
+    }
+    /** The stored value for direct change. */
+    reference_t set() { return _value->set(); }
+    reference_t value() { return _value->set(); }
+    const_reference_t value() const { return _value->rvalue(); }
+
+    Property<T>& doc(const std::string& text) {
+        _description = text;
+        return *this;
+    }
+
+    base::DataSourceBase::shared_ptr getDataSource() const override { return _value; }
+    typename SourceType::shared_ptr getAssignableDataSource() const { return _value; }
+    bool setDataSource(const base::DataSourceBase::shared_ptr& source) override {
+        auto* same = SourceType::narrow(source.get());
+        if (same) _value = same;
+        return same != nullptr;
+    }
+    /** Fills the value from the members in `bag`; false if the type cannot be composed from it. */
+    bool compose(const PropertyBag& bag);
+
+    std::string getType() const override { return internal::DataSource<T>::GetType(); }
+    const types::TypeInfo* getTypeInfo() const override { return internal::DataSource<T>::GetTypeInfo(); }
+
+    Property<T>* clone() const override { return new Property<T>(*this); }
+    Property<T>* create() const override { return new Property<T>(_name, _description, T()); }
+    base::PropertyBase* create(const base::DataSourceBase::shared_ptr& source) const override {
+        auto* same = SourceType::narrow(source.get());
+        return same ? new Property<T>(_name, _description, same) : nullptr;
+    }
+
+    static Property<T>* narrow(base::PropertyBase* property) { return dynamic_cast<Property<T>*>(property); }
+
+protected:
+    typename SourceType::shared_ptr _value;
+};
+
+} // namespace RTT
+
+#include "PropertyBag.hpp"
+
+namespace RTT {
+template <typename T> bool Property<T>::compose(const PropertyBag& bag) {
+    return _value && internal::detail::composeFromBag(bag, _value);
+}
+}
+
+#endif

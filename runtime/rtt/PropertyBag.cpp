@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The container itself; paths and updates are in internal/detail.
+#include "PropertyBag.hpp"
+
+#include <rtt/base/PropertyIntrospection.hpp>
+#include <rtt/types/detail/member_update.hpp>
+#include <algorithm>
+#include <ostream>
+
+namespace RTT {
+
+using base::PropertyBase;
+
+PropertyBag::PropertyBag() : type("PropertyBag") {}
+
+PropertyBag::PropertyBag(const std::string& t) : type(t) {}
+
+PropertyBag::PropertyBag(const PropertyBag& other) : type(other.type) {
+    for (auto* property : other.mproperties) {
+        if (other.ownsProperty(property)) ownProperty(property->clone());
+        else add(property);
+    }
+}
+
+PropertyBag& PropertyBag::operator=(const PropertyBag& other) {
+    if (&other == this) return *this;
+    PropertyBag copied(other);
+    mproperties.swap(copied.mproperties);
+    mowned.swap(copied.mowned);
+    type.swap(copied.type);
+    return *this;
+}
+
+PropertyBag::~PropertyBag() { clear(); }
+
+bool PropertyBag::addProperty(PropertyBase& property) {
+    if (!property.ready()) return false;
+    mproperties.push_back(&property);
+    return true;
+}
+
+bool PropertyBag::ownProperty(PropertyBase* property) {
+    if (!property || !property->ready()) return false;
+    const bool known = std::find(mproperties.begin(), mproperties.end(), property) != mproperties.end();
+    if (!known) mproperties.push_back(property);
+    if (!ownsProperty(property)) mowned.push_back(property);
+    return true;
+}
+
+bool PropertyBag::ownsProperty(const PropertyBase* property) const {
+    return std::find(mowned.begin(), mowned.end(), property) != mowned.end();
+}
+
+bool PropertyBag::removeProperty(PropertyBase* property) {
+    const auto at = std::find(mproperties.begin(), mproperties.end(), property);
+    if (at == mproperties.end()) return false;
+    mproperties.erase(at);
+    const auto owned = std::find(mowned.begin(), mowned.end(), property);
+    if (owned != mowned.end()) {
+        mowned.erase(owned);
+        delete property;
+    }
+    return true;
+}
+
+void PropertyBag::clear() {
+    Properties owned;
+    owned.swap(mowned);
+    mproperties.clear();
+    for (auto* property : owned) delete property;
+}
+
+PropertyBase* PropertyBag::find(const std::string& name) const {
+    for (auto* property : mproperties)
+        if (property->getName() == name) return property;
+    return nullptr;
+}
+
+PropertyBag::Names PropertyBag::list() const {
+    Names names;
+    for (const auto* property : mproperties) names.push_back(property->getName());
+    return names;
+}
+
+PropertyBag::Properties PropertyBag::getProperties(const std::string& name) const {
+    Properties found;
+    for (auto* property : mproperties)
+        if (property->getName() == name) found.push_back(property);
+    return found;
+}
+
+PropertyBase* PropertyBag::getItem(std::size_t index) const {
+    return index < mproperties.size() ? mproperties[index] : nullptr;
+}
+
+void PropertyBag::identify(base::PropertyIntrospection* visitor) const {
+    for (const auto* property : mproperties) property->identify(visitor);
+}
+
+PropertyBag& PropertyBag::operator<<=(const PropertyBag& source) {
+    for (auto* property : Properties(source.mproperties)) {
+        if (auto* mine = find(property->getName())) removeProperty(mine);
+        add(property);
+    }
+    return *this;
+}
+
+std::ostream& operator<<(std::ostream& os, const PropertyBag& bag) {
+    os << "[[";
+    for (auto* property : bag) os << property->getName() << "='" << property << "'\n";
+    return os << "]]";
+}
+
+namespace internal { namespace detail {
+bool composeFromBag(const PropertyBag& bag, base::DataSourceBase::shared_ptr target) {
+    const base::DataSourceBase::shared_ptr source(new ConstReferenceDataSource<PropertyBag>(bag));
+    return types::detail::updateByAnyMeans(target, source);
+}
+}}
+
+} // namespace RTT

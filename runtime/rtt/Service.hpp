@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_SERVICE_HPP
+#define ORO_SERVICE_HPP
+
+#include <rtt/ConfigurationInterface.hpp>
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Operation.hpp>
+#include <rtt/OperationInterface.hpp>
+
+#include <boost/enable_shared_from_this.hpp>
+#include <boost/shared_ptr.hpp>
+#include <boost/weak_ptr.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+
+class ServiceRequester;
+class TaskContext;
+
+/**
+ * A named group of operations, ports, attributes, properties and further services, in a component or process-wide.
+ * Not thread safe, except calling operations; not real-time safe.
+ */
+class RTT_API Service : public OperationInterface, public ConfigurationInterface, public DataFlowInterface,
+                        public boost::enable_shared_from_this<Service> {
+public:
+    typedef boost::shared_ptr<Service> shared_ptr;
+    typedef boost::shared_ptr<const Service> shared_constptr;
+    typedef std::vector<std::string> ProviderNames;
+
+    /** Makes a service and adds it to `owner`, if given. */
+    static shared_ptr Create(const std::string& name, TaskContext* owner = nullptr);
+    explicit Service(const std::string& name, TaskContext* owner = nullptr);
+    ~Service() override;
+
+    const std::string& getName() const { return name_; }
+    void setName(const std::string& name) { name_ = name; }
+    const std::string& doc() const { return doc_; }
+    void doc(const std::string& text) { doc_ = text; }
+
+    TaskContext* getOwner() const { return owner_; }
+    /** For the component: its services do not outlive it as its services. */
+    void setOwner(TaskContext* owner);
+    ExecutionEngine* getOwnerExecutionEngine() const;
+    /** Null for the root. */
+    shared_ptr getParent() const { return parent_.lock(); }
+    void setParent(shared_ptr parent);
+
+    /** This service. */
+    shared_ptr provides();
+    /** The service of that name, which is made if there is none; "this" is this one. */
+    shared_ptr provides(const std::string& name);
+    /** As above, but null if there is none. */
+    shared_ptr getService(const std::string& name);
+    bool hasService(const std::string& name) const;
+    ProviderNames getProviderNames() const;
+    /** False if the name is taken. */
+    virtual bool addService(shared_ptr service);
+    virtual void removeService(const std::string& name);
+    /** Removes everything. */
+    void clear() override;
+
+    /** Null, and a warning, if there is none. */
+    OperationInterfacePart* getOperation(const std::string& name);
+    bool hasOperation(const std::string& name) const { return hasMember(name); }
+    base::OperationCallerInterface::shared_ptr getLocalOperation(const std::string& name);
+    void removeOperation(const std::string& name);
+    /** For local operations; callers made before are not affected. */
+    bool setOperationThread(const std::string& name, ExecutionThread et);
+    OperationInterface* operations() { return this; }
+    DataFlowInterface* ports() { return this; }
+
+    /** Registers an operation that belongs to the caller. */
+    template <class Signature> Operation<Signature>& addOperation(Operation<Signature>& operation)
+    {
+        registerOperation(operation, false);
+        return operation;
+    }
+    /** Registers a member function of an object, given by pointer or smart pointer. */
+    template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
+    Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
+                                                                            Object object, ExecutionThread et = ClientThread)
+    {
+        return make<typename internal::SignatureOf<Function>::type>(name, internal::BoundMember<Function, Object>{function, object},
+                                                                    et, false);
+    }
+    /** Registers anything that can be called and has one signature: functions, lambdas, boost::function. */
+    template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
+    Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
+                                                                            ExecutionThread et = ClientThread)
+    {
+        return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, false);
+    }
+    /** Can be called, in the caller's thread, but not sent. */
+    template <class Signature> Operation<Signature>& addSynchronousOperation(Operation<Signature>& operation)
+    {
+        registerOperation(operation, true);
+        return operation;
+    }
+    template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
+    Operation<typename internal::SignatureOf<Function>::type>& addSynchronousOperation(
+        const std::string& name, Function function, Object object, ExecutionThread et = ClientThread)
+    {
+        return make<typename internal::SignatureOf<Function>::type>(name, internal::BoundMember<Function, Object>{function, object},
+                                                                    et, true);
+    }
+    template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
+    Operation<typename internal::SignatureOf<Function>::type>& addSynchronousOperation(const std::string& name, Function function,
+                                                                                       ExecutionThread et = ClientThread)
+    {
+        return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, true);
+    }
+    /** An operation whose calls others can listen to. */
+    template <class Signature> Operation<Signature>& addEventOperation(Operation<Signature>& operation)
+    {
+        operation.signals();
+        return addOperation(operation);
+    }
+    template <class... Arguments> auto& addEventOperation(const std::string& name, Arguments... arguments)
+    {
+        return addOperation(name, arguments...).signals();
+    }
+
+private:
+    template <class Signature, class Function>
+    Operation<Signature>& make(const std::string& name, Function function, ExecutionThread et, bool callOnly)
+    {
+        auto* made = new Operation<Signature>(name, std::move(function), et);
+        keep(made);
+        registerOperation(*made, callOnly);
+        return *made;
+    }
+    bool registerOperation(base::OperationBase& operation, bool callOnly);
+    void keep(base::OperationBase* operation);
+
+    typedef std::map<std::string, shared_ptr> Services;
+    Services services_;
+    std::vector<std::unique_ptr<base::OperationBase>> owned_;
+    // Not the operation objects: one that belongs to the component may be gone before its service.
+    std::map<std::string, base::OperationCallerInterface::shared_ptr> implementations_;
+    std::string name_, doc_;
+    TaskContext* owner_;
+    boost::weak_ptr<Service> parent_;
+};
+
+}  // namespace RTT
+
+#endif

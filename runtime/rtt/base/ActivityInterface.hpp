@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_BASE_ACTIVITY_INTERFACE_HPP
+#define ORO_BASE_ACTIVITY_INTERFACE_HPP
+
+#include <rtt/Time.hpp>
+#include <rtt/base/RunnableInterface.hpp>
+#include <rtt/os/ThreadInterface.hpp>
+
+#include <boost/shared_ptr.hpp>
+
+namespace RTT {
+namespace base {
+
+/** Executes a RunnableInterface: decides in which thread, when and how often. */
+class RTT_API ActivityInterface {
+public:
+    typedef boost::shared_ptr<ActivityInterface> shared_ptr;
+
+    ActivityInterface() = default;
+    explicit ActivityInterface(RunnableInterface* runner);
+    /** Detaches the runner. Sub-classes stop the activity in their own destructor. */
+    virtual ~ActivityInterface();
+    ActivityInterface(const ActivityInterface&) = delete;
+    ActivityInterface& operator=(const ActivityInterface&) = delete;
+
+    /** Takes another runnable, or none for null. False while the activity is active. */
+    virtual bool run(RunnableInterface* runner);
+    RunnableInterface* getRunner() const { return runner; }
+
+    virtual bool start() = 0;
+    virtual bool stop() = 0;
+    /** Is executing, or, if periodic, scheduled for execution. */
+    virtual bool isRunning() const = 0;
+    /** Was started and not stopped. */
+    virtual bool isActive() const = 0;
+
+    /** Seconds; 0 if not periodic. */
+    virtual Seconds getPeriod() const = 0;
+    /** False if this activity cannot have that period. */
+    virtual bool setPeriod(Seconds period) = 0;
+    virtual bool isPeriodic() const;
+    virtual unsigned getCpuAffinity() const = 0;
+    virtual bool setCpuAffinity(unsigned cpuAffinity) = 0;
+
+    /** Runs one cycle in the calling thread; false if this kind of activity has a thread that does it. */
+    virtual bool execute() = 0;
+    /** Asks for execution because of a message or an event. Real-time safe. False if not possible. */
+    virtual bool trigger() = 0;
+    /** Asks for execution as if the period were over. Real-time safe. False if not possible. */
+    virtual bool timeout() = 0;
+    /** The thread that executes, or the one that stands for it. */
+    virtual os::ThreadInterface* thread() = 0;
+
+    /**
+     * True if the caller is, at this moment, the one thread that may touch the runner: its own thread, or for an activity
+     * that borrows threads the one that is executing it. Real-time safe. Use it instead of thread()->isSelf().
+     */
+    virtual bool isSelf() const;
+
+protected:
+    /** Attaches without asking whether the activity is active. */
+    void attach(RunnableInterface* newRunner);
+    RunnableInterface* runner = nullptr;
+};
+
+}  // namespace base
+}  // namespace RTT
+#endif

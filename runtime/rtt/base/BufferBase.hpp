@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// A queue of samples, whatever their type.
+#ifndef ORO_BUFFER_BASE_HPP
+#define ORO_BUFFER_BASE_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <boost/shared_ptr.hpp>
+
+namespace RTT {
+class ConnPolicy;
+namespace base {
+
+class RTT_API BufferBase {
+public:
+    typedef int size_type;
+    typedef boost::shared_ptr<BufferBase> shared_ptr;
+
+    class RTT_API Options {
+    public:
+        Options(bool circular = false, unsigned int max_threads = 2) : circular_(circular), max_threads_(max_threads) {}
+        Options(const ConnPolicy& policy);
+
+        /** When full, drop the oldest sample instead of the new one. */
+        bool circular() const { return circular_; }
+        Options& circular(bool on)
+        {
+            circular_ = on;
+            return *this;
+        }
+        /** How many threads use a lock-free buffer at once. */
+        unsigned int max_threads() const { return max_threads_; }
+        Options& max_threads(unsigned int n)
+        {
+            max_threads_ = n;
+            return *this;
+        }
+
+    private:
+        bool circular_;
+        unsigned int max_threads_;
+    };
+
+    virtual ~BufferBase();
+    virtual size_type capacity() const = 0;
+    virtual size_type size() const = 0;
+    virtual bool empty() const = 0;
+    virtual bool full() const = 0;
+    virtual void clear() = 0;
+    /** Samples lost because the buffer was full. */
+    virtual size_type dropped() const = 0;
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

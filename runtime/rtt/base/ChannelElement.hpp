@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The typed face of a channel element; what transports derive from.
+#ifndef ORO_CHANNEL_ELEMENT_HPP
+#define ORO_CHANNEL_ELEMENT_HPP
+
+#include <rtt/base/ChannelElementBase.hpp>
+
+namespace RTT {
+namespace base {
+
+/** Passes samples of T on. A transport overrides the typed virtuals it has something to do in; what it leaves alone is
+    passed to its neighbours. write() and read() must be real-time safe to be used by real-time components. */
+template <typename T>
+class ChannelElement : public ChannelElementBase {
+public:
+    typedef boost::intrusive_ptr<ChannelElement<T>> shared_ptr;
+    typedef T value_t;
+    typedef const T& param_t;
+    typedef T& reference_t;
+
+    /** The neighbours, if they carry samples of T; null otherwise. */
+    shared_ptr getInput() const;
+    shared_ptr getOutput() const;
+
+    /** Takes one sample. NotConnected makes the output port drop this channel. */
+    virtual WriteStatus write(param_t sample);
+    /** Gives one sample. Leaves `sample` untouched on NoData, and on OldData unless copy_old_data. */
+    virtual FlowStatus read(reference_t sample, bool copy_old_data = true);
+    /** Passes a sample that shows the size of later ones. It is never delivered as data. */
+    virtual WriteStatus data_sample(param_t sample, bool reset = true);
+    /** The sample given last to data_sample(), or a default one. */
+    virtual value_t data_sample();
+
+    WriteStatus writeErased(const void* sample) override { return write(*static_cast<const T*>(sample)); }
+    FlowStatus readErased(void* sample, bool copyOld) override { return read(*static_cast<T*>(sample), copyOld); }
+    WriteStatus sampleErased(const void* sample, bool reset) override
+    {
+        return data_sample(*static_cast<const T*>(sample), reset);
+    }
+};
+
+template <typename T>
+typename ChannelElement<T>::shared_ptr ChannelElement<T>::getInput() const
+{
+    return boost::dynamic_pointer_cast<ChannelElement<T>>(ChannelElementBase::getInput());
+}
+
+template <typename T>
+typename ChannelElement<T>::shared_ptr ChannelElement<T>::getOutput() const
+{
+    return boost::dynamic_pointer_cast<ChannelElement<T>>(ChannelElementBase::getOutput());
+}
+
+// The base's erased versions pass to the neighbour; the next typed element brings the sample back to its type.
+
+template <typename T>
+WriteStatus ChannelElement<T>::write(param_t sample)
+{
+    return ChannelElementBase::writeErased(&sample);
+}
+
+template <typename T>
+FlowStatus ChannelElement<T>::read(reference_t sample, bool copy_old_data)
+{
+    return ChannelElementBase::readErased(&sample, copy_old_data);
+}
+
+template <typename T>
+WriteStatus ChannelElement<T>::data_sample(param_t sample, bool reset)
+{
+    return ChannelElementBase::sampleErased(&sample, reset);
+}
+
+template <typename T>
+T ChannelElement<T>::data_sample()
+{
+    T sample = T();
+    this->getSampleErased(&sample);
+    return sample;
+}
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// One link of the chain between an output port and an input port, whatever the type of the samples.
+//
+//   OutputPort -> [storage element] -> InputPort                      a local connection
+//   OutputPort -> [storage element] -> [transport element]            an output stream
+//   [transport element] -> [storage element] -> InputPort             an input stream
+//
+// Both ends of a complete chain are the endpoint elements of the ports.
+#ifndef ORO_CHANNEL_ELEMENT_BASE_HPP
+#define ORO_CHANNEL_ELEMENT_BASE_HPP
+
+#include <rtt/FlowStatus.hpp>
+#include <rtt/rtt-config.h>
+
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+
+#include <atomic>
+#include <string>
+
+namespace RTT {
+class ConnPolicy;
+namespace internal {
+class ConnID;
+class ConnectionManager;
+class StorageCore;
+}
+
+namespace base {
+class PortInterface;
+
+/** Reference counted; create with new, hold in a shared_ptr. Links may be changed by one thread while others use them. */
+class RTT_API ChannelElementBase {
+public:
+    typedef boost::intrusive_ptr<ChannelElementBase> shared_ptr;
+
+    ChannelElementBase() = default;
+    virtual ~ChannelElementBase();
+    ChannelElementBase(const ChannelElementBase&) = delete;
+    ChannelElementBase& operator=(const ChannelElementBase&) = delete;
+
+    /** The neighbour on the writer's, or the reader's, side; null if none. Lock-free. */
+    shared_ptr getInput() const;
+    shared_ptr getOutput() const;
+
+    /** Makes `output` the next element and this its previous one. Not real-time safe. */
+    virtual bool connectTo(shared_ptr const& output, bool mandatory = true);
+    virtual bool connectFrom(shared_ptr const& input);
+    /** Name of connectTo() before 2.9. */
+    void setOutput(shared_ptr const& output);
+
+    /** Asks, from the reader towards the writer, whether data can flow. A transport overrides one of these two. */
+    virtual bool inputReady(shared_ptr const& caller);
+    virtual bool inputReady();
+    /** Tells, from the writer towards the reader, that the channel is complete. False refuses it. */
+    virtual bool channelReady(shared_ptr const& caller, ConnPolicy const& policy, internal::ConnID* id = nullptr);
+
+    /** Forgets all samples; passed on towards the writer. */
+    virtual void clear();
+    /** Tells the reader's side that there is a new sample. Real-time safe; false if nobody takes it. */
+    virtual bool signal();
+
+    /** Breaks the chain from here on: towards the reader (forward) or the writer. The port at that end drops the channel. */
+    virtual void disconnect(bool forward);
+    /** The same, told by the neighbour `channel` (null: all neighbours). */
+    virtual bool disconnect(shared_ptr const& channel, bool forward);
+
+    /** The first, and last, element of the chain. */
+    shared_ptr getInputEndPoint();
+    shared_ptr getOutputEndPoint();
+    /** The port an endpoint belongs to; null for all other elements, and when the port is gone. */
+    virtual PortInterface* getPort() const;
+    /** The policy this element was made for; null if it has none. */
+    virtual const ConnPolicy* getConnPolicy() const;
+
+    /** True if the element on the other side of this one lives in another process. */
+    virtual bool isRemoteElement() const;
+    virtual std::string getRemoteURI() const;
+    virtual std::string getLocalURI() const;
+    virtual std::string getElementName() const;
+
+    /** Data path without types, as ports use it. ChannelElement<T> brings them to its typed virtuals. `sample` points to
+        a sample of the channel's type. Real-time safe if the element is. */
+    virtual WriteStatus writeErased(const void* sample);
+    virtual FlowStatus readErased(void* sample, bool copyOld);
+    /** Sizes the storage; with `reset` also forgets all samples. Never makes data visible. Not real-time safe. */
+    virtual WriteStatus sampleErased(const void* sample, bool reset);
+    /** Copies the sample given last to sampleErased(); false if there was none. Not real-time safe. */
+    virtual bool getSampleErased(void* sample);
+
+    /** The storage in this element, for the connection machinery and for statistics; null if it stores nothing. */
+    virtual internal::StorageCore* storageCore();
+
+    void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
+    /** Deletes the element with the last reference. */
+    void deref();
+
+protected:
+    /** The neighbour without taking a reference. Valid only while an internal::Reclaimer::Guard exists. */
+    ChannelElementBase* inputUnderGuard() const { return input_.load(std::memory_order_acquire); }
+    ChannelElementBase* outputUnderGuard() const { return output_.load(std::memory_order_acquire); }
+
+private:
+    friend class internal::ConnectionManager;
+    static void exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to);
+    static void dropLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* expected);
+
+    std::atomic<ChannelElementBase*> input_{nullptr};   // each holds one reference,
+    std::atomic<ChannelElementBase*> output_{nullptr};  // given back through the Reclaimer
+    std::atomic<int> references_{0};
+};
+
+inline void intrusive_ptr_add_ref(ChannelElementBase* element) { element->ref(); }
+inline void intrusive_ptr_release(ChannelElementBase* element) { element->deref(); }
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

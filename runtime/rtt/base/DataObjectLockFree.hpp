@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef CORELIB_DATAOBJECT_LOCK_FREE_HPP
+#define CORELIB_DATAOBJECT_LOCK_FREE_HPP
+
+#include <rtt/base/DataObject.hpp>
+
+namespace RTT {
+namespace base {
+
+/** For any number of writers and readers; never blocks. Set() fails only while more threads use it than it was made for. */
+template <class T>
+class DataObjectLockFree : public DataObject<T> {
+public:
+    typedef DataObjectBase::Options Options;
+
+    DataObjectLockFree() : DataObject<T>(internal::StoreSpec::LockFree, nullptr, 2) {}
+    explicit DataObjectLockFree(const Options& options) : DataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
+    /** `initial_value` sizes the storage; it is not delivered as data. */
+    explicit DataObjectLockFree(const T& initial_value, const Options& options = Options())
+        : DataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads())
+    {
+    }
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_CORELIB_DATASOURCE_BASE_HPP
+#define ORO_CORELIB_DATASOURCE_BASE_HPP
+
+#include <rtt/rtt-config.h>
+#include <boost/intrusive_ptr.hpp>
+#include <atomic>
+#include <exception>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+namespace RTT {
+
+namespace types { class TypeInfo; }
+namespace base { class DataSourceBase; class ActionInterface; }
+
+namespace internal {
+/** Thrown by DataSourceBase::updateAction() when no assignment between the two types exists. */
+struct RTT_API bad_assignment : std::exception {
+    const char* what() const noexcept override;
+};
+}
+
+namespace base {
+using internal::bad_assignment;
+
+RTT_API void intrusive_ptr_add_ref(const DataSourceBase* source) noexcept;
+RTT_API void intrusive_ptr_release(const DataSourceBase* source) noexcept;
+
+/**
+ * A value of some type behind a type-independent face: a constant, a variable, a member of another value, the
+ * result of a function. Reference counted (atomically), so that expressions can share sources; always allocate
+ * with new and hold in a shared_ptr.
+ *
+ * Reading, evaluating and updating are real-time safe if copying the value type is; creating and copying
+ * sources allocates. One source must not be used by two threads at the same time.
+ */
+class RTT_API DataSourceBase {
+public:
+    typedef boost::intrusive_ptr<DataSourceBase> shared_ptr;
+    typedef boost::intrusive_ptr<const DataSourceBase> const_ptr;
+
+    DataSourceBase() noexcept : refs_(0) {}
+    DataSourceBase(const DataSourceBase&) = delete;
+    DataSourceBase& operator=(const DataSourceBase&) = delete;
+
+    void ref() const noexcept { refs_.fetch_add(1, std::memory_order_relaxed); }
+    void deref() const noexcept;
+    /** Hands out a new source by plain pointer, without the reference of `source`: the receiver is the first to hold one. */
+    static DataSourceBase* release(shared_ptr&& source) noexcept {
+        DataSourceBase* const plain = source.detach();
+        if (plain) plain->refs_.fetch_sub(1, std::memory_order_relaxed);
+        return plain;
+    }
+
+    /** Forgets a stored result, if any. */
+    virtual void reset();
+    /** Computes the value anew; false if that failed. */
+    virtual bool evaluate() const = 0;
+
+    /** Takes over the value of `other` if it is of exactly this type and this is assignable; else false. */
+    virtual bool update(DataSourceBase* other);
+    /**
+     * An action that assigns the value `other` then has to this source; conversions of the type are tried.
+     * The caller owns it. @throw bad_assignment
+     */
+    virtual ActionInterface* updateAction(DataSourceBase* other);
+    /** True if the value can be changed through this source. */
+    virtual bool isAssignable() const;
+    /** Takes over the value at `value`, which must be of exactly this source's type; false if not assignable. */
+    virtual bool assignValue(const void* value);
+    /** The C++ type of the value without reference and const; null if the source cannot tell. */
+    virtual const std::type_info* getTypeId() const;
+    /** True if both are known to hold the same C++ type, registered or not. */
+    bool hasTypeOf(const DataSourceBase& other) const;
+    /** To be called after the value was changed through a reference or pointer to it. */
+    virtual void updated();
+
+    /** A new source of the same kind with its own value. */
+    virtual DataSourceBase* clone() const = 0;
+    /**
+     * The counterpart of this source in a copied expression. Sources that stand for something shared return
+     * themselves. `alreadyCloned` maps what was copied before to its copy.
+     */
+    virtual DataSourceBase* copy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const = 0;
+
+    /** Type name with reference and const marks, for example "string const&". */
+    virtual std::string getType() const = 0;
+    /** Never null; the type information named "unknown_t" when no typekit knows the type. */
+    virtual const types::TypeInfo* getTypeInfo() const = 0;
+    /** Plain type name. */
+    std::string getTypeName() const;
+
+    /** The value as text, as written by the type's stream function. Not real-time safe. */
+    std::ostream& write(std::ostream& os);
+    std::string toString();
+
+    /** The source this one is a part of; itself if it is whole. */
+    virtual shared_ptr getParent();
+    /** A live part of the value: struct member, dotted path of members, or sequence index; null if there is none. */
+    virtual shared_ptr getMember(const std::string& name);
+    virtual shared_ptr getMember(shared_ptr id);
+    virtual std::vector<std::string> getMemberNames() const;
+
+    /** Address of the stored value; null if it cannot be changed. */
+    virtual void* getRawPointer();
+    /** Address of the value last evaluated; null if there is none. */
+    virtual const void* getRawConstPointer();
+
+protected:
+    virtual ~DataSourceBase();
+
+private:
+    mutable std::atomic<int> refs_;
+};
+
+RTT_API std::ostream& operator<<(std::ostream& os, const DataSourceBase::shared_ptr& source);
+
+}} // namespace RTT::base
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_EXECUTABLE_INTERFACE_HPP
+#define ORO_EXECUTABLE_INTERFACE_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <atomic>
+
+namespace RTT {
+class ExecutionEngine;
+namespace base {
+
+/** A function that an ExecutionEngine executes once per step until it is done: programs, state machines. */
+class RTT_API ExecutableInterface {
+public:
+    virtual ~ExecutableInterface();
+    /** One step, in the engine's thread; false when done. Must be real-time safe if the component is. */
+    virtual bool execute() = 0;
+    /** The engine takes this on. */
+    virtual void loaded(ExecutionEngine* engine) { engine_ = engine; }
+    /** The engine is finished with this. */
+    virtual void unloaded() { engine_ = nullptr; }
+    /** Any thread. A function that removes itself is unloaded before its execute() returns. */
+    bool isLoaded() const { return engine_ != nullptr; }
+    ExecutionEngine* getEngine() const { return engine_; }
+
+private:
+    std::atomic<ExecutionEngine*> engine_{nullptr};
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/base/InputPortInterface.hpp>
+
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/PortEndpoint.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <cstring>
+#include <memory>
+
+namespace RTT {
+namespace base {
+
+using internal::ChannelArray;
+using internal::Reclaimer;
+
+InputPortInterface::InputPortInterface(const std::string& name, const ConnPolicy& default_policy,
+                                       const types::TypeOps* ops)
+    : PortInterface(name, ops), default_policy_(default_policy)
+{
+    endpoint().setInputPort(this);
+}
+
+InputPortInterface::~InputPortInterface()
+{
+    closeDown();
+    forgetSignals();
+}
+
+FlowStatus InputPortInterface::readSample(void* sample, bool copyOld)
+{
+    const Reclaimer::Guard guard;
+    const ChannelArray* channels = channels_.load(std::memory_order_acquire);
+    if (!channels) return NoData;
+    if (channels->size == 1) return channels->begin()->channel->readErased(sample, copyOld);
+    return readSeveral(*channels, sample, copyOld);
+}
+
+/** The channel that had the last new sample comes first and is the one that old data comes from. */
+FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* sample, bool copyOld)
+{
+    const ChannelElementBase* const current = current_.load(std::memory_order_relaxed);
+    const ChannelArray::Entry* first = channels.begin();
+    for (const ChannelArray::Entry& entry : channels)
+        if (entry.channel == current) first = &entry;
+
+    FlowStatus best = first->channel->readErased(sample, copyOld);
+    const ChannelArray::Entry* old = first;
+    for (const ChannelArray::Entry& entry : channels) {
+        if (best == NewData) break;
+        if (&entry == first) continue;
+        const FlowStatus status = entry.channel->readErased(sample, false);
+        if (status > best) {
+            best = status;
+            old = &entry;
+        }
+    }
+    if (best == OldData && old != first && copyOld) best = old->channel->readErased(sample, true);
+    if (best == NewData) current_.store(old->channel, std::memory_order_relaxed);
+    return best;
+}
+
+FlowStatus InputPortInterface::readNewestSample(void* sample, bool copyOld)
+{
+    FlowStatus status = readSample(sample, copyOld);
+    if (status != NewData) return status;
+    while (readSample(sample, false) == NewData) {}
+    return NewData;
+}
+
+void InputPortInterface::clear()
+{
+    const Reclaimer::Guard guard;
+    if (const ChannelArray* channels = channels_.load(std::memory_order_acquire))
+        for (const ChannelArray::Entry& entry : *channels) entry.channel->clear();
+}
+
+bool InputPortInterface::copyDataSample(void* sample) const
+{
+    const Reclaimer::Guard guard;
+    if (const ChannelArray* channels = channels_.load(std::memory_order_acquire))
+        for (const ChannelArray::Entry& entry : *channels)
+            if (entry.channel->getSampleErased(sample)) return true;
+    return false;
+}
+
+FlowStatus InputPortInterface::read(DataSourceBase::shared_ptr source, bool copy_old_data)
+{
+    const std::type_info* const type = source ? source->getTypeId() : nullptr;
+    const bool fits = type && sampleOps() && std::strcmp(type->name(), sampleOps()->id->name()) == 0;
+    void* const target = fits && source->isAssignable() ? source->getRawPointer() : nullptr;
+    if (!target) {
+        log(Error) << "port " << getFullName() << ": trying to read to an incompatible data source: found "
+                   << (source ? source->getType() : std::string("none")) << ", expected an assignable "
+                   << (getTypeInfo() ? getTypeInfo()->getTypeName() : std::string("value")) << endlog();
+        return NoData;
+    }
+    const FlowStatus status = readSample(target, copy_old_data);
+    if (status == NewData || (status == OldData && copy_old_data)) source->updated();
+    return status;
+}
+
+bool InputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy)
+{
+    OutputPortInterface* output = dynamic_cast<OutputPortInterface*>(other);
+    if (output) return output->createConnection(*this, policy);
+    log(Error) << "input port " << getFullName() << " could not connect to "
+               << (other ? other->getFullName() : std::string("nothing")) << ": not an output port" << endlog();
+    return false;
+}
+
+bool InputPortInterface::connectTo(PortInterface* other)
+{
+    return connectTo(other, getDefaultPolicy());
+}
+
+bool InputPortInterface::createStream(ConnPolicy const& policy)
+{
+    return internal::ConnFactory::createStream(*this, policy);
+}
+
+bool InputPortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection,
+                                          ConnPolicy const& policy)
+{
+    return internal::ConnFactory::createSharedConnection(nullptr, this, shared_connection, policy);
+}
+
+Service* InputPortInterface::createPortObject()
+{
+    Service* object = PortInterface::createPortObject();
+    object->addSynchronousOperation("clear", &InputPortInterface::clear, this).doc("Forgets all samples in the port.");
+    return object;
+}
+
+bool InputPortInterface::channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,
+                                      internal::ConnID* id)
+{
+    std::unique_ptr<internal::ConnID> owned(id);
+    if (!channel || !channel->inputReady(ChannelElementBase::shared_ptr(getEndpoint()))) return false;
+    if (!id) return true;
+    return addConnection(owned.release(), channel, policy);
+}
+
+}  // namespace base
+}  // namespace RTT

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// An input port without the type of its samples.
+#ifndef ORO_INPUT_PORT_INTERFACE_HPP
+#define ORO_INPUT_PORT_INTERFACE_HPP
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/base/PortInterface.hpp>
+
+namespace RTT {
+namespace base {
+class DataSourceBase;
+class OutputPortInterface;
+
+class RTT_API InputPortInterface : public PortInterface {
+public:
+    InputPortInterface(const std::string& name, const ConnPolicy& default_policy,
+                       const types::TypeOps* ops = nullptr);
+    ~InputPortInterface() override;
+
+    /** The policy used when connecting without one. */
+    const ConnPolicy& getDefaultPolicy() const { return default_policy_; }
+
+    /** Reads into a data source of the port's type; any other gives NoData and an error. */
+    virtual FlowStatus read(boost::intrusive_ptr<DataSourceBase> source, bool copy_old_data = true);
+    /** Forgets all samples; NoData until the next write. Real-time safe. */
+    virtual void clear();
+
+    /** A new data source that reads the port whenever it is evaluated. */
+    virtual DataSourceBase* getDataSource() = 0;
+
+    /** The other direction. */
+    bool connectTo(PortInterface* other, ConnPolicy const& policy) override;
+    bool connectTo(PortInterface* other) override;
+    bool createStream(ConnPolicy const& policy) override;
+    bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection,
+                          ConnPolicy const& policy) override;
+
+    Service* createPortObject() override;
+
+    /** Called last when a connection is made; false refuses it. */
+    virtual bool channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,
+                              internal::ConnID* id = nullptr);
+
+    /** Turns notification of the component by new samples on or off. */
+    void signalInterface(bool on) { signals_.store(on, std::memory_order_relaxed); }
+    bool signalsInterface() const { return signals_.load(std::memory_order_relaxed); }
+    /** Tells the component of a new sample, in the writer's thread. Real-time safe as far as TaskContext::dataOnPortHook() is. */
+    void newDataAvailable();
+    /** For the port's endpoint, inside a Reclaimer::Guard: newDataAvailable() follows when this thread has left it. */
+    void signalLater();
+    /** Waits until no other thread is telling the component of new samples. Not real-time safe. */
+    void finishSignals();
+
+protected:
+    // The data path; `sample` points to an object of the port's type. Real-time safe, see InputPort.
+    FlowStatus readSample(void* sample, bool copyOld);
+    FlowStatus readNewestSample(void* sample, bool copyOld);
+    bool copyDataSample(void* sample) const;
+
+private:
+    static void deliverSignal(void* self);
+    void forgetSignals();
+    FlowStatus readSeveral(const internal::ChannelArray& channels, void* sample, bool copyOld);
+
+    ConnPolicy default_policy_;
+    std::atomic<bool> signals_{false};
+    std::atomic<int> pinned_{0};  // signals promised or being delivered
+    // Which channel gave the last new sample. Only compared with the entries of the current list, never followed.
+    std::atomic<const ChannelElementBase*> current_{nullptr};
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

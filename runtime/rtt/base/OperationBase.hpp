@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OPERATION_BASE_HPP
+#define ORO_OPERATION_BASE_HPP
+
+#include <rtt/base/OperationCallerInterface.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class OperationInterfacePart;
+namespace internal { struct OperationTable; }
+namespace base {
+
+/** What an operation tells of itself. Shared by the operation object and its registration, which may outlive each other. */
+struct OperationDescription {
+    std::string name;
+    /** The documentation, then name and documentation of each argument in turn. */
+    std::vector<std::string> texts;
+};
+
+/** An operation object without its signature: name, documentation, thread. Not thread safe. */
+class RTT_API OperationBase {
+public:
+    virtual ~OperationBase();
+    OperationBase(const OperationBase&) = delete;
+    OperationBase& operator=(const OperationBase&) = delete;
+
+    const std::string& getName() const { return description_->name; }
+    /** The documentation, then name and documentation of each argument in turn. */
+    const std::vector<std::string>& getDescriptions() const { return description_->texts; }
+    /** True if there is a function to call. */
+    bool ready() const { return implementation_->ready(); }
+
+    /** The engine of the component that provides this. */
+    void setOwner(ExecutionEngine* owner);
+    void setThread(ExecutionThread et);
+
+    const OperationCallerInterface::shared_ptr& implementation() const { return implementation_; }
+    /** A new description of this for generic callers. With `callOnly` it cannot be sent. The caller owns it. */
+    OperationInterfacePart* makePart(bool callOnly) const;
+
+protected:
+    /** Takes ownership of `implementation`. */
+    OperationBase(const std::string& name, OperationCallerInterface* implementation, const internal::OperationTable& table);
+
+    void setDoc(const std::string& text) { description_->texts[0] = text; }
+    void addArgument(const std::string& name, const std::string& text);
+
+private:
+    std::shared_ptr<OperationDescription> description_;
+    OperationCallerInterface::shared_ptr implementation_;
+    const internal::OperationTable* table_;
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

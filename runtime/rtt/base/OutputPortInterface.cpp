@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/base/OutputPortInterface.hpp>
+
+#include <rtt/Logger.hpp>
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/PortEndpoint.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/SampleBox.hpp>
+#include <rtt/internal/StorageCore.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <cstring>
+
+namespace RTT {
+namespace base {
+
+using internal::ChannelArray;
+using internal::Reclaimer;
+using internal::SampleBox;
+using internal::SampleStore;
+
+OutputPortInterface::OutputPortInterface(const std::string& name, const types::TypeOps* ops, bool keep_last)
+    : PortInterface(name, ops)
+{
+    keepLastWrittenValue(keep_last);
+}
+
+OutputPortInterface::~OutputPortInterface()
+{
+    closeDown();
+    delete last_.load(std::memory_order_relaxed);
+}
+
+WriteStatus OutputPortInterface::writeSample(const void* sample)
+{
+    if (keep_last_.load(std::memory_order_relaxed) || keep_next_.load(std::memory_order_relaxed)) remember(sample);
+    else if (has_last_.load(std::memory_order_relaxed)) has_last_.store(false, std::memory_order_relaxed);
+
+    WriteStatus worst = WriteSuccess;
+    ChannelElementBase* dead = nullptr;
+    {
+        const Reclaimer::Guard guard;
+        const ChannelArray* channels = channels_.load(std::memory_order_acquire);
+        if (!channels) return NotConnected;
+        for (const ChannelArray::Entry& entry : *channels) {
+            const WriteStatus status = entry.channel->writeErased(sample);
+            if (__builtin_expect(status == WriteSuccess, 1)) continue;
+            if (status == NotConnected && !dead) (dead = entry.channel)->ref();
+            if (entry.mandatory && status > worst) worst = status;
+        }
+    }
+    return dead ? dropDead(dead, worst) : worst;
+}
+
+void OutputPortInterface::remember(const void* sample)
+{
+    SampleStore* const last = last_.load(std::memory_order_acquire);
+    if (!last) return;
+    keep_next_.store(false, std::memory_order_relaxed);
+    // Fails only with more threads writing at once than the storage has room for: then another's value is the last.
+    if (last->write(sample) == WriteSuccess) has_last_.store(true, std::memory_order_release);
+}
+
+/** A channel whose other end is gone leaves the list. One per write: the next write finds the next one. */
+WriteStatus OutputPortInterface::dropDead(ChannelElementBase* dead, WriteStatus worst)
+{
+    getManager()->removeChannel(dead);
+    dead->deref();
+    if (connected()) return worst;
+    log(Error) << "output port " << getFullName()
+               << ": its last channel was found broken during write() and has been removed" << endlog();
+    return NotConnected;
+}
+
+bool OutputPortInterface::copyLastWritten(void* sample) const
+{
+    SampleStore* const last = last_.load(std::memory_order_acquire);
+    return last && has_last_.load(std::memory_order_acquire) && last->read(sample, true) != NoData;
+}
+
+void OutputPortInterface::setSample(const void* sample)
+{
+    std::atomic_store(&initial_, std::shared_ptr<const SampleBox>(std::make_shared<SampleBox>(*sampleOps(), sample)));
+    has_last_.store(false, std::memory_order_release);
+    if (SampleStore* last = last_.load(std::memory_order_acquire)) last->setSample(sample, true);
+    for (const internal::ConnectionManager::ChannelDescriptor& c : getManager()->getConnections())
+        (void)c.get<1>()->sampleErased(sample, true);
+}
+
+void OutputPortInterface::allocateLast()
+{
+    if (last_.load(std::memory_order_acquire) || !sampleOps()) return;
+    const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
+    std::unique_ptr<SampleStore> made =
+        SampleStore::make(*sampleOps(), internal::StoreSpec(), initial ? initial->get() : nullptr);
+    SampleStore* none = nullptr;
+    if (last_.compare_exchange_strong(none, made.get(), std::memory_order_acq_rel)) made.release();
+}
+
+void OutputPortInterface::keepLastWrittenValue(bool keep)
+{
+    if (keep) allocateLast();
+    keep_last_.store(keep, std::memory_order_relaxed);
+}
+
+void OutputPortInterface::keepNextWrittenValue(bool keep)
+{
+    if (keep) allocateLast();
+    keep_next_.store(keep, std::memory_order_relaxed);
+}
+
+void OutputPortInterface::clear()
+{
+    has_last_.store(false, std::memory_order_release);
+    const Reclaimer::Guard guard;
+    const ChannelArray* channels = channels_.load(std::memory_order_acquire);
+    if (!channels) return;
+    for (const ChannelArray::Entry& entry : *channels) {
+        internal::StorageCore* core = entry.channel->storageCore();
+        if (core && core->hasManyReaders()) entry.channel->clear();
+    }
+}
+
+bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init)
+{
+    const types::TypeOps* ops = sampleOps();
+    const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
+    if (!ops || (!initial && !ops->construct)) return true;  // nothing to size it with
+    internal::SampleArray sample(*ops, 1, initial ? initial->get() : nullptr);
+    const bool has_last = copyLastWritten(sample.sample(0));
+    if (channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
+        log(Error) << "output port " << getFullName()
+                   << ": could not pass a data sample to the new channel, giving up the connection" << endlog();
+        return false;
+    }
+    // What cannot be written now (a buffer of size 0) will show at the next write, too.
+    return !(init && has_last) || channel.writeErased(sample.sample(0)) != NotConnected;
+}
+
+WriteStatus OutputPortInterface::write(DataSourceBase::shared_ptr source)
+{
+    const std::type_info* const type = source ? source->getTypeId() : nullptr;
+    const bool fits = type && sampleOps() && std::strcmp(type->name(), sampleOps()->id->name()) == 0;
+    const void* const sample = fits && source->evaluate() ? source->getRawConstPointer() : nullptr;
+    if (sample) return writeSample(sample);
+    log(Error) << "port " << getFullName() << ": trying to write from an incompatible data source: found "
+               << (source ? source->getType() : std::string("none")) << ", expected "
+               << (getTypeInfo() ? getTypeInfo()->getTypeName() : std::string("value")) << endlog();
+    return WriteFailure;
+}
+
+bool OutputPortInterface::createConnection(InputPortInterface& sink, ConnPolicy const& policy)
+{
+    return internal::ConnFactory::createConnection(*this, sink, policy);
+}
+
+bool OutputPortInterface::createConnection(InputPortInterface& sink)
+{
+    return createConnection(sink, sink.getDefaultPolicy());
+}
+
+bool OutputPortInterface::createDataConnection(InputPortInterface& sink, int lock_policy)
+{
+    return createConnection(sink, ConnPolicy::data(lock_policy));
+}
+
+bool OutputPortInterface::createBufferConnection(InputPortInterface& sink, int size, int lock_policy)
+{
+    return createConnection(sink, ConnPolicy::buffer(size, lock_policy));
+}
+
+bool OutputPortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection,
+                                           ConnPolicy const& policy)
+{
+    return internal::ConnFactory::createSharedConnection(this, nullptr, shared_connection, policy);
+}
+
+bool OutputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy)
+{
+    InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
+    return input && createConnection(*input, policy);
+}
+
+bool OutputPortInterface::connectTo(PortInterface* other)
+{
+    InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
+    return input && createConnection(*input);
+}
+
+bool OutputPortInterface::createStream(ConnPolicy const& policy)
+{
+    return internal::ConnFactory::createStream(*this, policy);
+}
+
+bool OutputPortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
+                                        ConnPolicy const& policy)
+{
+    channel->connectFrom(ChannelElementBase::shared_ptr(getEndpoint()));
+    if (initialise(*channel, policy.init)) return PortInterface::addConnection(id, channel, policy);
+    delete id;
+    return false;
+}
+
+}  // namespace base
+}  // namespace RTT

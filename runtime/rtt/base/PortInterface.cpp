@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/base/PortInterface.hpp>
+
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/PortEndpoint.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+namespace RTT {
+namespace base {
+
+PortInterface::PortInterface(const std::string& name, const types::TypeOps* ops)
+    : name_(name), ops_(ops), endpoint_(new internal::PortEndpoint(*this)),
+      manager_(new internal::ConnectionManager(this))
+{
+}
+
+PortInterface::~PortInterface() = default;
+
+void PortInterface::closeDown()
+{
+    disconnect();
+    if (DataFlowInterface* iface = getInterface()) iface->forgetPort(*this);
+    endpoint_->detach();
+    internal::Reclaimer::synchronize();
+}
+
+std::string PortInterface::getFullName() const
+{
+    const DataFlowInterface* iface = getInterface();
+    std::string path = name_;
+    for (Service* service = iface ? iface->getService() : nullptr; service; service = service->getParent().get())
+        path = service->getName() + "." + path;
+    return path;
+}
+
+bool PortInterface::setName(const std::string& name)
+{
+    if (connected()) return false;
+    name_ = name;
+    return true;
+}
+
+PortInterface& PortInterface::doc(const std::string& text)
+{
+    description_ = text;
+    const DataFlowInterface* iface = getInterface();
+    Service* service = iface ? iface->getService() : nullptr;
+    if (service && service->hasService(name_)) service->getService(name_)->doc(text);
+    return *this;
+}
+
+bool PortInterface::connected() const
+{
+    return channels_.load(std::memory_order_acquire) != nullptr;
+}
+
+bool PortInterface::connectedTo(PortInterface* port) const
+{
+    return manager_->connectedTo(port);
+}
+
+void PortInterface::disconnect()
+{
+    manager_->disconnect();
+}
+
+bool PortInterface::disconnect(PortInterface* port)
+{
+    return manager_->disconnect(port);
+}
+
+bool PortInterface::isLocal() const
+{
+    return serverProtocol() == 0;
+}
+
+int PortInterface::serverProtocol() const
+{
+    return 0;
+}
+
+bool PortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
+                                  ConnPolicy const& policy)
+{
+    manager_->addConnection(id, channel, policy);
+    return true;
+}
+
+bool PortInterface::removeConnection(internal::ConnID* id)
+{
+    return manager_->removeConnection(id);
+}
+
+void PortInterface::setInterface(DataFlowInterface* iface)
+{
+    interface_.store(iface, std::memory_order_seq_cst);  // see InputPortInterface::finishSignals()
+}
+
+internal::SharedConnectionBase::shared_ptr PortInterface::getSharedConnection() const
+{
+    return manager_->getSharedConnection();
+}
+
+ChannelElementBase* PortInterface::getEndpoint() const
+{
+    return endpoint_.get();
+}
+
+internal::ConnID* PortInterface::getPortID() const
+{
+    return new internal::LocalConnID(this);
+}
+
+Service* PortInterface::createPortObject()
+{
+    Service* object = new Service(name_);
+    object->doc(description_.empty() ? "No description set for this Port. Use .doc() to document it." : description_);
+    object->addSynchronousOperation("name", [this] { return getName(); }).doc("Returns the port name.");
+    object->addSynchronousOperation("connected", &PortInterface::connected, this)
+        .doc("Tells if the port has a connection or stream.");
+    typedef void (PortInterface::*Disconnect)();
+    object->addSynchronousOperation("disconnect", static_cast<Disconnect>(&PortInterface::disconnect), this)
+        .doc("Removes all connections and streams of the port.");
+    return object;
+}
+
+ChannelElementBase::shared_ptr PortInterface::buildStorage(ConnPolicy const&) const
+{
+    log(Error) << "port " << getFullName() << " is a proxy: it has no storage of its own" << endlog();
+    return nullptr;
+}
+
+}  // namespace base
+}  // namespace RTT

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What input and output ports have in common, whatever the type of their samples.
+#ifndef ORO_PORT_INTERFACE_HPP
+#define ORO_PORT_INTERFACE_HPP
+
+#include <rtt/base/ChannelElementBase.hpp>
+
+#include <boost/shared_ptr.hpp>
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+namespace RTT {
+class ConnPolicy;
+class DataFlowInterface;
+class Service;
+namespace types {
+class TypeInfo;
+struct TypeOps;
+}
+namespace internal {
+class ConnID;
+class ConnectionManager;
+class PortEndpoint;
+class SharedConnectionBase;
+struct ChannelArray;
+}
+
+namespace base {
+
+/** A named end of connections. Connecting and disconnecting may be done by any thread, also while other threads write and
+    read, and from callbacks; it is not real-time safe, may allocate and takes a process-wide lock, but never makes a
+    writer or reader wait. Destroying a port disconnects it and waits until no other thread is inside it. */
+class RTT_API PortInterface {
+public:
+    virtual ~PortInterface();
+    PortInterface(const PortInterface&) = delete;
+    PortInterface& operator=(const PortInterface&) = delete;
+
+    const std::string& getName() const { return name_; }
+    /** "Component.port", with sub-services in between; just the name if the port is in no component. */
+    std::string getFullName() const;
+    std::string getQualifiedName() const { return getFullName(); }
+    /** False, and no change, while the port is connected. */
+    bool setName(const std::string& name);
+    const std::string& getDescription() const { return description_; }
+    /** Describes the port, and its service if it has one already. */
+    PortInterface& doc(const std::string& text);
+
+    /** True if there is at least one connection or stream. Real-time safe. */
+    virtual bool connected() const;
+    virtual bool connectedTo(PortInterface* port) const;
+    virtual const types::TypeInfo* getTypeInfo() const = 0;
+
+    /** Removes all connections and streams, at both ends. */
+    virtual void disconnect();
+    /** Removes the connection with `port`; false if there is none. */
+    virtual bool disconnect(PortInterface* port);
+
+    /** True if the port object is the port itself, not a proxy for one in another process. */
+    virtual bool isLocal() const;
+    /** 0 for a local port, else the id of the protocol its proxy speaks. */
+    virtual int serverProtocol() const;
+
+    /** A new unconnected port of the same kind, or of the opposite direction; the caller owns it. */
+    virtual PortInterface* clone() const = 0;
+    virtual PortInterface* antiClone() const = 0;
+
+    /** Connects with a port of the other direction. With no policy, the input port's default one is used. */
+    virtual bool connectTo(PortInterface* other, ConnPolicy const& policy) = 0;
+    virtual bool connectTo(PortInterface* other) = 0;
+    /** Joins a transport's topic or queue. False, with an error logged, if policy.transport does not know the type. */
+    virtual bool createStream(ConnPolicy const& policy) = 0;
+    /** Joins a shared connection without naming a peer. */
+    virtual bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection,
+                                  ConnPolicy const& policy) = 0;
+
+    /** For transports: registers a finished channel under `id` (which is taken over). */
+    virtual bool addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel, ConnPolicy const& policy);
+    virtual bool removeConnection(internal::ConnID* id);
+
+    DataFlowInterface* getInterface() const { return interface_.load(std::memory_order_seq_cst); }
+    void setInterface(DataFlowInterface* iface);
+    /** The connections, for introspection. Include <rtt/internal/ConnectionManager.hpp>. */
+    internal::ConnectionManager* getManager() const { return manager_.get(); }
+    virtual boost::intrusive_ptr<internal::SharedConnectionBase> getSharedConnection() const;
+    /** The element at this port's end of its channels. */
+    virtual ChannelElementBase* getEndpoint() const;
+    /** A new id by which a peer knows this port; the caller owns it. */
+    virtual internal::ConnID* getPortID() const;
+
+    /** A new service with the port's operations for scripts; not yet part of any component. */
+    virtual Service* createPortObject();
+
+    /** Null for a proxy. */
+    const types::TypeOps* sampleOps() const { return ops_; }
+    /** A new storage element for samples of this port's type; null, with an error logged, if the policy is not valid. */
+    virtual ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const;
+
+protected:
+    PortInterface(const std::string& name, const types::TypeOps* ops);
+
+    /** Disconnects, leaves the component and waits until no thread is inside. Every direct derived class calls it in its
+        destructor, while its part still lives. */
+    void closeDown();
+    internal::PortEndpoint& endpoint() const { return *endpoint_; }
+
+    /** Read under a Reclaimer::Guard by the data path; null: not connected. */
+    std::atomic<const internal::ChannelArray*> channels_{nullptr};
+
+private:
+    friend class internal::ConnectionManager;
+
+    std::string name_;
+    std::string description_;
+    std::atomic<DataFlowInterface*> interface_{nullptr};
+    const types::TypeOps* ops_;
+    boost::intrusive_ptr<internal::PortEndpoint> endpoint_;
+    std::unique_ptr<internal::ConnectionManager> manager_;
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TASK_CORE_HPP
+#define ORO_TASK_CORE_HPP
+
+#include <rtt/Time.hpp>
+#include <rtt/rtt-config.h>
+
+#include <atomic>
+#include <string>
+
+namespace RTT {
+class ExecutionEngine;
+namespace base {
+class ActivityInterface;
+class PortInterface;
+
+/**
+ * The life cycle of a component:
+ *
+ *   PreOperational --configure()--> Stopped --start()--> Running --error()--> RunTimeError
+ *          ^------cleanup()-----------|^------stop()-------|^-----recover()--------'
+ *   any state --exception()--> Exception --recover()--> the state it was constructed with
+ *   any state --fatal()--> FatalError, for good
+ *
+ * The functions that change the state call the hooks in the thread of the caller; updateHook() and errorHook() run in
+ * the component's thread. Changing the state is for one thread at a time; asking for it is for any. None of the
+ * functions is real-time safe unless the hooks are; they block as long as the hooks do, stop() and fatal() also until
+ * the step that is being executed is over.
+ */
+class RTT_API TaskCore {
+public:
+    /** In this order: from Stopped on a component is configured, from Running on it is running. */
+    enum TaskState { Init, PreOperational, FatalError, Exception, Stopped, Running, RunTimeError };
+
+    explicit TaskCore(TaskState initial_state = Stopped, const std::string& name = "");
+    virtual ~TaskCore();
+    TaskCore(const TaskCore&) = delete;
+    TaskCore& operator=(const TaskCore&) = delete;
+
+    virtual const std::string& getName() const;
+
+    /** From PreOperational, or from Stopped to configure again. */
+    virtual bool configure();
+    /** From Stopped. */
+    virtual bool start();
+    /** From Running or RunTimeError. False, and the component goes on, if the activity cannot be stopped. */
+    virtual bool stop();
+    /** From Stopped. */
+    virtual bool cleanup();
+    /** Starts the activity; the state stays. */
+    virtual bool activate();
+    /** From Exception to the state of construction, from RunTimeError to Running. Calls no hook. */
+    virtual bool recover();
+    /** The name of recover() before 2.0. */
+    bool resetException() { return recover(); }
+    /** While running: errorHook() takes the place of updateHook(). */
+    virtual void error();
+
+    /** Executes one step in this thread, for activities that leave that to others (SlaveActivity). */
+    virtual bool update();
+    /** Has updateHook() executed soon, if the activity is not periodic. Real-time safe. */
+    virtual bool trigger();
+
+    virtual bool isConfigured() const;
+    virtual bool isRunning() const;
+    virtual bool isActive() const;
+    virtual bool inFatalError() const;
+    virtual bool inException() const;
+    virtual bool inRunTimeError() const;
+    virtual TaskState getTaskState() const;
+    /** Where the change of state that is under way leads. */
+    virtual TaskState getTargetState() const;
+
+    /** Seconds; 0 not periodic, -1 without activity. */
+    virtual Seconds getPeriod() const;
+    virtual bool setPeriod(Seconds period);
+    virtual unsigned getCpuAffinity() const;
+    virtual bool setCpuAffinity(unsigned cpu);
+
+    ExecutionEngine* engine() const { return ee; }
+
+protected:
+    /** Makes the component ready to run; false: it stays PreOperational. Default: true. */
+    virtual bool configureHook();
+    /** Last preparations; false: it stays Stopped. Default: true. */
+    virtual bool startHook();
+    /** One cycle. Default: nothing. */
+    virtual void updateHook();
+    /** Asked by stop() when updateHook() is executing and does not return by itself: make it return, or answer false. */
+    virtual bool breakUpdateHook();
+    /** One cycle in state RunTimeError. Default: nothing. */
+    virtual void errorHook();
+    /** Undoes startHook(). */
+    virtual void stopHook();
+    /** Undoes configureHook(). */
+    virtual void cleanupHook();
+    /** Entered state Exception; after stopHook() and cleanupHook() as far as they were due. */
+    virtual void exceptionHook();
+
+    /** Leaves the current state: calls stopHook() if it was running, cleanupHook() if it was configured and was constructed
+        PreOperational, then exceptionHook(). The hook that is being called just now is left out. A hook that throws
+        here leads to FatalError. */
+    virtual void exception();
+    /** Stops everything for good. */
+    virtual void fatal();
+
+    /** Called by the engine with a port that has new data. */
+    virtual void dataOnPortCallback(PortInterface* port);
+
+    friend class RTT::ExecutionEngine;
+    ExecutionEngine* ee;
+    std::atomic<TaskState> mTaskState;
+    std::atomic<TaskState> mTargetState;
+    const TaskState mInitialState;
+    bool mTriggerOnStart = true;
+    unsigned mCycleCounter = 0, mIOCounter = 0, mTimeOutCounter = 0, mTriggerCounter = 0;
+
+private:
+    enum class Outcome { Accepted, Refused, Threw };
+    template <class Hook> Outcome callHook(const char* function, TaskState during, Hook hook);
+    void setState(TaskState state);
+
+    std::string name_;
+    // stopHook() or cleanupHook() is being called by stop() or cleanup().
+    bool stopped_ = false, cleaned_up_ = false;
+};
+
+}  // namespace base
+}  // namespace RTT
+
+#endif

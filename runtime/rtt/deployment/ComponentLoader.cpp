@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "ComponentLoader.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+#include <rtt/plugin/detail/search_path.hpp>
+#include "detail/component_table.hpp"
+#include "detail/package_import.hpp"
+
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+
+namespace RTT {
+namespace {
+
+ComponentLoader::shared_ptr& instance() {
+    static ComponentLoader::shared_ptr loader;
+    return loader;
+}
+
+std::mutex& instanceMutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+/** Runs the user's constructor; its exceptions end here, as text. */
+TaskContext* construct(ComponentLoaderSignature create, const std::string& name, const std::string& type,
+                       std::string& error) {
+    try {
+        if (TaskContext* component = create(name)) return component;
+        error = "the factory of component type '" + type + "' returned nothing";
+    } catch (const std::exception& thrown) {
+        error = "the constructor of component type '" + type + "' threw: " + thrown.what();
+    } catch (...) {
+        error = "the constructor of component type '" + type + "' threw an unknown exception";
+    }
+    return nullptr;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+    return text;
+}
+
+/**
+ * Logs what an import could not do; throws if libraries were found that cannot be loaded. `nothingFound` is how bad it is
+ * that there were none.
+ */
+bool finish(const plugin::PackageImport& import, const std::string& what, LoggerLevel nothingFound) {
+    for (const std::string& error : import.errors())
+        log(import.hasBrokenLibraries() ? Error : nothingFound)
+            << "could not import '" << what << "': " << error << endlog();
+    if (import.hasBrokenLibraries())
+        throw std::runtime_error("could not import all of '" + what + "': " + joined(import.errors()));
+    return import.errors().empty();
+}
+
+}  // namespace
+
+FactoryMap& ComponentFactories::Instance() {
+    static FactoryMap types;
+    return types;
+}
+
+struct ComponentLoader::Impl {
+    plugin::ComponentTable table;
+    mutable std::mutex pathMutex;
+    std::string path = plugin::defaultSearchPath();
+};
+
+ComponentLoader::ComponentLoader() : impl_(new Impl) {}
+
+ComponentLoader::~ComponentLoader() = default;
+
+ComponentLoader::shared_ptr ComponentLoader::Instance() {
+    const std::lock_guard<std::mutex> lock(instanceMutex());
+    if (!instance()) instance().reset(new ComponentLoader);
+    return instance();
+}
+
+void ComponentLoader::Release() {
+    const std::lock_guard<std::mutex> lock(instanceMutex());
+    instance().reset();
+}
+
+bool ComponentLoader::import(const std::string& path_list) {
+    const Logger::In in("ComponentLoader");
+    plugin::PackageImport import(impl_->table);
+    import.directories(plugin::splitPathList(path_list));
+    return finish(import, path_list, Info);
+}
+
+bool ComponentLoader::import(const std::string& package, const std::string& path_list) {
+    const Logger::In in("ComponentLoader");
+    plugin::PackageImport import(impl_->table);
+    import.package(package, path_list.empty() ? getComponentPath() : path_list);
+    return finish(import, package, Error);
+}
+
+bool ComponentLoader::import(const std::string& package, const std::string& path_list, std::string& error) {
+    const Logger::In in("ComponentLoader");
+    plugin::PackageImport import(impl_->table);
+    import.package(package, path_list.empty() ? getComponentPath() : path_list);
+    error = joined(import.errors());
+    return import.errors().empty();
+}
+
+bool ComponentLoader::loadLibrary(const std::string& path) {
+    const Logger::In in("ComponentLoader");
+    std::string error;
+    const bool loaded = loadLibrary(path, error);
+    if (!loaded) log(Error) << "could not load component library '" << path << "': " << error << endlog();
+    return loaded;
+}
+
+bool ComponentLoader::loadLibrary(const std::string& path, std::string& error) {
+    error = impl_->table.loadLibrary(path).error;
+    return error.empty();
+}
+
+bool ComponentLoader::reloadLibrary(const std::string& filepath) {
+    const Logger::In in("ComponentLoader");
+    const std::string error = impl_->table.reloadLibrary(filepath);
+    if (!error.empty()) log(Error) << "could not reload component library '" << filepath << "': " << error << endlog();
+    return error.empty();
+}
+
+TaskContext* ComponentLoader::loadComponent(const std::string& name, const std::string& type) {
+    const Logger::In in("ComponentLoader");
+    std::string error;
+    TaskContext* component = loadComponent(name, type, error);
+    if (!component) log(Error) << "failed to load component '" << name << "': " << error << endlog();
+    return component;
+}
+
+TaskContext* ComponentLoader::loadComponent(const std::string& name, const std::string& type, std::string& error) {
+    const ComponentLoaderSignature create = impl_->table.reserve(name, type, error);
+    if (!create) return nullptr;
+    TaskContext* component = construct(create, name, type, error);
+    impl_->table.settle(name, component);
+    return component;
+}
+
+bool ComponentLoader::unloadComponent(TaskContext* tc) {
+    const Logger::In in("ComponentLoader");
+    if (!tc || !impl_->table.owns(tc)) {
+        log(Error) << "refusing to unload "
+                   << (tc ? "component '" + tc->getName() + "'" : std::string("a null component"))
+                   << ": it was not loaded by this loader" << endlog();
+        return false;
+    }
+    const std::string name = tc->getName();
+    try {
+        delete tc;
+    } catch (const std::exception& thrown) {
+        log(Error) << "the destructor of component '" << name << "' threw: " << thrown.what() << endlog();
+    } catch (...) {
+        log(Error) << "the destructor of component '" << name << "' threw an unknown exception" << endlog();
+    }
+    impl_->table.forget(tc);
+    return true;
+}
+
+bool ComponentLoader::isImported(const std::string& type_name) const { return impl_->table.isImported(type_name); }
+std::vector<std::string> ComponentLoader::listComponents() const { return impl_->table.components(); }
+
+std::vector<std::string> ComponentLoader::listComponentTypes() const {
+    std::vector<std::string> names;
+    for (const auto& type : impl_->table.factories()) names.push_back(type.first);
+    return names;
+}
+
+std::string ComponentLoader::getComponentPath() const {
+    const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+    return impl_->path;
+}
+
+void ComponentLoader::setComponentPath(const std::string& newpath) {
+    const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+    impl_->path = newpath;
+}
+
+FactoryMap ComponentLoader::getFactories() const { return impl_->table.factories(); }
+
+void ComponentLoader::addFactory(const std::string& type_name, ComponentLoaderSignature factory) {
+    impl_->table.addFactory(type_name, factory);
+}
+
+}  // namespace RTT

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "component_library.hpp"
+
+#include <rtt/plugin/detail/search_path.hpp>
+
+#include <exception>
+
+namespace RTT::plugin {
+namespace {
+
+/** Adds what the library exports; false if it exports neither form. */
+bool collectTypes(ComponentLibrary& result) {
+    auto* typesOf = result.library.function<FactoryMap*()>("getComponentFactoryMap");
+    if (typesOf)
+        if (const FactoryMap* types = typesOf()) result.types = *types;
+    auto* create = result.library.function<TaskContext*(std::string)>("createComponent");
+    auto* typeName = result.library.function<std::string()>("getComponentType");
+    if (create && typeName) result.types[typeName()] = create;
+    return typesOf || (create && typeName);
+}
+
+}  // namespace
+
+LibraryState openComponentLibrary(const std::string& file, ComponentLibrary& result, std::string& error) {
+    result.path = canonicalPath(file);
+    result.types.clear();
+    try {
+        // Static objects of the library run here and may throw.
+        result.library = SharedLibrary(result.path, SharedLibrary::Local, error);
+        if (!result.library) return LibraryState::NotLoadable;
+        if (collectTypes(result)) return LibraryState::Opened;
+        error =
+            "it exports neither createComponent nor getComponentFactoryMap; "
+            "put ORO_CREATE_COMPONENT or ORO_CREATE_COMPONENT_LIBRARY into it and define RTT_COMPONENT";
+        return LibraryState::NoComponents;
+    } catch (const std::exception& thrown) {
+        error = thrown.what();
+    } catch (...) {
+        error = "unknown exception while loading";
+    }
+    return LibraryState::NotLoadable;
+}
+
+}  // namespace RTT::plugin

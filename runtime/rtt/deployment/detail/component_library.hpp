@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// One opened component library and the types it says it has.
+#ifndef OROFORGE_COMPONENT_LIBRARY_HPP
+#define OROFORGE_COMPONENT_LIBRARY_HPP
+
+#include <rtt/Component.hpp>
+#include <rtt/plugin/detail/shared_library.hpp>
+
+#include <string>
+
+namespace RTT::plugin {
+
+struct ComponentLibrary {
+    std::string path;  // canonical path
+    SharedLibrary library;
+    FactoryMap types;
+};
+
+enum class LibraryState {
+    Opened,
+    NotLoadable,   // the linker refused; `error` says why
+    NoComponents,  // a library, but not one of components
+};
+
+/** Opens a file and asks it for its component types. */
+LibraryState openComponentLibrary(const std::string& file, ComponentLibrary& result, std::string& error);
+
+}  // namespace RTT::plugin
+
+#endif

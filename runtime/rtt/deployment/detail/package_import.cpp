@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "package_import.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/rtt-config.h>
+
+#include <algorithm>
+
+namespace RTT::plugin {
+namespace {
+
+bool isAbsolute(const std::string& path) { return !path.empty() && path[0] == '/'; }
+
+/** Directories a package may be in below one search directory, those that exist. */
+std::vector<std::string> packageDirectories(const std::string& path, const std::string& name) {
+    std::vector<std::string> found;
+    for (const std::string& directory : {path + "/" + name, path + "/" OROCOS_TARGET_NAME "/" + name})
+        if (isDirectory(directory)) found.push_back(directory);
+    return found;
+}
+
+bool holdsLibraries(const std::string& directory) {
+    for (const char* part : {"", "/types", "/plugins"})
+        if (!librariesIn(directory + part).empty()) return true;
+    return false;
+}
+
+}  // namespace
+
+void PackageImport::package(const std::string& name, const std::string& pathList) {
+    if (isFile(name)) return libraryFile(name);
+    if (isAbsolute(name)) {
+        const std::vector<std::string> directories = withTargetDirectory(name);
+        if (directories.empty())
+            errors_.push_back("no such file or directory: " + name);
+        else
+            importAll(name, directories);
+        return;
+    }
+    if (table_.isImported(name)) {
+        log(Info) << "component package '" << name << "' is already imported" << endlog();
+        return;
+    }
+    // A folder here goes first, unless it holds no libraries: that is the source of the package, in a workspace.
+    const std::vector<std::string> here = withTargetDirectory("./" + name);
+    if (std::any_of(here.begin(), here.end(), holdsLibraries)) return importAll(name, here);
+    fromSearchPath(name, pathList);
+}
+
+void PackageImport::directories(const std::vector<std::string>& directories) {
+    std::vector<std::string> existing;
+    for (const std::string& directory : directories)
+        for (const std::string& found : withTargetDirectory(directory)) existing.push_back(found);
+    if (existing.empty())
+        errors_.push_back("no such directory");
+    else
+        importAll(existing.front(), existing);
+}
+
+void PackageImport::libraryFile(const std::string& file) {
+    const ComponentTable::LoadResult result = table_.loadLibrary(file);
+    if (!result.error.empty()) errors_.push_back(file + ": " + result.error);
+}
+
+void PackageImport::fromSearchPath(const std::string& name, const std::string& pathList) {
+    std::vector<std::string> paths = splitPathList(pathList);
+    if (std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
+    std::string text;
+    for (const std::string& path : paths) {
+        const std::vector<std::string> directories = packageDirectories(path, name);
+        if (!directories.empty())
+            return importAll(name, directories);  // an overlay: the first path that has it hides the rest
+        text += (text.empty() ? "" : ", ") + path;
+    }
+    errors_.push_back("no such package or directory in the search path: " + text);
+}
+
+void PackageImport::importAll(const std::string& what, const std::vector<std::string>& directories) {
+    bool found = false;
+    std::string text;
+    for (const std::string& directory : directories) {
+        found |= importDirectory(directory);
+        text += (text.empty() ? "" : ", ") + directory;
+    }
+    if (found && !broken_)
+        table_.addPackage(what);  // not when broken: a second attempt shall show the errors again
+    else if (!found && !broken_)
+        errors_.push_back("no components, typekits or plugins in " + text);
+}
+
+bool PackageImport::importDirectory(const std::string& directory) {
+    log(Info) << "importing directory " << directory << endlog();
+    bool found = false;
+    for (const std::string& file : librariesIn(directory)) {
+        const ComponentTable::LoadResult result = table_.loadLibrary(file);
+        if (result.error.empty()) {
+            found = true;
+        } else if (result.noComponents) {
+            // Libraries that components depend on often lie beside them.
+            log(Info) << "'" << file << "' holds no components: " << result.error << endlog();
+        } else {
+            errors_.push_back(file + ": " + result.error);
+            broken_ = true;
+        }
+    }
+    const PluginLoader::Scan plugins = PluginLoader::Instance()->importDirectory(directory);
+    errors_.insert(errors_.end(), plugins.errors.begin(), plugins.errors.end());
+    broken_ |= !plugins.errors.empty();
+    return found || plugins.found > plugins.errors.size();
+}
+
+}  // namespace RTT::plugin

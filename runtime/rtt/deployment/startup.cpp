@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Loads the toolchain's own plugins and typekits when the runtime starts and lets go of the loaders when it ends.
+#include "ComponentLoader.hpp"
+
+#include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/os/StartStopManager.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+
+namespace RTT::plugin {
+namespace {
+
+int loadInstalledPlugins() {
+    const PluginLoader::shared_ptr loader = PluginLoader::Instance();
+    // A broken plugin is reported by the loader; the program starts without it.
+    loader->loadPlugins(loader->getPluginPath());
+    loader->loadTypekits(loader->getPluginPath());
+    return 0;
+}
+
+void releaseLoaders() {
+    ComponentLoader::Release();
+    PluginLoader::Release();
+}
+
+bool loadService(const std::string& service, TaskContext* component) {
+    return PluginLoader::Instance()->loadService(service, component);
+}
+
+/** Components may ask for services before the runtime starts, or in programs that never start it. */
+const struct ServiceLoading {
+    ServiceLoading() { internal::setServiceLoader(&loadService); }
+    ~ServiceLoading() { internal::setServiceLoader(nullptr); }
+} serviceLoading;
+
+const os::InitFunction atStart(&loadInstalledPlugins, os::StartPlugins);
+const os::CleanupFunction atExit(&releaseLoaders, os::StopPlugins);
+
+}  // namespace
+}  // namespace RTT::plugin

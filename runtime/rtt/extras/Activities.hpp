@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_EXTRAS_ACTIVITIES_HPP
+#define ORO_EXTRAS_ACTIVITIES_HPP
+
+/** @file All activities. */
+#include <rtt/Activity.hpp>
+#include <rtt/extras/PeriodicActivity.hpp>
+#include <rtt/extras/SequentialActivity.hpp>
+#include <rtt/extras/SlaveActivity.hpp>
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_EXTRAS_SEQUENTIAL_ACTIVITY_HPP
+#define ORO_EXTRAS_SEQUENTIAL_ACTIVITY_HPP
+
+#include <rtt/base/ActivityInterface.hpp>
+
+#include <atomic>
+#include <cstdint>
+
+namespace RTT {
+namespace extras {
+
+/**
+ * An activity without a thread: trigger() and timeout() execute step() and work(TimeOut) in the calling thread, one
+ * caller at a time. A trigger during execution returns at once; the executing thread goes on while the runner has
+ * messages, so none is forgotten. Writing to an event port of such a component runs the component in the writer's thread.
+ */
+class RTT_API SequentialActivity : public base::ActivityInterface {
+public:
+    explicit SequentialActivity(base::RunnableInterface* runner = nullptr);
+    ~SequentialActivity() override;
+
+    /** False if active or if initialize() returned false. */
+    bool start() override;
+    /** Waits, at most one second, for an execution in another thread to end; false if it did not. */
+    bool stop() override;
+    /** True only while executing. */
+    bool isRunning() const override;
+    bool isActive() const override;
+    Seconds getPeriod() const override { return 0.0; }
+    /** Only 0 is accepted. */
+    bool setPeriod(Seconds period) override { return period == 0.0; }
+    unsigned getCpuAffinity() const override { return ~0u; }
+    bool setCpuAffinity(unsigned) override { return false; }
+    bool execute() override { return false; }
+    bool trigger() override;
+    bool timeout() override { return trigger(); }
+    /** The main thread stands in for whoever triggers. */
+    os::ThreadInterface* thread() override;
+    bool isSelf() const override;
+
+private:
+    static constexpr std::uint32_t kWaiting = 0x80000000u;  // in requests_: stop() waits for the end of the execution
+    void executeOnce();
+    void executeWhileWork();
+    bool leave(std::uint32_t& seen);
+    bool waitForExecution(nsecs deadline);
+
+    std::atomic<bool> active_{false};
+    std::atomic<std::uint32_t> requests_{0};  // triggers since the executing thread began; 0: nobody executes
+    std::atomic<int> executor_{0};            // Linux id of the executing thread
+};
+
+}  // namespace extras
+}  // namespace RTT
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Memory for calls under way, so that sending an operation does not ask the system for memory.
+#ifndef ORO_INTERNAL_CALL_POOL_HPP
+#define ORO_INTERNAL_CALL_POOL_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <cstddef>
+
+namespace RTT { namespace internal {
+
+/**
+ * Blocks of two sizes: kSmall of them up to 256 bytes, kLarge up to 1 KiB, for the whole process. What is larger, or comes
+ * when all are in use, is taken from the heap. Lock-free and real-time safe as long as it is not.
+ */
+class RTT_API CallPool {
+public:
+    static constexpr std::size_t kSmall = 256;
+    static constexpr std::size_t kLarge = 64;
+    static void* take(std::size_t size);
+    static void give(void* block) noexcept;
+    /** True if `block` is one of the pool's, not of the heap. */
+    static bool owns(const void* block) noexcept;
+};
+
+}}  // namespace RTT::internal
+
+#endif

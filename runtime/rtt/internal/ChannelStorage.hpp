@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The channel element that stores samples: all there is between two local ports.
+#ifndef ORO_INTERNAL_CHANNEL_STORAGE_HPP
+#define ORO_INTERNAL_CHANNEL_STORAGE_HPP
+
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/StorageCore.hpp>
+
+namespace RTT {
+namespace internal {
+
+/** Typed only so that transports find a ChannelElement<T> next to them. write() and read() are real-time safe. */
+template <typename T>
+class ChannelStorage final : public base::ChannelElement<T> {
+public:
+    typedef base::ChannelElementBase Base;
+    typedef typename Base::shared_ptr BasePtr;
+    typedef typename base::ChannelElement<T>::param_t param_t;
+    typedef typename base::ChannelElement<T>::reference_t reference_t;
+
+    ChannelStorage(const ConnPolicy& policy, std::unique_ptr<SampleStore> store) : core_(policy, std::move(store)) {}
+
+    WriteStatus write(param_t sample) override { return ChannelStorage::writeErased(&sample); }
+    FlowStatus read(reference_t sample, bool copyOld) override { return core_.store().read(&sample, copyOld); }
+    using base::ChannelElement<T>::data_sample;
+    WriteStatus data_sample(param_t sample, bool reset = true) override
+    {
+        return ChannelStorage::sampleErased(&sample, reset);
+    }
+
+    WriteStatus writeErased(const void* sample) override
+    {
+        const WriteStatus status = core_.store().write(sample);
+        if (status == WriteSuccess) ChannelStorage::signal();
+        return status;
+    }
+    FlowStatus readErased(void* sample, bool copyOld) override { return core_.store().read(sample, copyOld); }
+    WriteStatus sampleErased(const void* sample, bool reset) override
+    {
+        core_.store().setSample(sample, reset);
+        return Base::sampleErased(sample, reset);
+    }
+    bool getSampleErased(void* sample) override { return core_.store().getSample(sample); }
+
+    void clear() override { core_.store().clear(); }
+    bool signal() override { return core_.hasManyReaders() ? core_.signalReaders() : Base::signal(); }
+    bool connectTo(BasePtr const& output, bool mandatory = true) override
+    {
+        if (!core_.hasManyReaders()) return Base::connectTo(output, mandatory);
+        core_.addReader(*output);
+        return output->connectFrom(this);
+    }
+    const ConnPolicy* getConnPolicy() const override { return &core_.policy(); }
+    std::string getElementName() const override { return "ChannelStorage"; }
+
+    StorageCore& core() { return core_; }
+    StorageCore* storageCore() override { return &core_; }
+
+private:
+    StorageCore core_;
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

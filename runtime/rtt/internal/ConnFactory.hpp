@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Makes connections and the elements in them.
+#ifndef ORO_CONN_FACTORY_HPP
+#define ORO_CONN_FACTORY_HPP
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/internal/ChannelStorage.hpp>
+#include <rtt/internal/SampleStore.hpp>
+#include <rtt/types/TypeOps.hpp>
+
+#include <boost/shared_ptr.hpp>
+
+#include <memory>
+#include <string>
+
+namespace RTT {
+namespace base {
+class InputPortInterface;
+class OutputPortInterface;
+class PortInterface;
+}
+namespace internal {
+class ConnID;
+class SharedConnectionBase;
+
+/** Nothing here is real-time safe. The virtual part is what a type's port factory offers to those who do not know the type. */
+class RTT_API ConnFactory {
+public:
+    typedef boost::shared_ptr<ConnFactory> shared_ptr;
+    typedef base::ChannelElementBase::shared_ptr ElementPtr;
+
+    virtual ~ConnFactory();
+    virtual base::InputPortInterface* inputPort(const std::string& name) const = 0;
+    virtual base::OutputPortInterface* outputPort(const std::string& name) const = 0;
+    virtual ElementPtr buildDataStorage(ConnPolicy const& policy) const = 0;
+    virtual ElementPtr buildChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy) const;
+    virtual ElementPtr buildChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy) const;
+
+    /** A storage element for samples of T, sized by `initial_value`; null, with an error logged, if the policy is not valid. */
+    template <typename T>
+    static typename base::ChannelElement<T>::shared_ptr buildDataStorage(ConnPolicy const& policy,
+                                                                         const T& initial_value = T())
+    {
+        return buildStorage<T>(policy, &initial_value);
+    }
+    template <typename T>
+    static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy, const void* first)
+    {
+        ConnPolicy effective = policy;
+        std::unique_ptr<SampleStore> store = makeStore(types::typeOps<T>(), effective, first);
+        return store ? new ChannelStorage<T>(effective, std::move(store)) : nullptr;
+    }
+
+    /** For transports: storage whose samples `port` reads once port.channelReady(storage, policy, id) was called. */
+    static ElementPtr makeChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy);
+    /** For transports: storage that `port` writes once port.addConnection(id, storage, policy) was called. */
+    static ElementPtr makeChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy);
+
+    /** Connects two ports; see OutputPort::createConnection for the rules. */
+    static bool createConnection(base::OutputPortInterface& output, base::InputPortInterface& input,
+                                 ConnPolicy const& policy);
+    /** Joins a transport's stream; `policy.name_id` and `policy.data_size` are filled in. */
+    static bool createStream(base::OutputPortInterface& output, ConnPolicy const& policy);
+    static bool createStream(base::InputPortInterface& input, ConnPolicy const& policy);
+    static bool createSharedConnection(base::OutputPortInterface* output, base::InputPortInterface* input,
+                                       boost::intrusive_ptr<SharedConnectionBase> connection, ConnPolicy const& policy);
+
+    /** Checks `policy`, completes its defaults and makes the storage; null, with an error logged, if it is not valid. */
+    static std::unique_ptr<SampleStore> makeStore(const types::TypeOps& ops, ConnPolicy& policy, const void* first);
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/ConnID.hpp>
+
+#include <rtt/base/PortInterface.hpp>
+
+namespace RTT {
+namespace internal {
+
+ConnID::~ConnID() = default;
+
+bool LocalConnID::isSameID(ConnID const& id) const
+{
+    const LocalConnID* other = dynamic_cast<const LocalConnID*>(&id);
+    return other && other->ptr == ptr;
+}
+
+LocalConnID* LocalConnID::clone() const { return new LocalConnID(ptr); }
+std::string LocalConnID::toString() const { return ptr ? ptr->getFullName() : "(no port)"; }
+
+bool StreamConnID::isSameID(ConnID const& id) const
+{
+    const StreamConnID* other = dynamic_cast<const StreamConnID*>(&id);
+    return other && other->name_id == name_id;
+}
+
+StreamConnID* StreamConnID::clone() const { return new StreamConnID(name_id); }
+std::string StreamConnID::toString() const { return name_id; }
+
+bool SharedConnID::isSameID(ConnID const& id) const
+{
+    return dynamic_cast<const SharedConnID*>(&id) && StreamConnID::isSameID(id);
+}
+
+SharedConnID* SharedConnID::clone() const { return new SharedConnID(name_id); }
+
+}  // namespace internal
+}  // namespace RTT

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// How the two ends of a connection know each other.
+#ifndef ORO_CONN_ID_HPP
+#define ORO_CONN_ID_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <string>
+
+namespace RTT {
+namespace base { class PortInterface; }
+namespace internal {
+
+/** Identifies one connection of a port, for removing it again. */
+class RTT_API ConnID {
+public:
+    virtual ~ConnID();
+    virtual bool isSameID(ConnID const& id) const = 0;
+    virtual ConnID* clone() const = 0;
+    /** For people. */
+    virtual std::string toString() const = 0;
+    /** The port at the other end, if it is in this process. */
+    virtual base::PortInterface* peer() const { return nullptr; }
+};
+
+/** The other end is a port of this process. */
+class RTT_API LocalConnID : public ConnID {
+public:
+    explicit LocalConnID(base::PortInterface const* port) : ptr(port) {}
+    bool isSameID(ConnID const& id) const override;
+    LocalConnID* clone() const override;
+    std::string toString() const override;
+    base::PortInterface* peer() const override { return const_cast<base::PortInterface*>(ptr); }
+
+    base::PortInterface const* const ptr;
+};
+
+/** The other end is a transport's stream. */
+class RTT_API StreamConnID : public ConnID {
+public:
+    explicit StreamConnID(std::string const& name) : name_id(name) {}
+    bool isSameID(ConnID const& id) const override;
+    StreamConnID* clone() const override;
+    std::string toString() const override;
+
+    const std::string name_id;
+};
+
+/** The other end is a shared connection. */
+class RTT_API SharedConnID : public StreamConnID {
+public:
+    explicit SharedConnID(std::string const& name) : StreamConnID(name) {}
+    bool isSameID(ConnID const& id) const override;
+    SharedConnID* clone() const override;
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

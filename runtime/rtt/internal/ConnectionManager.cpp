@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/ConnectionManager.hpp>
+
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/PortEndpoint.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/StorageCore.hpp>
+#include <rtt/internal/detail/graph_lock.hpp>
+
+#include <algorithm>
+
+namespace RTT {
+namespace internal {
+
+using base::ChannelElementBase;
+using base::PortInterface;
+using detail::GraphLock;
+
+ConnectionManager::~ConnectionManager() = default;
+
+ConnectionManager::Connections ConnectionManager::getConnections() const
+{
+    const GraphLock lock;
+    Connections result;
+    for (const Connection& c : connections_) result.push_back(ChannelDescriptor(c.id, c.channel, c.policy));
+    return result;
+}
+
+bool ConnectionManager::connected() const
+{
+    return port_->connected();
+}
+
+bool ConnectionManager::connectedTo(PortInterface* port) const
+{
+    if (!port) return false;
+    const GraphLock lock;
+    for (const Connection& c : connections_)
+        if (c.id->peer() == port || (c.shared && port->getManager()->uses(c.channel.get()))) return true;
+    return false;
+}
+
+SharedConnectionBase::shared_ptr ConnectionManager::getSharedConnection() const
+{
+    const GraphLock lock;
+    for (const Connection& c : connections_)
+        if (c.shared) return c.shared;
+    return nullptr;
+}
+
+void ConnectionManager::addConnection(ConnID* id, ChannelElementBase::shared_ptr channel, const ConnPolicy& policy)
+{
+    {
+        const GraphLock lock;
+        add({boost::shared_ptr<ConnID>(id), channel, policy, nullptr});
+    }
+    Reclaimer::collect();
+}
+
+bool ConnectionManager::removeConnection(const ConnID* id)
+{
+    return id && removeIf([id](const Connection& c) { return c.id->isSameID(*id); });
+}
+
+bool ConnectionManager::removeChannel(const ChannelElementBase* channel)
+{
+    return removeIf([channel](const Connection& c) { return c.channel.get() == channel; });
+}
+
+bool ConnectionManager::disconnect(PortInterface* port)
+{
+    if (!port) return false;
+    ConnectionManager* other = port->getManager();
+    return removeIf([port, other](const Connection& c) {
+        return c.id->peer() == port || (c.shared && other->uses(c.channel.get()));
+    });
+}
+
+void ConnectionManager::disconnect()
+{
+    removeIf([](const Connection&) { return true; });
+}
+
+template <class Which>
+bool ConnectionManager::removeIf(Which which)
+{
+    List gone;
+    {
+        const GraphLock lock;
+        const auto end = std::stable_partition(connections_.begin(), connections_.end(),
+                                               [&](const Connection& c) { return !which(c); });
+        if (end == connections_.end()) return false;
+        gone.assign(std::make_move_iterator(end), std::make_move_iterator(connections_.end()));
+        connections_.erase(end, connections_.end());
+        publish();
+        for (const Connection& c : gone) unlink(c);
+    }
+    // Transports end their part, without the lock: towards the reader's side from an output port, and vice versa.
+    const bool output = dynamic_cast<base::InputPortInterface*>(port_) == nullptr;
+    for (const Connection& c : gone)
+        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, output);
+    gone.clear();
+    Reclaimer::collect();
+    return true;
+}
+
+/** Takes `connection`, which is no longer in our list, out of the peer's, and unlinks its storage where nobody uses it. */
+void ConnectionManager::unlink(const Connection& connection)
+{
+    PortInterface* const peer = connection.id->peer();
+    if (!peer && !connection.shared) return;
+    ChannelElementBase* const channel = connection.channel.get();
+    if (peer) {
+        List& theirs = peer->manager_->connections_;
+        const auto same = [&](const Connection& c) { return c.id->peer() == port_ && c.channel.get() == channel; };
+        theirs.erase(std::remove_if(theirs.begin(), theirs.end(), same), theirs.end());
+        peer->manager_->publish();
+    }
+    StorageCore* const core = channel->storageCore();
+    for (PortInterface* port : {port_, peer}) {
+        if (!port || port->manager_->uses(channel)) continue;
+        ChannelElementBase* const end = port->endpoint_.get();
+        if (core && core->hasManyReaders()) core->removeReader(end);
+        ChannelElementBase::dropLink(channel->output_, end);
+        ChannelElementBase::dropLink(channel->input_, end);
+    }
+}
+
+bool ConnectionManager::uses(const ChannelElementBase* channel) const
+{
+    return std::any_of(connections_.begin(), connections_.end(),
+                       [channel](const Connection& c) { return c.channel.get() == channel; });
+}
+
+void ConnectionManager::add(const Connection& connection)
+{
+    connections_.push_back(connection);
+    publish();
+}
+
+/** Shows writers or readers the list as it is now. A storage shared by several connections is in it once. */
+void ConnectionManager::publish()
+{
+    std::vector<ChannelArray::Entry> entries;
+    for (const Connection& c : connections_) {
+        const auto same = [&](const ChannelArray::Entry& e) { return e.channel == c.channel.get(); };
+        const auto found = std::find_if(entries.begin(), entries.end(), same);
+        if (found == entries.end()) entries.push_back({c.channel.get(), c.policy.mandatory});
+        else found->mandatory = found->mandatory || c.policy.mandatory;
+    }
+    // Release: who loads the array sees its entries and the complete channels.
+    ChannelArray::retire(port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()),
+                                                   std::memory_order_acq_rel));
+}
+
+}  // namespace internal
+}  // namespace RTT

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The connections of one port: who is at the other end, through which channel, with which policy.
+#ifndef ORO_CONNECTION_MANAGER_HPP
+#define ORO_CONNECTION_MANAGER_HPP
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/base/PortInterface.hpp>
+#include <rtt/internal/ConnID.hpp>
+#include <rtt/internal/SharedConnection.hpp>
+
+#include <boost/shared_ptr.hpp>
+#include <boost/tuple/tuple.hpp>
+
+#include <list>
+#include <vector>
+
+namespace RTT {
+namespace internal {
+/** All changes of all ports are serialised by one process-wide lock, which is never held while user code runs, and which
+    writers and readers of ports never take. Nothing here is real-time safe except connected(). */
+class RTT_API ConnectionManager {
+public:
+    /** Peer's id, first channel element seen from this port, the policy that is really used. */
+    typedef boost::tuple<boost::shared_ptr<ConnID>, base::ChannelElementBase::shared_ptr, ConnPolicy> ChannelDescriptor;
+    typedef std::list<ChannelDescriptor> Connections;
+
+    explicit ConnectionManager(base::PortInterface* port) : port_(port) {}
+    ~ConnectionManager();
+
+    /** A snapshot. */
+    Connections getConnections() const;
+    Connections getChannels() const { return getConnections(); }
+    bool connected() const;
+    bool connectedTo(base::PortInterface* port) const;
+    /** The shared connection the port has joined, null if none. */
+    boost::intrusive_ptr<SharedConnectionBase> getSharedConnection() const;
+
+    /** Registers a channel whose other end is no local port. Takes over `id`. */
+    void addConnection(ConnID* id, base::ChannelElementBase::shared_ptr channel, const ConnPolicy& policy);
+    /** Remove connections at both ends and break their channels; false if there was none such. */
+    bool removeConnection(const ConnID* id);
+    bool removeChannel(const base::ChannelElementBase* channel);
+    bool disconnect(base::PortInterface* port);
+    void disconnect();
+
+    /** For ConnFactory: what stands in the way of a new connection with `policy` at this port, if anything. */
+    enum Obstacle { None, OtherBufferPolicy, OtherStorage, AlreadyConnected, Retry };
+    /** The storage that a new connection with `policy` has to use, because the port shares it between its connections;
+        null if it needs a new one. `existing` tells its policy. */
+    base::ChannelElementBase::shared_ptr sharedStorage(const ConnPolicy& policy, ConnPolicy* existing) const;
+    /** Joins two ports by `storage`; Retry if sharedStorage() would no longer say `expected`. */
+    static Obstacle join(ConnectionManager& output, ConnectionManager& input,
+                         const base::ChannelElementBase::shared_ptr& storage, const ConnPolicy& policy,
+                         const base::ChannelElementBase* expected);
+    /** Joins this port and a shared connection. */
+    Obstacle join(const boost::intrusive_ptr<SharedConnectionBase>& connection);
+
+private:
+    struct Connection {
+        boost::shared_ptr<ConnID> id;
+        base::ChannelElementBase::shared_ptr channel;
+        ConnPolicy policy;
+        boost::intrusive_ptr<SharedConnectionBase> shared;
+    };
+    typedef std::vector<Connection> List;
+    struct Removal;
+
+    // With the lock held:
+    bool mixesBadly(const ConnPolicy& policy) const;
+    void add(const Connection& connection);
+    bool uses(const base::ChannelElementBase* channel) const;
+    base::ChannelElementBase* findShared(const ConnPolicy& policy, ConnPolicy* existing) const;
+    void publish();
+    void unlink(const Connection& connection);
+    template <class Which>
+    bool removeIf(Which which);
+
+    List connections_;
+    base::PortInterface* port_;
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "DataSources.hpp"
+
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
+#include "ElementDataSource.hpp"
+#include "PartDataSource.hpp"
+
+namespace RTT { namespace internal {
+
+namespace detail {
+
+types::TypeInfo* typeInfoFor(const std::type_info& id, std::atomic<types::TypeInfo*>& cache) {
+    const auto repository = types::Types();
+    if (types::TypeInfo* found = repository->getTypeById(&id)) {
+        // release: whoever reads the pointer sees the object it was registered with.
+        cache.store(found, std::memory_order_release);
+        return found;
+    }
+    // Not remembered: a typekit that knows the type may be loaded later.
+    return repository->unknownType();
+}
+
+const std::string& plainTypeName(const types::TypeInfo* info) { return info->getTypeName(); }
+
+const std::string& qualifierText(bool isConst, bool isReference, bool isPointer) {
+    static const std::string none, reference = " &", constReference = " const&", constant = " const", pointer = "*",
+                             constPointer = " const*";
+    if (isReference) return isConst ? constReference : reference;
+    if (isPointer) return isConst ? constPointer : pointer;
+    return isConst ? constant : none;
+}
+
+} // namespace detail
+
+ElementPlace::ElementPlace(base::DataSourceBase* parent_, base::DataSourceBase* index_, const types::SequenceOps* ops_)
+    : parent(parent_), index(index_), ops(ops_) {}
+
+bool ElementPlace::evaluate() const { return parent->evaluate() && index->evaluate(); }
+
+std::size_t ElementPlace::position() const {
+    const void* value = index->getRawConstPointer();
+    if (*index->getTypeId() == typeid(unsigned int)) return *static_cast<const unsigned int*>(value);
+    // A negative index becomes one beyond any end.
+    return static_cast<std::size_t>(static_cast<long long>(*static_cast<const int*>(value)));
+}
+
+bool ElementPlace::load(void* element) const {
+    const void* container = parent->getRawConstPointer();
+    const std::size_t at = position();
+    if (!container || at >= ops->size(container)) return false;
+    ops->load(container, at, element);
+    return true;
+}
+
+bool ElementPlace::store(const void* element) const {
+    void* container = parent->getRawPointer();
+    const std::size_t at = position();
+    if (!container || at >= ops->size(container)) return false;
+    ops->store(container, at, element);
+    parent->updated();
+    return true;
+}
+
+void* ElementPlace::address(bool forWriting) const {
+    if (!ops->at) return nullptr;
+    void* container = forWriting ? parent->getRawPointer() : const_cast<void*>(parent->getRawConstPointer());
+    const std::size_t at = position();
+    return container && at < ops->size(container) ? ops->at(container, at) : nullptr;
+}
+
+std::ptrdiff_t partOffset(const void* part, base::DataSourceBase& parent) {
+    return static_cast<const char*>(part) - static_cast<const char*>(parent.getRawPointer());
+}
+
+}} // namespace RTT::internal

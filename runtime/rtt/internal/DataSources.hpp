@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_CORELIB_DATASOURCES_HPP
+#define ORO_CORELIB_DATASOURCES_HPP
+
+#include "AssignCommand.hpp"
+#include "DataSource.hpp"
+
+namespace RTT { namespace internal {
+
+/** Shorthand for the map that copy() carries along. */
+typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
+
+/** A variable: holds its value itself. copy() returns the same variable, clone() a new one. */
+template <typename T>
+class ValueDataSource : public AssignableDataSource<T> {
+public:
+    typedef boost::intrusive_ptr<ValueDataSource<T>> shared_ptr;
+    typedef typename AssignableDataSource<T>::param_t param_t;
+    typedef typename AssignableDataSource<T>::reference_t reference_t;
+    typedef typename DataSource<T>::const_reference_t const_reference_t;
+
+    ValueDataSource() : mdata() {}
+    explicit ValueDataSource(T value) : mdata(std::move(value)) {}
+
+    typename DataSource<T>::result_t get() const override { return mdata; }
+    typename DataSource<T>::result_t value() const override { return mdata; }
+    const_reference_t rvalue() const override { return mdata; }
+    void set(param_t value) override { mdata = value; }
+    reference_t set() override { return mdata; }
+
+    ValueDataSource<T>* clone() const override { return new ValueDataSource<T>(mdata); }
+    ValueDataSource<T>* copy(CopyMap& cloned) const override {
+        if (auto* known = cloned[this]) return static_cast<ValueDataSource<T>*>(known);
+        auto* self = const_cast<ValueDataSource<T>*>(this);
+        cloned[this] = self;
+        return self;
+    }
+
+protected:
+    T mdata;
+};
+
+/** A variable whose copy in a copied expression is a new variable: local variables of programs. */
+template <typename BoundT>
+class UnboundDataSource : public BoundT {
+public:
+    typedef typename BoundT::result_t T;
+    using BoundT::BoundT;
+
+    UnboundDataSource<BoundT>* clone() const override { return new UnboundDataSource<BoundT>(this->rvalue()); }
+    UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
+        if (auto* known = cloned[this]) return static_cast<UnboundDataSource<BoundT>*>(known);
+        auto* made = new UnboundDataSource<BoundT>(this->rvalue());
+        cloned[this] = made;
+        return made;
+    }
+};
+
+/** A value fixed at construction. */
+template <typename T>
+class ConstantDataSource : public DataSource<T> {
+public:
+    typedef boost::intrusive_ptr<ConstantDataSource<T>> shared_ptr;
+
+    explicit ConstantDataSource(T value) : mdata(std::move(value)) {}
+
+    typename DataSource<T>::result_t get() const override { return mdata; }
+    typename DataSource<T>::result_t value() const override { return mdata; }
+    typename DataSource<T>::const_reference_t rvalue() const override { return mdata; }
+
+    ConstantDataSource<T>* clone() const override { return new ConstantDataSource<T>(mdata); }
+    ConstantDataSource<T>* copy(CopyMap&) const override { return const_cast<ConstantDataSource<T>*>(this); }
+
+private:
+    const std::remove_const_t<T> mdata;
+};
+
+/** Refers to a variable that the user owns and that must outlive this source. */
+template <typename T>
+class ReferenceDataSource : public AssignableDataSource<T> {
+public:
+    typedef boost::intrusive_ptr<ReferenceDataSource<T>> shared_ptr;
+    typedef typename AssignableDataSource<T>::param_t param_t;
+    typedef typename AssignableDataSource<T>::reference_t reference_t;
+
+    explicit ReferenceDataSource(reference_t ref) : mptr(std::addressof(ref)) {}
+
+    void setReference(base::DataSourceBase::shared_ptr source) {
+        if (source && source->getTypeId() && *source->getTypeId() == typeid(typename DataSource<T>::value_t))
+            if (void* at = source->getRawPointer()) mptr = static_cast<typename DataSource<T>::value_t*>(at);
+    }
+    typename DataSource<T>::result_t get() const override { return *mptr; }
+    typename DataSource<T>::result_t value() const override { return *mptr; }
+    typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
+    void set(param_t value) override { *mptr = value; }
+    reference_t set() override { return *mptr; }
+
+    ReferenceDataSource<T>* clone() const override { return new ReferenceDataSource<T>(*mptr); }
+    ReferenceDataSource<T>* copy(CopyMap&) const override { return const_cast<ReferenceDataSource<T>*>(this); }
+
+private:
+    typename DataSource<T>::value_t* mptr;
+};
+
+/** Refers to a variable that cannot be changed through this source. */
+template <typename T>
+class ConstReferenceDataSource : public DataSource<T> {
+public:
+    typedef boost::intrusive_ptr<ConstReferenceDataSource<T>> shared_ptr;
+
+    explicit ConstReferenceDataSource(typename DataSource<T>::const_reference_t ref) : mptr(std::addressof(ref)) {}
+
+    typename DataSource<T>::result_t get() const override { return *mptr; }
+    typename DataSource<T>::result_t value() const override { return *mptr; }
+    typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
+    ConstReferenceDataSource<T>* clone() const override { return new ConstReferenceDataSource<T>(*mptr); }
+    ConstReferenceDataSource<T>* copy(CopyMap&) const override {
+        return const_cast<ConstReferenceDataSource<T>*>(this);
+    }
+
+private:
+    const typename DataSource<T>::value_t* mptr;
+};
+
+}} // namespace RTT::internal
+
+#include "DataSourcesMore.hpp"
+
+#endif

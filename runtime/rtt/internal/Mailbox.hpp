@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_MAILBOX_HPP
+#define ORO_INTERNAL_MAILBOX_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace RTT { namespace internal {
+
+/**
+ * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, and, when the
+ * component has failed for good, whoever clears up. Neither blocks nor allocates; both are real-time safe.
+ *
+ * Each cell carries a sequence number that tells whose turn it is:
+ *   sequence == position              free for the producer that wins position
+ *   sequence == position + 1          filled, for the consumer that wins position
+ *   sequence == position + kCapacity  free again, one round later
+ */
+class RTT_API Mailbox {
+public:
+    enum class Kind : std::uint8_t { Message, Port, AddFunction };
+    struct Item {
+        Kind kind;
+        void* what;
+    };
+    static constexpr std::size_t kCapacity = 128;
+
+    Mailbox();
+    /** False if full. */
+    bool put(Item item);
+    /** False if empty, or if the next item is just being put. */
+    bool take(Item& item);
+    /** A momentary truth. */
+    bool empty() const;
+
+private:
+    struct Cell {
+        std::atomic<std::size_t> sequence;
+        Item item;
+    };
+    std::unique_ptr<Cell[]> cells_;
+    alignas(64) std::atomic<std::size_t> tail_{0};
+    alignas(64) std::atomic<std::size_t> head_{0};
+};
+
+}}  // namespace RTT::internal
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/OperationPart.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/OperationTable.hpp>
+#include <rtt/internal/detail/call_handles.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+namespace RTT { namespace internal {
+
+namespace {
+
+std::string nameOf(const ValueType& type)
+{
+    return detail::plainTypeName(type.info()) + detail::qualifierText(type.isConst, type.isReference, type.isPointer);
+}
+
+bool holds(const base::DataSourceBase& source, const ValueType& type)
+{
+    const std::type_info* const id = source.getTypeId();
+    return id && *id == *type.id;
+}
+
+[[noreturn]] void throwWrongType(std::size_t index, const ValueType& wanted, const base::DataSourceBase::shared_ptr& source)
+{
+    throw wrong_types_of_args_exception(static_cast<int>(index), nameOf(wanted), source ? source->getType() : "nothing");
+}
+
+void checkCount(std::size_t wanted, std::size_t received)
+{
+    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
+}
+
+/** The source of argument `index`, counted from 1: `source` itself, or one that converts its value. */
+base::DataSourceBase::shared_ptr sourceFor(const ValueType& wanted, base::DataSourceBase::shared_ptr source, std::size_t index)
+{
+    if (!source) throwWrongType(index, wanted, source);
+    if (wanted.isOutput() && !source->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
+    if (!holds(*source, wanted) && !wanted.isOutput()) source = wanted.info()->convert(source);
+    if (!source || !holds(*source, wanted)) throwWrongType(index, wanted, source);
+    return source;
+}
+
+}  // namespace
+
+OperationPart::OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller,
+                             const OperationTable& table, bool callOnly)
+    : description_(std::move(description)), caller_(std::move(caller)), table_(&table), call_only_(callOnly)
+{
+}
+
+std::string OperationPart::getName() const { return description_->name; }
+std::string OperationPart::description() const { return description_->texts.front(); }
+std::string OperationPart::resultType() const { return nameOf(table_->types[0]); }
+unsigned OperationPart::arity() const { return table_->arity; }
+
+std::vector<ArgumentDescription> OperationPart::getArgumentList() const
+{
+    const std::vector<std::string>& texts = description_->texts;
+    std::vector<ArgumentDescription> list;
+    for (std::size_t i = 1; i <= table_->arity; ++i) {
+        const bool documented = 2 * i < texts.size();
+        list.emplace_back(documented ? texts[2 * i - 1] : "arg" + std::to_string(i), documented ? texts[2 * i] : "",
+                          nameOf(table_->types[i]));
+    }
+    return list;
+}
+
+const types::TypeInfo* OperationPart::getArgumentType(unsigned index) const
+{
+    return index <= table_->arity ? table_->types[index].info() : nullptr;
+}
+
+std::vector<const ValueType*> OperationPart::collected() const
+{
+    std::vector<const ValueType*> types;
+    if (*table_->types[0].id != typeid(void)) types.push_back(&table_->types[0]);
+    for (unsigned i = 1; i <= table_->arity; ++i)
+        if (table_->types[i].isOutput()) types.push_back(&table_->types[i]);
+    return types;
+}
+
+unsigned OperationPart::collectArity() const { return static_cast<unsigned>(collected().size()); }
+
+const types::TypeInfo* OperationPart::getCollectType(unsigned index) const
+{
+    const auto types = collected();
+    return index >= 1 && index <= types.size() ? types[index - 1]->info() : nullptr;
+}
+
+OperationPart::Args OperationPart::checkedArguments(const Args& args) const
+{
+    checkCount(table_->arity, args.size());
+    Args checked;
+    for (std::size_t i = 0; i != args.size(); ++i) checked.push_back(sourceFor(table_->types[i + 1], args[i], i + 1));
+    return checked;
+}
+
+void OperationPart::checkSendable() const
+{
+    if (call_only_) throw no_asynchronous_operation_exception("operation '" + getName() + "' can be called, but not sent");
+}
+
+OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* caller) const
+{
+    return table_->makeSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
+}
+
+OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const
+{
+    checkSendable();
+    return new detail::SendSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
+}
+
+OperationPart::Source OperationPart::produceHandle() const
+{
+    checkSendable();
+    return new ValueDataSource<SentCall::shared_ptr>();
+}
+
+OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource<bool>::shared_ptr blocking) const
+{
+    checkSendable();
+    const auto types = collected();
+    if (args.size() != 1) checkCount(1 + types.size(), args.size());
+    auto* const handle = DataSource<SentCall::shared_ptr>::narrow(args[0].get());
+    if (!handle) throw wrong_types_of_args_exception(1, "SendHandle", args[0] ? args[0]->getType() : "nothing");
+    for (std::size_t i = 1; i != args.size(); ++i) {
+        if (!args[i] || !holds(*args[i], *types[i - 1])) throwWrongType(i + 1, *types[i - 1], args[i]);
+        if (!args[i]->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(i + 1), args[i]->getType());
+    }
+    return new detail::CollectSource(*table_, handle, Args(args.begin() + 1, args.end()), std::move(blocking));
+}
+
+}}  // namespace RTT::internal

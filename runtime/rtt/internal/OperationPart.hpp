@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_OPERATION_PART_HPP
+#define ORO_INTERNAL_OPERATION_PART_HPP
+
+#include <rtt/OperationInterfacePart.hpp>
+#include <rtt/base/OperationBase.hpp>
+
+namespace RTT { namespace internal {
+
+struct ValueType;
+
+/** An operation of this process for those who learn its signature at run time. */
+class RTT_API OperationPart final : public OperationInterfacePart {
+public:
+    typedef base::DataSourceBase::shared_ptr Source;
+    typedef base::OperationCallerInterface::shared_ptr Caller;
+
+    OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller, const OperationTable& table,
+                  bool callOnly);
+
+    std::string getName() const override;
+    std::string description() const override;
+    std::vector<ArgumentDescription> getArgumentList() const override;
+    std::string resultType() const override;
+    unsigned arity() const override;
+    const types::TypeInfo* getArgumentType(unsigned index) const override;
+    unsigned collectArity() const override;
+    const types::TypeInfo* getCollectType(unsigned index) const override;
+    bool isSynchronous() const override { return call_only_; }
+    base::OperationCallerInterface::shared_ptr getLocalOperation() const override { return caller_; }
+
+    Source produce(const Args& args, ExecutionEngine* caller) const override;
+    Source produceSend(const Args& args, ExecutionEngine* caller) const override;
+    Source produceHandle() const override;
+    Source produceCollect(const Args& args, boost::intrusive_ptr<DataSource<bool>> blocking) const override;
+
+private:
+    Args checkedArguments(const Args& args) const;
+    void checkSendable() const;
+    std::vector<const ValueType*> collected() const;
+
+    std::shared_ptr<const base::OperationDescription> description_;
+    Caller caller_;
+    const OperationTable* table_;
+    bool call_only_;
+};
+
+}}  // namespace RTT::internal
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_PORT_CALLBACKS_HPP
+#define ORO_INTERNAL_PORT_CALLBACKS_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <boost/function.hpp>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace RTT {
+namespace base { class PortInterface; }
+namespace internal {
+
+/**
+ * What a component does when its event ports have data. Ports are added and removed by the component while other
+ * threads announce data; announcing never locks: it reads a table that is replaced as a whole.
+ */
+class RTT_API PortCallbacks {
+public:
+    typedef boost::function<void(base::PortInterface*)> Callback;
+
+    PortCallbacks() = default;
+    ~PortCallbacks();
+    PortCallbacks(const PortCallbacks&) = delete;
+    PortCallbacks& operator=(const PortCallbacks&) = delete;
+
+    void set(base::PortInterface* port, const Callback& callback);
+    void remove(base::PortInterface* port);
+
+    /** Marks the port as waiting for its callback; `running`: the component is running now. True if the caller is to queue
+        it, false if it is queued already or unknown. Any thread; real-time safe. */
+    bool announce(base::PortInterface* port, bool running);
+    /** Withdraws an announcement that could not be queued. */
+    void withdraw(base::PortInterface* port);
+    /** Calls the callback of a port that was queued. What was announced while the component was running is dropped when it
+        no longer is: it may be on its way to destruction. In the component's thread. */
+    void call(base::PortInterface* port, bool running);
+
+private:
+    struct Entry {
+        base::PortInterface* port;
+        Callback callback;
+        std::atomic<bool> queued{false};
+        std::atomic<bool> whileRunning{false};
+    };
+    typedef std::shared_ptr<Entry> EntryPtr;
+    typedef std::vector<EntryPtr> Table;
+
+    Entry* find(base::PortInterface* port) const;
+    void replace(base::PortInterface* port, EntryPtr entry);
+
+    std::mutex mutex_;
+    std::atomic<const Table*> table_{nullptr};  // read under an internal::Reclaimer::Guard
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

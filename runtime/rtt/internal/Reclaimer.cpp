@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/Reclaimer.hpp>
+
+#include <linux/membarrier.h>
+#include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace RTT {
+namespace internal {
+
+std::atomic<std::uint64_t> Reclaimer::epoch_{1};
+bool Reclaimer::asymmetric_ = false;
+__thread Reclaimer::Record* Reclaimer::record_ = nullptr;
+
+struct ReclaimerState {
+    typedef Reclaimer::Record Record;
+    struct Retired {
+        void* object;
+        void (*destroy)(void*);
+        std::uint64_t epoch;
+    };
+
+    ReclaimerState()
+    {
+        pthread_key_create(&key_, &ReclaimerState::threadEnds);
+        // Safe to switch on here only: nobody can be inside before the first attach(), which comes through instance().
+        Reclaimer::asymmetric_ = syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
+    }
+
+    /** Never destroyed: threads may still be running, and ports be destroyed, while the process exits. */
+    static ReclaimerState& instance()
+    {
+        alignas(ReclaimerState) static unsigned char place[sizeof(ReclaimerState)];
+        static ReclaimerState* state = new (place) ReclaimerState;
+        return *state;
+    }
+
+    Record* attach()
+    {
+        Record* record = reuse();
+        if (!record) record = add();
+        Reclaimer::record_ = record;
+        pthread_setspecific(key_, record);
+        return record;
+    }
+
+    /** Makes all that other threads did before visible here, and all that we did before to what they do from now on. */
+    static void barrier()
+    {
+        if (!Reclaimer::asymmetric_) return;  // then the addition to epoch_ that came before does it, see enter()
+        while (syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0)
+            syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0);  // a forked child must ask again
+    }
+
+    /** True if anything was destroyed; that may have retired more. */
+    bool collectOnce()
+    {
+        std::vector<Retired> unused;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            if (retired_.empty()) return false;
+            barrier();
+            const std::uint64_t oldest = oldestInside();
+            std::size_t kept = 0;
+            for (const Retired& one : retired_) {
+                if (one.epoch < oldest) unused.push_back(one);
+                else retired_[kept++] = one;
+            }
+            retired_.resize(kept);
+        }
+        for (const Retired& one : unused) one.destroy(one.object);  // without the lock: they may retire others
+        return !unused.empty();
+    }
+
+    /** The smallest epoch announced; the maximum if nobody is inside. */
+    std::uint64_t oldestInside() const
+    {
+        std::uint64_t oldest = ~std::uint64_t(0);
+        for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
+            const std::uint64_t epoch = r->epoch.load(std::memory_order_seq_cst);
+            if (epoch != 0 && epoch < oldest) oldest = epoch;
+        }
+        return oldest;
+    }
+
+    Record* reuse()
+    {
+        for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
+            bool used = false;
+            if (!r->used.load(std::memory_order_relaxed) &&
+                r->used.compare_exchange_strong(used, true, std::memory_order_acquire))
+                return r;
+        }
+        return nullptr;
+    }
+    Record* add()
+    {
+        const std::size_t i = pooled_.fetch_add(1, std::memory_order_relaxed);
+        Record* record = i < kPool ? &pool_[i] : new Record;
+        record->used.store(true, std::memory_order_relaxed);
+        record->next = records_.load(std::memory_order_relaxed);
+        // seq_cst: who retires something after this sees the record; who did before has unlinked it before we look.
+        while (!records_.compare_exchange_weak(record->next, record, std::memory_order_seq_cst)) {}
+        return record;
+    }
+    static void threadEnds(void* record)
+    {
+        // Another key's destructor may still use a port: it attaches anew then, and we are called again.
+        Reclaimer::record_ = nullptr;
+        static_cast<Record*>(record)->used.store(false, std::memory_order_release);
+    }
+
+    static constexpr std::size_t kPool = 64;
+    pthread_key_t key_;
+    std::atomic<Record*> records_{nullptr};
+    std::atomic<std::size_t> pooled_{0};
+    Record pool_[kPool];
+    std::mutex mutex_;
+    std::vector<Retired> retired_;
+};
+
+Reclaimer::Record* Reclaimer::attach() noexcept
+{
+    return ReclaimerState::instance().attach();
+}
+
+bool Reclaimer::defer(void (*call)(void*), void* argument) noexcept
+{
+    Record& record = *mine();
+    if (record.deferredCount == kMaxDeferred) return false;
+    record.deferred[record.deferredCount++] = {call, argument};
+    return true;
+}
+
+void Reclaimer::runDeferred(Record& record)
+{
+    // What is called may write to ports and come here again: take the list first.
+    Deferred list[kMaxDeferred];
+    const std::uint32_t n = record.deferredCount;
+    for (std::uint32_t i = 0; i < n; ++i) list[i] = record.deferred[i];
+    record.deferredCount = 0;
+    for (std::uint32_t i = 0; i < n; ++i) list[i].call(list[i].argument);
+}
+
+void Reclaimer::retire(void* object, void (*destroy)(void*))
+{
+    ReclaimerState& state = ReclaimerState::instance();
+    const std::lock_guard<std::mutex> lock(state.mutex_);
+    // Who announces a larger epoch than this has loaded it after this change, so after the caller unlinked the object.
+    const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
+    state.retired_.push_back({object, destroy, epoch});
+}
+
+void Reclaimer::collect()
+{
+    while (ReclaimerState::instance().collectOnce()) {}
+}
+
+void Reclaimer::synchronize()
+{
+    ReclaimerState& state = ReclaimerState::instance();
+    Record* const self = mine();
+    if (self->nesting != 0) self->waiting.store(true, std::memory_order_seq_cst);
+    const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
+    ReclaimerState::barrier();
+    for (Record* r = state.records_.load(std::memory_order_seq_cst); r; r = r->next) {
+        if (r == self) continue;
+        for (;;) {
+            const std::uint64_t inside = r->epoch.load(std::memory_order_seq_cst);
+            if (inside == 0 || inside > epoch || r->waiting.load(std::memory_order_seq_cst)) break;
+            // Sleep, do not spin: the thread inside may have a lower priority than we have.
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+        }
+    }
+    self->waiting.store(false, std::memory_order_release);
+    collect();
+}
+
+std::size_t Reclaimer::pending()
+{
+    ReclaimerState& state = ReclaimerState::instance();
+    const std::lock_guard<std::mutex> lock(state.mutex_);
+    return state.retired_.size();
+}
+
+}  // namespace internal
+}  // namespace RTT

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/SendHandleC.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/Logger.hpp>
+
+#include <exception>
+
+namespace RTT { namespace internal {
+
+namespace {
+
+OperationInterfacePart::Args withHandle(const SendHandleC::Source& handle, const OperationInterfacePart::Args& variables)
+{
+    OperationInterfacePart::Args all{handle};
+    all.insert(all.end(), variables.begin(), variables.end());
+    return all;
+}
+
+DataSource<bool>::shared_ptr constant(bool value) { return new ConstantDataSource<bool>(value); }
+
+}  // namespace
+
+SendHandleC::SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name)
+    : handle_(handle), part_(part), name_(name)
+{
+}
+
+SendHandleC::~SendHandleC()
+{
+    if (!auto_collect_ || !handle_) return;
+    try {
+        part_->produceCollect(withHandle(handle_, {}), constant(true))->evaluate();
+    } catch (const std::exception& e) {
+        log(Error) << "collecting operation '" << name_ << "' failed: " << e.what() << endlog();
+    }
+}
+
+SendHandleC& SendHandleC::arg(Source variable)
+{
+    arguments_.push_back(variable);
+    return *this;
+}
+
+SendHandleC& SendHandleC::arg(base::AttributeBase* attribute)
+{
+    return arg(attribute ? attribute->getDataSource() : Source());
+}
+
+void SendHandleC::check() const
+{
+    if (!handle_ || !part_) throw invalid_handle_exception();
+    part_->produceCollect(withHandle(handle_, arguments_), constant(false));
+}
+
+bool SendHandleC::ready() const
+{
+    try {
+        check();
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+SendStatus SendHandleC::fetch(bool wait)
+{
+    Source collecting;
+    try {
+        check();
+        collecting = part_->produceCollect(withHandle(handle_, arguments_), constant(wait));
+    } catch (const std::exception& e) {
+        log(Error) << "operation '" << name_ << "' cannot be collected: " << e.what() << endlog();
+        return SendFailure;
+    }
+    auto* status = DataSource<SendStatus>::narrow(collecting.get());
+    return status ? status->get() : SendFailure;
+}
+
+}}  // namespace RTT::internal

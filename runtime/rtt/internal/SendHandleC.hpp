@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_SEND_HANDLE_C_HPP
+#define ORO_SEND_HANDLE_C_HPP
+
+#include <rtt/OperationInterfacePart.hpp>
+#include <rtt/SendStatus.hpp>
+#include <rtt/base/AttributeBase.hpp>
+#include <rtt/internal/DataSources.hpp>
+
+#include <string>
+
+namespace RTT { namespace internal {
+
+/** The handle of an operation that OperationCallerC sent. Copies refer to the same call. Not real-time safe. */
+class RTT_API SendHandleC {
+public:
+    typedef base::DataSourceBase::shared_ptr Source;
+
+    SendHandleC() = default;
+    /** `handle` is what `part->produceHandle()` makes. */
+    SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name);
+    ~SendHandleC();
+    SendHandleC(const SendHandleC&) = default;
+    SendHandleC& operator=(const SendHandleC&) = default;
+
+    /** Where collecting puts the next value: the result, then each argument by reference. */
+    SendHandleC& arg(Source variable);
+    SendHandleC& arg(base::AttributeBase* attribute);
+    template <class T> SendHandleC& arg(T& variable) { return arg(Source(new ReferenceDataSource<T>(variable))); }
+
+    /** Waits for the end. SendFailure, and an error, if the operation was not sent or `arg()` was called too often or too
+        rarely. Throws std::runtime_error if the operation threw. */
+    SendStatus collect() { return fetch(true); }
+    /** The same without waiting: SendNotReady before the end. */
+    SendStatus collectIfDone() { return fetch(false); }
+    /** True if there is a sent operation and as many variables as it gives values, or none. */
+    bool ready() const;
+    /** Throws what is wrong with the arguments. */
+    void check() const;
+    /** Whether the destructor waits for the end. Default: no, the operation ends all the same. */
+    void setAutoCollect(bool on) { auto_collect_ = on; }
+
+    const Source& getSendHandleDataSource() const { return handle_; }
+    const OperationInterfacePart* getOrp() const { return part_; }
+
+private:
+    SendStatus fetch(bool wait);
+
+    Source handle_;
+    const OperationInterfacePart* part_ = nullptr;
+    std::string name_;
+    OperationInterfacePart::Args arguments_;
+    bool auto_collect_ = false;
+};
+
+}}  // namespace RTT::internal
+
+#endif

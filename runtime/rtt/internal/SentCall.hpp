@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_SENT_CALL_HPP
+#define ORO_INTERNAL_SENT_CALL_HPP
+
+#include <rtt/SendStatus.hpp>
+#include <rtt/base/DisposableInterface.hpp>
+#include <rtt/internal/CallPool.hpp>
+
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+
+namespace RTT {
+class ExecutionEngine;
+namespace internal {
+
+class WaitPoint;
+
+/** One call on its way through the queue of an engine, and its result afterwards. Referred to by the queue and by the
+    handles of the caller. Memory comes from CallPool. */
+class RTT_API SentCall : public base::DisposableInterface {
+public:
+    typedef boost::intrusive_ptr<SentCall> shared_ptr;
+
+    enum State { Waiting, Done, Threw, Disposed };
+
+    SentCall();
+    ~SentCall() override;
+    SentCall(const SentCall&) = delete;
+    SentCall& operator=(const SentCall&) = delete;
+
+    void executeAndDispose() final;
+    void dispose() final;
+    bool isError() const final { return state() == Threw; }
+    State state() const { return state_.load(std::memory_order_acquire); }
+
+    /** The engine whose thread collects, and the one that executes. */
+    void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
+
+    /** What collecting gives now. */
+    SendStatus status() const;
+    /** Waits for the end, in the thread of the caller. Throws as checkError() does. */
+    SendStatus collect();
+    /** The same without waiting. */
+    SendStatus collectIfDone() const;
+    /** Throws std::runtime_error if the operation threw. */
+    void checkError() const;
+
+    /** Where the result lies; null if there is none. */
+    virtual const void* resultAddress() const = 0;
+    /** Where the copy of an argument lies; counted from 0. */
+    virtual void* argumentAddress(unsigned index) = 0;
+
+    // The destructor is virtual, so the size that counts is that of the sub-class.
+    static void* operator new(std::size_t size) { return CallPool::take(size); }
+    static void operator delete(void* block) { CallPool::give(block); }
+
+    void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
+    void deref();
+
+protected:
+    /** Runs the function and keeps its result. */
+    virtual void run() = 0;
+
+private:
+    void finish(State state);
+
+    std::atomic<int> references_{0};
+    std::atomic<State> state_{Waiting};
+    ExecutionEngine* caller_ = nullptr;
+    ExecutionEngine* executor_ = nullptr;
+    std::shared_ptr<WaitPoint> wait_point_;
+};
+
+inline void intrusive_ptr_add_ref(SentCall* call) { call->ref(); }
+inline void intrusive_ptr_release(SentCall* call) { call->deref(); }
+
+}}  // namespace RTT::internal
+
+#endif

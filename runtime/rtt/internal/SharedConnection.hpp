@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// A named storage with any number of writers and readers.
+#ifndef ORO_SHARED_CONNECTION_HPP
+#define ORO_SHARED_CONNECTION_HPP
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/base/ChannelElementBase.hpp>
+
+#include <atomic>
+#include <map>
+#include <string>
+
+namespace RTT {
+namespace types { struct TypeOps; }
+namespace internal {
+
+/** Lives as long as a port is connected to it or somebody holds it. */
+class RTT_API SharedConnectionBase {
+public:
+    typedef boost::intrusive_ptr<SharedConnectionBase> shared_ptr;
+
+    SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage, const ConnPolicy& policy,
+                         const types::TypeOps& ops);
+
+    const std::string& getName() const { return policy_.name_id; }
+    const ConnPolicy& getPolicy() const { return policy_; }
+    const base::ChannelElementBase::shared_ptr& storage() const { return storage_; }
+    const types::TypeOps& ops() const { return ops_; }
+
+    void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
+    void deref();
+
+private:
+    friend class SharedConnectionRepository;
+    ~SharedConnectionBase();
+    /** A reference, unless the last one is gone already. */
+    shared_ptr revive();
+
+    base::ChannelElementBase::shared_ptr storage_;
+    ConnPolicy policy_;
+    const types::TypeOps& ops_;
+    std::atomic<int> references_{0};
+};
+
+inline void intrusive_ptr_add_ref(SharedConnectionBase* connection) { connection->ref(); }
+inline void intrusive_ptr_release(SharedConnectionBase* connection) { connection->deref(); }
+
+/** Finds the shared connections of the process by name; does not keep them alive. Thread-safe, takes a lock. */
+class RTT_API SharedConnectionRepository {
+public:
+    static SharedConnectionRepository& Instance();
+
+    /** Null if there is none of that name. */
+    SharedConnectionBase::shared_ptr get(const std::string& name);
+    /** `connection`, or the one that has its name already. */
+    SharedConnectionBase::shared_ptr add(SharedConnectionBase::shared_ptr connection);
+    /** A name no shared connection has had. */
+    std::string uniqueName();
+
+private:
+    friend class SharedConnectionBase;
+    SharedConnectionRepository() = default;
+    void forget(SharedConnectionBase& connection);
+
+    std::map<std::string, SharedConnectionBase*> connections_;
+    unsigned long counter_ = 0;
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/StorageCore.hpp>
+
+#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+
+#include <mutex>
+#include <vector>
+
+namespace RTT {
+namespace internal {
+
+namespace {
+// One for all: readers come and go seldom, and only storages with several readers have a list.
+std::mutex& readersMutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
+}  // namespace
+
+StorageCore::StorageCore(const ConnPolicy& policy, std::unique_ptr<SampleStore> store)
+    : store_(std::move(store)), policy_(policy)
+{
+}
+
+StorageCore::~StorageCore()
+{
+    ChannelArray::retire(readers_.load(std::memory_order_relaxed));
+}
+
+void StorageCore::addReader(base::ChannelElementBase& reader)
+{
+    const ChannelArray* old;
+    {
+        const std::lock_guard<std::mutex> lock(readersMutex());
+        old = readers_.load(std::memory_order_relaxed);
+        std::vector<ChannelArray::Entry> entries;
+        if (old) entries.assign(old->begin(), old->end());
+        for (const ChannelArray::Entry& entry : entries)
+            if (entry.channel == &reader) return;
+        entries.push_back({&reader, true});
+        readers_.store(ChannelArray::make(entries.data(), entries.size()), std::memory_order_release);
+    }
+    ChannelArray::retire(old);
+}
+
+void StorageCore::removeReader(const base::ChannelElementBase* reader)
+{
+    const ChannelArray* old;
+    {
+        const std::lock_guard<std::mutex> lock(readersMutex());
+        old = readers_.load(std::memory_order_relaxed);
+        if (!old) return;
+        std::vector<ChannelArray::Entry> entries;
+        for (const ChannelArray::Entry& entry : *old)
+            if (entry.channel != reader) entries.push_back(entry);
+        if (entries.size() == old->size) return;
+        readers_.store(ChannelArray::make(entries.data(), entries.size()), std::memory_order_release);
+    }
+    ChannelArray::retire(old);
+}
+
+bool StorageCore::signalReaders() const
+{
+    const Reclaimer::Guard guard;
+    const ChannelArray* readers = readers_.load(std::memory_order_acquire);
+    if (!readers) return false;
+    for (const ChannelArray::Entry& entry : *readers) entry.channel->signal();
+    return true;
+}
+
+}  // namespace internal
+}  // namespace RTT

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The part of a storage element that does not depend on the type of its samples.
+#ifndef ORO_INTERNAL_STORAGE_CORE_HPP
+#define ORO_INTERNAL_STORAGE_CORE_HPP
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/internal/SampleStore.hpp>
+
+#include <atomic>
+#include <memory>
+
+namespace RTT {
+namespace internal {
+struct ChannelArray;
+
+/** Storage, its policy, and, for storages with several readers (PerOutputPort and Shared), the list of whom to tell. */
+class RTT_API StorageCore {
+public:
+    StorageCore(const ConnPolicy& policy, std::unique_ptr<SampleStore> store);
+    ~StorageCore();
+
+    SampleStore& store() const { return *store_; }
+    const ConnPolicy& policy() const { return policy_; }
+    bool hasManyReaders() const
+    {
+        return policy_.buffer_policy == PerOutputPort || policy_.buffer_policy == Shared;
+    }
+
+    void addReader(base::ChannelElementBase& reader);
+    void removeReader(const base::ChannelElementBase* reader);
+    bool signalReaders() const;
+    bool hasReaders() const { return readers_.load(std::memory_order_relaxed) != nullptr; }
+
+private:
+    std::unique_ptr<SampleStore> store_;
+    ConnPolicy policy_;
+    std::atomic<const ChannelArray*> readers_{nullptr};  // changed under a lock of its own
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Connecting two ports, or ports and a shared connection.
+#include <rtt/internal/ConnFactory.hpp>
+
+#include <rtt/Logger.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <cstring>
+
+namespace RTT {
+namespace internal {
+
+using base::InputPortInterface;
+using base::OutputPortInterface;
+using base::PortInterface;
+typedef ConnectionManager::Obstacle Obstacle;
+
+namespace {
+
+std::string typeName(const PortInterface& port)
+{
+    const types::TypeInfo* type = port.getTypeInfo();
+    const std::string name = type ? type->getTypeName() : "unknown_t";
+    return name == "unknown_t" && port.sampleOps() ? name + " (" + port.sampleOps()->id->name() + ")" : name;
+}
+
+bool sameType(const types::TypeOps* a, const types::TypeOps* b)
+{
+    return a && b && std::strcmp(a->id->name(), b->id->name()) == 0;
+}
+
+bool sameStorage(const ConnPolicy& a, const ConnPolicy& b)
+{
+    return a.type == b.type && a.lock_policy == b.lock_policy && (a.type == ConnPolicy::DATA || a.size == b.size);
+}
+
+bool refuseMix(const PortInterface& output, const PortInterface& input, const ConnPolicy& policy)
+{
+    log(Error) << "cannot connect output port " << output.getFullName() << " with input port " << input.getFullName()
+               << " by a " << static_cast<BufferPolicy>(policy.buffer_policy)
+               << " connection: one of them already has connections with another buffer policy" << endlog();
+    return false;
+}
+
+bool refuseOther(const PortInterface& owner, const ConnPolicy& wanted, const ConnPolicy& existing)
+{
+    log(Error) << "incompatible connection policies for the shared buffer of port " << owner.getFullName()
+               << ": the new connection requests " << wanted << ", but the port already has " << existing << endlog();
+    return false;
+}
+
+/** False, and an error, if the two can never be connected directly. */
+bool checkEnds(OutputPortInterface& output, InputPortInterface& input)
+{
+    if (!output.isLocal())
+        log(Error) << "output port " << output.getFullName()
+                   << " is a proxy for one in another process: connections start at a local output port" << endlog();
+    else if (!input.isLocal())
+        log(Error) << "input port " << input.getFullName() << " lives in another process (protocol "
+                   << input.serverProtocol() << "), and no transport for its type " << typeName(input)
+                   << " is loaded" << endlog();
+    else if (!sameType(output.sampleOps(), input.sampleOps()))
+        log(Error) << "output port " << output.getFullName() << " of type " << typeName(output)
+                   << " is not compatible with input port " << input.getFullName() << " of type " << typeName(input)
+                   << endlog();
+    else return true;
+    return false;
+}
+
+bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const ConnPolicy& policy)
+{
+    const ConnPolicy both = policy;  // the first stream fills in the name, the second one joins it
+    return ConnFactory::createStream(input, both) && ConnFactory::createStream(output, both);
+}
+
+bool connected(const OutputPortInterface& output, const InputPortInterface& input, const char* how)
+{
+    log(how ? Info : Debug) << "output port " << output.getFullName() << " is " << (how ? how : "now")
+                            << " connected to " << input.getFullName() << endlog();
+    return true;
+}
+
+}  // namespace
+
+bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted)
+{
+    if (output.isLocal() && output.connectedTo(&input)) return connected(output, input, "already");
+    if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
+    if (output.isLocal() && input.isLocal() && wanted.transport != 0) return outOfBand(output, input, wanted);
+    if (!checkEnds(output, input)) return false;
+
+    for (;;) {
+        ElementPtr storage = input.buildStorage(wanted);  // checks and completes the policy, too
+        if (!storage) return false;
+        ConnPolicy policy = storage->getConnPolicy() ? *storage->getConnPolicy() : wanted;
+        PortInterface& owner = policy.buffer_policy == PerOutputPort ? static_cast<PortInterface&>(output) : input;
+        ConnPolicy existing;
+        const ElementPtr shared = owner.getManager()->sharedStorage(policy, &existing);
+        if (shared && !sameStorage(policy, existing)) return refuseOther(owner, policy, existing);
+        if (shared) storage = shared;
+
+        // Nobody signals yet: the storage is filled before the reader can see it. A value written between this and join()
+        // was written before the connection was there.
+        if (!output.initialise(*storage, policy.init)) return false;
+        if (!input.channelReady(storage, policy)) {
+            log(Error) << "input port " << input.getFullName() << " could not read from the connection with output port "
+                       << output.getFullName() << endlog();
+            return false;
+        }
+        const Obstacle obstacle = ConnectionManager::join(*output.getManager(), *input.getManager(), storage, policy,
+                                                          shared.get());
+        Reclaimer::collect();
+        if (obstacle == ConnectionManager::Retry) continue;
+        if (obstacle == ConnectionManager::AlreadyConnected) return connected(output, input, "already");
+        if (obstacle != ConnectionManager::None) return refuseMix(output, input, policy);
+        if (policy.init && output.hasLastWrittenValue()) (void)storage->signal();
+        return connected(output, input, nullptr);
+    }
+}
+
+namespace {
+
+/** The shared connection that the ports are to join; null, with an error, if there can be none. */
+SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedConnectionBase::shared_ptr given,
+                                                  ConnPolicy const& policy)
+{
+    if (!given && !policy.name_id.empty()) given = SharedConnectionRepository::Instance().get(policy.name_id);
+    if (!given) {
+        const auto storage = port.buildStorage(policy);
+        if (!storage) return nullptr;
+        if (policy.name_id.empty()) policy.name_id = SharedConnectionRepository::Instance().uniqueName();
+        given = SharedConnectionRepository::Instance().add(
+            new SharedConnectionBase(policy.name_id, storage, *storage->getConnPolicy(), *port.sampleOps()));
+    }
+    policy.name_id = given->getName();
+    if (!sameType(&given->ops(), port.sampleOps()) || !sameStorage(given->getPolicy(), policy)) {
+        log(Error) << "incompatible connection policies for shared connection '" << given->getName() << "': port "
+                   << port.getFullName() << " of type " << typeName(port) << " requests " << policy
+                   << ", but the connection is " << given->getPolicy() << endlog();
+        return nullptr;
+    }
+    return given;
+}
+
+bool joinShared(PortInterface& port, const SharedConnectionBase::shared_ptr& connection)
+{
+    const Obstacle obstacle = port.getManager()->join(connection);
+    if (obstacle == ConnectionManager::None || obstacle == ConnectionManager::AlreadyConnected) return true;
+    log(Error) << "port " << port.getFullName() << " cannot join shared connection '" << connection->getName()
+               << "': it already has another connection" << endlog();
+    return false;
+}
+
+}  // namespace
+
+bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortInterface* input,
+                                         SharedConnectionBase::shared_ptr connection, ConnPolicy const& wanted)
+{
+    if (output && input && !checkEnds(*output, *input)) return false;
+    ConnPolicy policy = wanted;
+    policy.buffer_policy = Shared;
+    SharedConnectionBase::shared_ptr has[2];  // a port in a shared connection already extends it
+    for (PortInterface* port : {static_cast<PortInterface*>(output), static_cast<PortInterface*>(input)})
+        if (port) has[port == output ? 0 : 1] = port->getSharedConnection();
+    for (const SharedConnectionBase::shared_ptr& one : has) {
+        if (!one) continue;
+        if ((connection && connection != one) || (!policy.name_id.empty() && policy.name_id != one->getName())) {
+            log(Error) << "a port of shared connection '" << one->getName() << "' cannot also join '"
+                       << (connection ? connection->getName() : policy.name_id) << "'" << endlog();
+            return false;
+        }
+        connection = one;
+    }
+    PortInterface& any = output ? static_cast<PortInterface&>(*output) : *input;
+    if (connection && policy.name_id.empty()) policy.name_id = connection->getName();
+    connection = findOrMakeShared(any, connection, policy);
+    // Written only if it changes: the same policy may serve connections made by several threads.
+    if (wanted.name_id != policy.name_id) wanted.name_id = policy.name_id;
+    if (!connection) return false;
+
+    if (output && !has[0] && !output->initialise(*connection->storage(), policy.init)) return false;
+    const bool done = (!input || joinShared(*input, connection)) && (!output || joinShared(*output, connection));
+    if (!done && input && !has[1]) (void)input->getManager()->removeChannel(connection->storage().get());
+    Reclaimer::collect();
+    if (done && output && !has[0] && policy.init && output->hasLastWrittenValue()) (void)connection->storage()->signal();
+    return done;
+}
+
+}  // namespace internal
+}  // namespace RTT

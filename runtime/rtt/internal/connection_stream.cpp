@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Joining a transport's topic, queue or other stream.
+#include <rtt/internal/ConnFactory.hpp>
+
+#include <rtt/Logger.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnID.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeMarshaller.hpp>
+
+namespace RTT {
+namespace internal {
+
+namespace {
+
+std::string describe(const base::PortInterface& port)
+{
+    return dynamic_cast<const base::InputPortInterface*>(&port) ? "input port " + port.getFullName()
+                                                                : "output port " + port.getFullName();
+}
+
+/** The channel element of the transport; null, with errors logged, if there is none. */
+base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port, ConnPolicy const& policy, bool sender)
+{
+    const types::TypeInfo* type = port.getTypeInfo();
+    if (policy.transport == 0) {
+        log(Error) << describe(port) << ": need a transport for creating streams, found policy.transport 0" << endlog();
+        return nullptr;
+    }
+    types::TypeTransporter* transport =
+        type && type->hasProtocol(policy.transport) ? type->getProtocol(policy.transport) : nullptr;
+    if (!transport) {
+        log(Error) << "could not create transport stream for " << describe(port) << " with transport id "
+                   << policy.transport << endlog();
+        log(Error) << "no such transport registered; check policy.transport, or load the transport for type "
+                   << (type ? type->getTypeName() : std::string("unknown_t")) << endlog();
+        return nullptr;
+    }
+    if (types::TypeMarshaller* marshaller = dynamic_cast<types::TypeMarshaller*>(transport)) {
+        if (sender) {
+            void* cookie = marshaller->createCookie();
+            base::OutputPortInterface& output = static_cast<base::OutputPortInterface&>(port);
+            const base::DataSourceBase::shared_ptr last(output.getDataSource());
+            last->evaluate();
+            policy.data_size = static_cast<int>(marshaller->getSampleSize(last, cookie));
+            marshaller->deleteCookie(cookie);
+        }
+    }
+    base::ChannelElementBase::shared_ptr element = transport->createStream(&port, policy, sender);
+    if (!element)
+        log(Error) << "transport " << policy.transport << " failed to create a remote channel for " << describe(port)
+                   << endlog();
+    return element;
+}
+
+bool created(const base::PortInterface& port, ConnPolicy const& policy)
+{
+    log(Info) << "created stream '" << policy.name_id << "' for " << describe(port) << endlog();
+    return true;
+}
+
+}  // namespace
+
+bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy)
+{
+    const ElementPtr element = transportElement(output, policy, true);
+    if (!element) return false;
+    if (output.addConnection(new StreamConnID(policy.name_id), element, policy)) return created(output, policy);
+    element->disconnect(nullptr, true);
+    return false;
+}
+
+bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy)
+{
+    const ElementPtr element = transportElement(input, policy, false);
+    if (!element) return false;
+    const ElementPtr storage = makeChannelOutput(input, policy);
+    if (storage && element->connectTo(storage) &&
+        input.channelReady(storage, policy, new StreamConnID(policy.name_id)))
+        return created(input, policy);
+    log(Error) << describe(input) << " could not read from the stream '" << policy.name_id << "'" << endlog();
+    element->disconnect(nullptr, true);
+    return false;
+}
+
+}  // namespace internal
+}  // namespace RTT

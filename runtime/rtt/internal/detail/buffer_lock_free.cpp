@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// BUFFER and CIRCULAR_BUFFER, LOCK_FREE: any number of writers and readers, any type of sample.
+//
+// Samples lie in a pool of slots; a ring of words {turn, slot} says which ones are in the buffer and in what order.
+// A writer first fills a slot of its own and then enters it into the ring; a reader first takes a slot out and then
+// copies it. So whoever stops in the middle of a copy holds a slot, never a place in the ring, and hinders nobody.
+//
+//   enter at tail t                                    take out at head h
+//   t - head_ < capacity, else full                    word of ring[h] has turn h, else empty or h is stale
+//   word of ring[t]: turn t-P -> {t, slot}  CAS  (W1)  head_: h -> h+1                 CAS  (R1)
+//   tail_: t -> t+1  CAS, anybody may help             the slot is the reader's
+//
+// P, the length of the ring, is at least the capacity, so the word with turn t-P was taken out (head_ > t-P) before
+// W1 replaces it, and a word cannot change before R1 took it. W1 is a release, loading the word an acquire: the
+// reader sees the sample. A turn is a position modulo 2^40; to be fooled a thread must sleep for exactly that many.
+//
+// The slot read last stays out of the pool as `last_`, for readers of an empty buffer (OldData). Slots are counted:
+// owner 1, `last_` 1 (taken over from the reader), and each reader of an old sample 1. That reader counts first, then
+// looks whether `last_` (which has a serial number) is unchanged; only then was the slot not free when it counted.
+#include <rtt/internal/SampleBox.hpp>
+#include <rtt/internal/detail/stores.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace RTT {
+namespace internal {
+namespace detail {
+
+namespace {
+
+typedef std::uint64_t Word;
+constexpr unsigned kSlotBits = 24;
+constexpr Word kSlotMask = (Word(1) << kSlotBits) - 1;
+constexpr Word kNoSlot = kSlotMask;
+constexpr std::size_t kMaxCapacity = kSlotMask / 2;
+
+Word pack(Word turn, Word slot) { return turn << kSlotBits | slot; }
+Word slotOf(Word word) { return word & kSlotMask; }
+/** True if the turn in `word` is position `p`. */
+bool hasTurn(Word word, Word p) { return word >> kSlotBits == (p << kSlotBits) >> kSlotBits; }
+
+std::size_t powerOfTwo(std::size_t atLeast)
+{
+    std::size_t n = 2;
+    while (n < atLeast) n *= 2;
+    return n;
+}
+
+class LockFreeBuffer final : public SampleStore {
+    typedef std::atomic<std::uint32_t> Count;
+
+public:
+    LockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
+        : SampleStore(ops), capacity_(spec.size), circular_(spec.kind == StoreSpec::CircularBuffer),
+          oldData_(spec.oldData), ringMask_(powerOfTwo(capacity_) - 1), ring_(new std::atomic<Word>[ringMask_ + 1]),
+          // in the buffer, last read, and one in the hands of each thread
+          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Count))
+    {
+        for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Count(0);
+        for (Word i = 0; i <= ringMask_; ++i)
+            ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
+    }
+
+    WriteStatus write(const void* sample) override
+    {
+        if (capacity_ == 0 || (!circular_ && full())) return drop();
+        const Word slot = claim();
+        if (slot == kNoSlot) return drop();
+        bool entered = false;
+        AtEnd giveBack([&] {
+            if (!entered) release(slot);
+        });
+        assignSample(ops_, samples_.sample(slot), sample);
+        while (!(entered = enter(slot))) {
+            if (!circular_) return drop();
+            const Word oldest = takeOut();
+            if (oldest == kNoSlot) continue;
+            release(oldest);
+            drop();
+        }
+        return WriteSuccess;
+    }
+
+    FlowStatus read(void* sample, bool copyOld) override
+    {
+        for (;;) {
+            const Word slot = takeOut();
+            if (slot == kNoSlot) {
+                if (!oldData_) return NoData;
+                const int old = readLast(sample, copyOld);
+                if (old >= 0) return static_cast<FlowStatus>(old);
+                continue;
+            }
+            AtEnd keep([&] { makeLast(slot); });
+            assignSample(ops_, sample, samples_.sample(slot));
+            return NewData;
+        }
+    }
+
+    void clear() override
+    {
+        const Word end = tail_.load(std::memory_order_acquire);  // what others write meanwhile may stay
+        while (head_.load(std::memory_order_acquire) < end) {
+            const Word slot = takeOut();
+            if (slot == kNoSlot) break;
+            release(slot);
+        }
+        setLast(kNoSlot);
+    }
+
+    const void* readHeld() override
+    {
+        const Word slot = takeOut();
+        if (slot == kNoSlot) return nullptr;
+        count(slot).fetch_add(1, std::memory_order_relaxed);
+        makeLast(slot);
+        return samples_.sample(slot);
+    }
+    void release(const void* held) override
+    {
+        const std::size_t stride =
+            static_cast<unsigned char*>(samples_.sample(1)) - static_cast<unsigned char*>(samples_.sample(0));
+        release(static_cast<Word>((static_cast<const unsigned char*>(held) -
+                                   static_cast<const unsigned char*>(samples_.sample(0))) / stride));
+    }
+
+    std::size_t capacity() const override { return capacity_; }
+    std::size_t size() const override
+    {
+        const Word head = head_.load(std::memory_order_acquire);
+        const Word tail = tail_.load(std::memory_order_acquire);
+        return tail > head ? static_cast<std::size_t>(tail - head) : 0;
+    }
+    std::size_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
+
+private:
+    Count& count(Word slot) const { return *static_cast<Count*>(samples_.header(slot)); }
+    WriteStatus drop()
+    {
+        dropped_.fetch_add(1, std::memory_order_relaxed);
+        return WriteFailure;
+    }
+    /** Only if it really was full at one moment: head_ was the same before and after looking at tail_. */
+    bool full() const
+    {
+        Word head = head_.load(std::memory_order_acquire);
+        for (;;) {
+            const Word tail = tail_.load(std::memory_order_acquire);
+            if (tail < head + capacity_) return false;
+            const Word again = head_.load(std::memory_order_acquire);
+            if (again == head) return true;
+            head = again;
+        }
+    }
+
+    Word claim()
+    {
+        const std::size_t n = samples_.count();
+        std::size_t i = hint_.load(std::memory_order_relaxed);
+        for (std::size_t tries = 2 * n; tries > 0; --tries) {
+            i = i + 1 < n ? i + 1 : 0;
+            std::uint32_t free = 0;
+            if (count(i).load(std::memory_order_relaxed) == 0 &&
+                count(i).compare_exchange_strong(free, 1, std::memory_order_acquire, std::memory_order_relaxed)) {
+                hint_.store(i, std::memory_order_relaxed);
+                return i;
+            }
+        }
+        return kNoSlot;
+    }
+    void release(Word slot) { count(slot).fetch_sub(1, std::memory_order_release); }
+
+    /** False if the buffer is full. */
+    bool enter(Word slot)
+    {
+        for (;;) {
+            Word t = tail_.load(std::memory_order_acquire);
+            const Word h = head_.load(std::memory_order_acquire);
+            if (t >= h && t - h >= capacity_) {
+                if (tail_.load(std::memory_order_relaxed) == t) return false;
+                continue;
+            }
+            std::atomic<Word>& cell = ring_[t & ringMask_];
+            Word word = cell.load(std::memory_order_acquire);
+            if (hasTurn(word, t - (ringMask_ + 1))) {
+                if (!cell.compare_exchange_strong(word, pack(t, slot), std::memory_order_acq_rel)) continue;  // W1
+                tail_.compare_exchange_strong(t, t + 1, std::memory_order_acq_rel);
+                return true;
+            }
+            if (hasTurn(word, t)) tail_.compare_exchange_strong(t, t + 1, std::memory_order_acq_rel);
+        }
+    }
+    /** kNoSlot if the buffer is empty. */
+    Word takeOut()
+    {
+        for (;;) {
+            Word h = head_.load(std::memory_order_acquire);
+            const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);
+            if (hasTurn(word, h)) {
+                if (head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel)) return slotOf(word);  // R1
+            } else if (hasTurn(word, h - (ringMask_ + 1))) {
+                return kNoSlot;
+            }
+        }
+    }
+
+    void makeLast(Word slot)
+    {
+        if (oldData_) setLast(slot);
+        else release(slot);
+    }
+    void setLast(Word slot)
+    {
+        Word old = last_.load(std::memory_order_relaxed);
+        while (!last_.compare_exchange_weak(old, pack((old >> kSlotBits) + 1, slot), std::memory_order_acq_rel)) {}
+        if (slotOf(old) != kNoSlot) release(slotOf(old));
+    }
+    /** The status, or -1 if another reader came in between. */
+    int readLast(void* sample, bool copyOld)
+    {
+        const Word last = last_.load(std::memory_order_acquire);
+        const Word slot = slotOf(last);
+        if (slot == kNoSlot) return NoData;
+        if (!copyOld) return OldData;
+        count(slot).fetch_add(1, std::memory_order_acq_rel);
+        AtEnd leave([&] { release(slot); });
+        if (last_.load(std::memory_order_acquire) != last) return -1;
+        assignSample(ops_, sample, samples_.sample(slot));
+        return OldData;
+    }
+
+    void resizeElements(const void* sample) override
+    {
+        for (std::size_t i = 0; i < samples_.count(); ++i) {
+            std::uint32_t free = 0;  // those in use are sized already, or by their next write
+            if (!count(i).compare_exchange_strong(free, 1, std::memory_order_acquire)) continue;
+            AtEnd giveBack([&] { release(Word(i)); });
+            assignSample(ops_, samples_.sample(i), sample);
+        }
+    }
+
+    const std::size_t capacity_;
+    const bool circular_, oldData_;
+    const Word ringMask_;
+    const std::unique_ptr<std::atomic<Word>[]> ring_;
+    SampleArray samples_;
+    alignas(64) std::atomic<Word> tail_{0};
+    std::atomic<std::size_t> hint_{0};
+    std::atomic<std::size_t> dropped_{0};
+    alignas(64) std::atomic<Word> head_{0};
+    std::atomic<Word> last_{kNoSlot};
+};
+
+}  // namespace
+
+StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
+{
+    if (spec.size > kMaxCapacity) return nullptr;
+    return StorePtr(new LockFreeBuffer(ops, spec, first));
+}
+
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT

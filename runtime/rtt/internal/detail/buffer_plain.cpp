@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// BUFFER and CIRCULAR_BUFFER, LOCKED and UNSYNC: a ring with one place more than its capacity, in which the sample read
+// last stays for readers of the empty buffer. A Locked one holds its mutex while a sample is assigned.
+#include <rtt/internal/SampleBox.hpp>
+#include <rtt/internal/detail/stores.hpp>
+#include <rtt/internal/detail/store_lock.hpp>
+
+namespace RTT {
+namespace internal {
+namespace detail {
+
+namespace {
+
+template <class Mutex>
+class PlainBuffer final : public SampleStore {
+public:
+    PlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
+        : SampleStore(ops), capacity_(spec.size), circular_(spec.kind == StoreSpec::CircularBuffer),
+          oldData_(spec.oldData), places_(ops, spec.size + 1, first)
+    {
+    }
+
+    WriteStatus write(const void* sample) override
+    {
+        const Hold<Mutex> hold(mutex_);
+        if (filled_ == capacity_) {
+            ++dropped_;
+            if (!circular_ || capacity_ == 0) return WriteFailure;
+            // The oldest goes; its place becomes the spare one, so what was read last is gone with the next write into it.
+            advance();
+            hasLast_ = false;
+        }
+        assignSample(ops_, places_.sample(place(filled_)), sample);
+        ++filled_;
+        return WriteSuccess;
+    }
+    FlowStatus read(void* sample, bool copyOld) override
+    {
+        const Hold<Mutex> hold(mutex_);
+        if (filled_ > 0) {
+            assignSample(ops_, sample, places_.sample(first_));
+            advance();
+            hasLast_ = true;
+            return NewData;
+        }
+        if (!oldData_ || !hasLast_) return NoData;
+        if (copyOld) assignSample(ops_, sample, places_.sample(lastPlace()));
+        return OldData;
+    }
+    void clear() override
+    {
+        const Hold<Mutex> hold(mutex_);
+        filled_ = 0;
+        hasLast_ = false;
+    }
+    const void* readHeld() override
+    {
+        const Hold<Mutex> hold(mutex_);
+        if (filled_ == 0) return nullptr;
+        const void* sample = places_.sample(first_);
+        advance();
+        hasLast_ = true;
+        return sample;
+    }
+
+    std::size_t capacity() const override { return capacity_; }
+    std::size_t size() const override
+    {
+        const Hold<Mutex> hold(mutex_);
+        return filled_;
+    }
+    std::size_t dropped() const override
+    {
+        const Hold<Mutex> hold(mutex_);
+        return dropped_;
+    }
+
+private:
+    std::size_t place(std::size_t n) const { return (first_ + n) % places_.count(); }
+    std::size_t lastPlace() const { return (first_ + places_.count() - 1) % places_.count(); }
+    void advance()
+    {
+        first_ = place(1);
+        --filled_;
+    }
+    void resizeElements(const void* sample) override
+    {
+        const Hold<Mutex> hold(mutex_);
+        for (std::size_t n = filled_; n < places_.count(); ++n)
+            if (!(hasLast_ && place(n) == lastPlace())) assignSample(ops_, places_.sample(place(n)), sample);
+    }
+
+    mutable Mutex mutex_;
+    const std::size_t capacity_;
+    const bool circular_, oldData_;
+    bool hasLast_ = false;  // the place before first_ holds the sample read last
+    std::size_t first_ = 0, filled_ = 0, dropped_ = 0;
+    SampleArray places_;
+};
+
+}  // namespace
+
+StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
+{
+    if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainBuffer<os::Mutex>(ops, spec, first));
+    return StorePtr(new PlainBuffer<NoMutex>(ops, spec, first));
+}
+
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/detail/call_handles.hpp>
+
+#include <rtt/internal/OperationTable.hpp>
+
+namespace RTT { namespace internal { namespace detail {
+
+CollectSource::CollectSource(const OperationTable& table, Handle handle, Variables variables, DataSource<bool>::shared_ptr blocking)
+    : table_(&table), handle_(std::move(handle)), variables_(std::move(variables)), blocking_(std::move(blocking))
+{
+}
+
+SendStatus CollectSource::get() const
+{
+    const SentCall::shared_ptr call = handle_->get();
+    // The handle of another operation has other results than those the variables were made for.
+    if (!call || typeid(*call) != *table_->sentType) return status_ = SendFailure;
+    status_ = !blocking_ || blocking_->get() ? call->collect() : call->collectIfDone();
+    if (status_ == SendSuccess && !variables_.empty()) fill(*call);
+    return status_;
+}
+
+void CollectSource::fill(SentCall& call) const
+{
+    auto variable = variables_.begin();
+    if (const void* result = call.resultAddress()) (*variable++)->assignValue(result);
+    for (unsigned i = 0; i != table_->arity; ++i)
+        if (table_->types[i + 1].isOutput()) (*variable++)->assignValue(call.argumentAddress(i));
+    for (const auto& filled : variables_) filled->updated();
+}
+
+CollectSource* CollectSource::copy(CopyMap& cloned) const
+{
+    Variables variables;
+    for (const auto& variable : variables_) variables.push_back(variable->copy(cloned));
+    return new CollectSource(*table_, handle_->copy(cloned), variables, blocking_ ? blocking_->copy(cloned) : nullptr);
+}
+
+}}}  // namespace RTT::internal::detail

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// DATA, LOCK_FREE, for small trivially copyable samples: one atomic read-modify-write per write, one per new sample read.
+//
+// Slots hold the sample in atomic words next to a version. `current_` names a slot and the version it had when it was
+// published. A reader copies the words of the current slot and takes them only if the slot had that version before
+// and after; otherwise the slot was taken for a newer sample and the reader starts again with the newer current one.
+// So readers own nothing, a stopped reader hinders nobody, and a reader starts again only because writers made progress.
+//
+//   writer                                        reader
+//   owner: 0 -> 1        CAS, acquire      (W1)   seen    = read_               (R0)
+//   is it the current slot? then give back        current = current_, acquire   (R1)
+//   version = v+1        relaxed           (W2)   version == v+1?  acquire      (R2)
+//   words                release each      (W3)   words    acquire each         (R3)
+//   current_ = slot,v+1  release           (W4)   version == v+1?               (R4)
+//   owner = 0            release           (W5)   read_: seen -> current  CAS   (R5)
+//
+// R1 reads from W4, so R3 sees at least the words of that version. If R3 sees a word of a later version, its acquire
+// pairs with W3, W2 of that version happened before, and R4 finds the version changed. R3's acquire also keeps R4
+// after it. Who takes a slot by W1 after its last owner's W5 sees that owner's W4 or a later publication; if the slot
+// is still current it is given back untouched; if not, nobody but its new owner can make it current again. Thus the
+// current slot is never written.
+// New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader.
+// If it fails, another reader was first; the reader starts again and cannot return an older sample than that one.
+#include <rtt/internal/SampleBox.hpp>
+#include <rtt/internal/detail/stores.hpp>
+
+#include <atomic>
+#include <cstdint>
+
+namespace RTT {
+namespace internal {
+namespace detail {
+
+namespace {
+
+typedef std::uint64_t Word;
+constexpr std::size_t kMaxWords = 16;
+constexpr unsigned kSlotBits = 16;
+constexpr Word kNone = ~Word(0);  // also: no slot ever has this version
+
+struct Slot {
+    std::atomic<std::uint32_t> owner{0};
+    std::atomic<Word> version{0};  // written by the owner only
+    std::atomic<Word> words[1];    // really as many as the sample needs
+};
+
+class VersionedData final : public SampleStore {
+public:
+    VersionedData(const types::TypeOps& ops, std::size_t threads)
+        : SampleStore(ops), words_((ops.size + sizeof(Word) - 1) / sizeof(Word)), slots_(threads + 2),
+          stride_((sizeof(Slot) + (words_ - 1) * sizeof(Word) + 63) / 64 * 64),
+          block_(static_cast<unsigned char*>(::operator new(stride_ * slots_, std::align_val_t(64))))
+    {
+        for (std::size_t i = 0; i < slots_; ++i) {
+            Slot* s = new (block_ + i * stride_) Slot;
+            for (std::size_t w = 1; w < words_; ++w) new (&s->words[0] + w) std::atomic<Word>;
+        }
+    }
+    ~VersionedData() override { ::operator delete(block_, std::align_val_t(64)); }
+
+    WriteStatus write(const void* sample) override
+    {
+        std::size_t i = hint_.load(std::memory_order_relaxed);
+        for (std::size_t tries = 2 * slots_; tries > 0; --tries) {
+            i = i + 1 < slots_ ? i + 1 : 0;
+            Slot& slot = at(i);
+            if (indexOf(current_.load(std::memory_order_relaxed)) == i) continue;
+            std::uint32_t free = 0;
+            if (!slot.owner.compare_exchange_strong(free, 1, std::memory_order_acquire, std::memory_order_relaxed))
+                continue;  // W1
+            if (indexOf(current_.load(std::memory_order_acquire)) == i) {
+                slot.owner.store(0, std::memory_order_release);
+                continue;
+            }
+            hint_.store(i, std::memory_order_relaxed);
+            const Word version = slot.version.load(std::memory_order_relaxed) + 1;
+            slot.version.store(version, std::memory_order_relaxed);                  // W2
+            storeWords(slot, sample);                                                // W3
+            current_.store(version << kSlotBits | i, std::memory_order_release);     // W4
+            slot.owner.store(0, std::memory_order_release);                          // W5
+            return WriteSuccess;
+        }
+        return WriteFailure;
+    }
+
+    FlowStatus read(void* sample, bool copyOld) override
+    {
+        for (;;) {
+            Word seen = read_.load(std::memory_order_acquire);                // R0
+            const Word current = current_.load(std::memory_order_acquire);    // R1
+            if (current == kNone) return NoData;
+            if (seen == current && !copyOld) return OldData;
+            const Slot& slot = at(indexOf(current));
+            const Word version = current >> kSlotBits;
+            if (slot.version.load(std::memory_order_acquire) != version) continue;  // R2
+            Word copy[kMaxWords];
+            for (std::size_t w = 0; w < words_; ++w)
+                copy[w] = (&slot.words[0])[w].load(std::memory_order_acquire);      // R3
+            if (slot.version.load(std::memory_order_relaxed) != version) continue;  // R4
+            if (seen != current &&
+                !read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel))  // R5
+                continue;
+            if (words_ == 1 && ops_.size == sizeof(Word)) std::memcpy(sample, copy, sizeof(Word));
+            else std::memcpy(sample, copy, ops_.size);
+            return seen == current ? OldData : NewData;
+        }
+    }
+
+    void clear() override { current_.store(kNone, std::memory_order_release); }
+    std::size_t size() const override
+    {
+        const Word current = current_.load(std::memory_order_acquire);
+        return current != kNone && current != read_.load(std::memory_order_acquire) ? 1 : 0;
+    }
+
+private:
+    static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
+    Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
+    void storeWords(Slot& slot, const void* sample)
+    {
+        const unsigned char* from = static_cast<const unsigned char*>(sample);
+        std::size_t left = ops_.size;
+        for (std::size_t w = 0; left > 0; ++w, from += sizeof(Word)) {
+            Word word = 0;
+            const std::size_t n = left < sizeof(Word) ? left : sizeof(Word);
+            if (n == sizeof(Word)) std::memcpy(&word, from, sizeof(Word));
+            else std::memcpy(&word, from, n);
+            (&slot.words[0])[w].store(word, std::memory_order_release);
+            left -= n;
+        }
+    }
+    void resizeElements(const void*) override {}  // plain samples all have one size
+
+    const std::size_t words_, slots_, stride_;
+    unsigned char* const block_;
+    std::atomic<std::size_t> hint_{0};  // where the last writer was; only spreads the writers
+    // Writers change one, readers the other: each on a cache line of its own.
+    alignas(64) std::atomic<Word> current_{kNone};
+    alignas(64) std::atomic<Word> read_{kNone};
+};
+
+}  // namespace
+
+bool fitsVersionedData(const types::TypeOps& ops)
+{
+    return ops.trivial && ops.size <= kMaxWords * sizeof(Word);
+}
+
+StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec)
+{
+    return StorePtr(new VersionedData(ops, spec.maxThreads));
+}
+
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT

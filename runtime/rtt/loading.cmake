@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Plugin and component loader.
+target_sources(orocos-rtt PRIVATE
+  rtt/deployment/ComponentLoader.cpp
+  rtt/deployment/detail/component_library.cpp
+  rtt/deployment/detail/component_table.cpp
+  rtt/deployment/detail/package_import.cpp
+  rtt/deployment/startup.cpp
+  rtt/plugin/PluginLoader.cpp
+  rtt/plugin/detail/plugin_table.cpp
+  rtt/plugin/detail/search_path.cpp
+  rtt/plugin/detail/shared_library.cpp)

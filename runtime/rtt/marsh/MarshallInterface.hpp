@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_MARSHALL_INTERFACE_HPP
+#define ORO_MARSHALL_INTERFACE_HPP
+
+#include <rtt/PropertyBag.hpp>
+
+namespace RTT { namespace marsh {
+
+/** Writes properties in some format. Not thread safe, not real-time safe. */
+class RTT_API MarshallInterface {
+public:
+    virtual ~MarshallInterface();
+    virtual void serialize(base::PropertyBase* property) = 0;
+    virtual void serialize(const PropertyBag& bag) = 0;
+    /** Finishes what was serialized so far. */
+    virtual void flush() = 0;
+};
+
+/** Reads properties in some format. */
+class RTT_API DemarshallInterface {
+public:
+    virtual ~DemarshallInterface();
+    /** Adds the properties read; the bag owns them. False if nothing, or only a part, could be read. */
+    virtual bool deserialize(PropertyBag& bag) = 0;
+};
+
+}} // namespace RTT::marsh
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "PropertyLoader.hpp"
+
+#include <rtt/marsh/detail/property_file.hpp>
+
+#include <rtt/Service.hpp>
+#include <rtt/TaskContext.hpp>
+
+namespace RTT { namespace marsh {
+
+namespace {
+
+/** Runs `action(sink)` and writes what the sink got to the log. */
+template <class Action> bool logged(Action action) {
+    diag::Sink sink;
+    const bool good = action(sink);
+    logDiagnostics(sink);
+    return good;
+}
+
+}
+
+PropertyLoader::PropertyLoader(TaskContext* target) : PropertyLoader(target->provides().get()) {}
+
+PropertyLoader::PropertyLoader(Service* target) : bag_(target->properties()) {}
+
+bool PropertyLoader::load(const std::string& file) const {
+    return logged([&](diag::Sink& sink) { return loadFromFile(*bag_, file, LoadMode::load, sink); });
+}
+
+bool PropertyLoader::configure(const std::string& file, bool strict) const {
+    const LoadMode mode = strict ? LoadMode::strictRefresh : LoadMode::refresh;
+    return logged([&](diag::Sink& sink) { return loadFromFile(*bag_, file, mode, sink); });
+}
+
+bool PropertyLoader::configure(const std::string& file, const std::string& name) const {
+    return logged([&](diag::Sink& sink) { return loadOneFromFile(*bag_, file, name, sink); });
+}
+
+bool PropertyLoader::store(const std::string& file) const {
+    return logged([&](diag::Sink& sink) { return saveToFile(*bag_, file, SaveMode::store, sink); });
+}
+
+bool PropertyLoader::save(const std::string& file, bool all) const {
+    return logged([&](diag::Sink& sink) { return saveToFile(*bag_, file, all ? SaveMode::merge : SaveMode::update, sink); });
+}
+
+bool PropertyLoader::save(const std::string& file, const std::string& name) const {
+    return logged([&](diag::Sink& sink) { return saveOneToFile(*bag_, file, name, sink); });
+}
+
+}} // namespace RTT::marsh

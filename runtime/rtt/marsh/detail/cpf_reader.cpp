@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "cpf_reader.hpp"
+
+#include "cpf_values.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <diag/print.hpp>
+#include <xml/document.hpp>
+
+#include <algorithm>
+
+namespace RTT { namespace marsh {
+
+namespace {
+
+class Reader {
+public:
+    Reader(diag::Sink& sink, Places* places) : sink_(sink), places_(places) {}
+
+    void readChildren(const xml::Element& parent, PropertyBag& into) {
+        for (const auto& child : parent.children) {
+            if (child.name == "simple") readSimpleElement(child, into);
+            else if (child.name == "struct" || child.name == "sequence") readBagElement(child, into);
+            else if (child.name != "description") readUnknown(child, into);
+        }
+    }
+
+private:
+    static std::string descriptionOf(const xml::Element& element) {
+        const auto* description = element.child("description");
+        return description ? description->text : std::string();
+    }
+
+    void keep(const xml::Element& element, base::PropertyBase* property, PropertyBag& into) {
+        into.ownProperty(property);
+        if (places_) (*places_)[property] = element.where;
+    }
+
+    void readSimpleElement(const xml::Element& element, PropertyBag& into) {
+        const auto* type = element.attribute("type");
+        const auto* value = element.child("value");
+        const std::string name = element.attributeOr("name", "");
+        if (!type) sink_.error(element.where, "CPF003", "<simple> has no attribute 'type'");
+        if (!value) sink_.error(element.where, "CPF004", "property '" + name + "' has no <value>");
+        if (!type || !value) return;
+        const SimpleValue read = readSimple(type->value, name, descriptionOf(element), value->text);
+        if (!read.knownType) {
+            sink_.error(type->valueWhere, "CPF005", "unknown type '" + type->value + "' of property '" + name +
+                                                        "'; expected boolean, char, octet, short, ushort, long, ulong, "
+                                                        "llong, ullong, float, double or string");
+        } else if (!read.property) {
+            sink_.error(value->textWhere, "CPF006", "property '" + name + "' of type " + type->value +
+                                                        " cannot be '" + value->text + "'; expected " + read.expected);
+        } else {
+            if (read.trailingText)
+                sink_.warning(value->textWhere, "CPF007",
+                              "text after the number in '" + value->text + "' is ignored");
+            keep(element, read.property, into);
+        }
+    }
+
+    void readBagElement(const xml::Element& element, PropertyBag& into) {
+        auto* bag = new Property<PropertyBag>(element.attributeOr("name", ""), descriptionOf(element));
+        bag->value().setType(element.name == "struct" ? element.attributeOr("type", "PropertyBag") : sequenceType(element));
+        keep(element, bag, into);
+        readChildren(element, bag->value());
+    }
+
+    /** Files give all kinds of types here; only one that really is a sequence counts. */
+    static std::string sequenceType(const xml::Element& element) {
+        const std::string name = element.attributeOr("type", "");
+        const types::TypeInfo* type = name.empty() ? nullptr : types::Types()->type(name);
+        const auto members = type ? type->getMemberNames() : std::vector<std::string>();
+        const bool isSequence = std::find(members.begin(), members.end(), "capacity") != members.end();
+        return isSequence && name != "string" ? name : "Sequence";
+    }
+
+    void readUnknown(const xml::Element& element, PropertyBag& into) {
+        sink_.warning(element.where, "CPF002", "unknown element <" + element.name +
+                                                   "> is ignored; expected simple, struct or sequence");
+        readChildren(element, into);
+    }
+
+    diag::Sink& sink_;
+    Places* places_;
+};
+
+bool readDocument(const std::optional<xml::Document>& document, PropertyBag& into, diag::Sink& sink, Places* places) {
+    if (!document) return false;
+    if (document->root().name != "properties") {
+        sink.error(document->root().where, "CPF001", "found <" + document->root().name + ">, expected <properties>");
+        return false;
+    }
+    return readBag(document->root(), into, sink, places);
+}
+
+}
+
+bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places) {
+    const auto before = sink.errorCount();
+    Reader(sink, places).readChildren(parent, into);
+    return sink.errorCount() == before;
+}
+
+bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places) {
+    return readDocument(xml::Document::parseFile(file, sink), into, sink, places);
+}
+
+bool readText(const std::string& text, const std::string& name, PropertyBag& into, diag::Sink& sink, Places* places) {
+    return readDocument(xml::Document::parseText(text, name, sink), into, sink, places);
+}
+
+void logDiagnostics(const diag::Sink& sink) {
+    for (const auto& diagnostic : sink.sorted())
+        log(diagnostic.severity == diag::Severity::Error ? Error : Warning) << diag::toString(diagnostic) << endlog();
+}
+
+}} // namespace RTT::marsh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Property files to bags, with the place of each property.
+#ifndef ORO_CPF_READER_HPP
+#define ORO_CPF_READER_HPP
+
+#include <rtt/PropertyBag.hpp>
+
+#include <diag/sink.hpp>
+#include <xml/element.hpp>
+
+#include <string>
+#include <unordered_map>
+
+namespace RTT { namespace marsh {
+
+namespace diag = oroforge::diag;
+namespace xml = oroforge::xml;
+
+/** Where in the file the properties of a bag stand. */
+typedef std::unordered_map<const base::PropertyBase*, diag::Location> Places;
+
+/**
+ * Adds the properties that the children of `parent` describe, in the form of property files; the bag owns them.
+ * Reports all errors (codes CPF…), false if there was one.
+ */
+RTT_API bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
+
+/** The same for a file, whose root must be <properties>. */
+RTT_API bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
+RTT_API bool readText(const std::string& text, const std::string& name, PropertyBag& into, diag::Sink& sink,
+                      Places* places = nullptr);
+
+/** Writes what the sink has to the log, one line each. */
+RTT_API void logDiagnostics(const diag::Sink& sink);
+
+}} // namespace RTT::marsh
+
+#endif

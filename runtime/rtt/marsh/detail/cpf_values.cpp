@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "cpf_values.hpp"
+
+#include <charconv>
+#include <type_traits>
+
+namespace RTT { namespace marsh {
+
+namespace {
+
+struct Text {
+    const std::string& name;
+    const std::string& description;
+    const std::string& value;
+};
+
+template <class T> void make(SimpleValue& result, const Text& text, const T& value) {
+    result.property = new Property<T>(text.name, text.description, value);
+}
+
+void readBool(SimpleValue& result, const Text& text) {
+    result.expected = "'true', 'false', '1' or '0'";
+    if (text.value == "true" || text.value == "1") make(result, text, true);
+    if (text.value == "false" || text.value == "0") make(result, text, false);
+}
+
+template <class C> void readChar(SimpleValue& result, const Text& text) {
+    result.expected = "one character";
+    if (text.value.size() <= 1) make<C>(result, text, text.value.empty() ? C() : static_cast<C>(text.value[0]));
+}
+
+void readString(SimpleValue& result, const Text& text) { make(result, text, text.value); }
+
+/** Independent of the locale; files of the original may have text behind the number, which it ignored. */
+template <class T> void readNumber(SimpleValue& result, const Text& text) {
+    result.expected = std::is_floating_point<T>::value ? "a number" : "a whole number";
+    const char* begin = text.value.c_str();
+    const char* end = begin + text.value.size();
+    if (begin != end && *begin == '+') ++begin;
+    T value{};
+    const auto read = std::from_chars(begin, end, value);
+    if (read.ec == std::errc::result_out_of_range) result.expected += " in the range of this type";
+    if (read.ec != std::errc()) return;
+    result.trailingText = read.ptr != end;
+    make(result, text, value);
+}
+
+struct SimpleType {
+    const char* name;
+    void (*read)(SimpleValue& result, const Text& text);
+};
+
+constexpr SimpleType simpleTypes[] = {
+    {"boolean", &readBool},          {"char", &readChar<char>},
+    {"octet", &readChar<unsigned char>}, {"uchar", &readChar<unsigned char>},
+    {"long", &readNumber<int>},      {"short", &readNumber<int>},
+    {"ulong", &readNumber<unsigned int>}, {"ushort", &readNumber<unsigned int>},
+    {"llong", &readNumber<long long>}, {"ullong", &readNumber<unsigned long long>},
+    {"double", &readNumber<double>}, {"float", &readNumber<float>},
+    {"string", &readString},
+};
+
+/** The shortest text that reads back as the same number. */
+template <class T> std::string numberText(T value) {
+    char buffer[64];
+    const auto written = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return std::string(buffer, written.ptr);
+}
+
+struct Written {
+    std::string& type;
+    std::string& text;
+};
+
+bool set(const Written& to, const char* type, std::string text) {
+    to.type = type;
+    to.text = std::move(text);
+    return true;
+}
+
+template <class T> const T* valueIn(const base::PropertyBase& property) {
+    const auto* typed = dynamic_cast<const Property<T>*>(&property);
+    return typed ? &typed->rvalue() : nullptr;
+}
+
+template <class T> bool writeNumber(const base::PropertyBase& property, const char* type, const Written& to) {
+    const T* value = valueIn<T>(property);
+    return value && set(to, type, numberText(*value));
+}
+
+template <class C> bool writeChar(const base::PropertyBase& property, const char* type, const Written& to) {
+    const C* value = valueIn<C>(property);
+    return value && set(to, type, *value ? std::string(1, static_cast<char>(*value)) : std::string());
+}
+
+}
+
+SimpleValue readSimple(const std::string& type, const std::string& name, const std::string& description,
+                       const std::string& text) {
+    SimpleValue result;
+    for (const auto& known : simpleTypes) {
+        if (type != known.name) continue;
+        known.read(result, Text{name, description, text});
+        return result;
+    }
+    result.knownType = false;
+    return result;
+}
+
+bool writeSimple(const base::PropertyBase& property, std::string& type, std::string& text) {
+    const Written to{type, text};
+    if (const bool* value = valueIn<bool>(property)) return set(to, "boolean", *value ? "1" : "0");
+    if (const std::string* value = valueIn<std::string>(property)) return set(to, "string", *value);
+    return writeNumber<double>(property, "double", to) || writeNumber<int>(property, "long", to) ||
+           writeNumber<float>(property, "float", to) || writeNumber<unsigned int>(property, "ulong", to) ||
+           writeNumber<long long>(property, "llong", to) || writeNumber<unsigned long long>(property, "ullong", to) ||
+           writeNumber<short>(property, "short", to) || writeNumber<unsigned short>(property, "ushort", to) ||
+           writeChar<char>(property, "char", to) || writeChar<unsigned char>(property, "octet", to);
+}
+
+}} // namespace RTT::marsh

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Components, their engine, operations and services.
+target_sources(orocos-rtt PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/ConfigurationInterface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/ExecutionEngine.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/FactoryExceptions.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/OperationCaller.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/OperationInterface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/SendStatus.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/Service.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/ServiceRequester.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/TaskContext.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/task_interface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/base/DisposableInterface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/base/OperationBase.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/base/TaskCore.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/CallPool.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/CallSource.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/Callee.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalEngine.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalService.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/Mailbox.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/OperationCallerC.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/OperationPart.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/PortCallbacks.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/SendHandleC.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/SentCall.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/ServiceLoader.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/SignalBase.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/WaitPoint.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/call_handles.cpp)

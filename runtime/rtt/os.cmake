@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Operating system layer, activities and logger.
+target_sources(orocos-rtt PRIVATE
+  rtt/Activity.cpp
+  rtt/Logger.cpp
+  rtt/base/ActivityInterface.cpp
+  rtt/base/RunnableInterface.cpp
+  rtt/detail/log_format.cpp
+  rtt/detail/log_line.cpp
+  rtt/detail/log_sink.cpp
+  rtt/detail/oro_main.cpp
+  rtt/extras/PeriodicActivity.cpp
+  rtt/extras/SequentialActivity.cpp
+  rtt/extras/SlaveActivity.cpp
+  rtt/extras/TimerThread.cpp
+  rtt/os/Condition.cpp
+  rtt/os/MainThread.cpp
+  rtt/os/Mutex.cpp
+  rtt/os/StartStopManager.cpp
+  rtt/os/Thread.cpp
+  rtt/os/ThreadInterface.cpp
+  rtt/os/ThreadSession.cpp
+  rtt/os/ThreadStartStop.cpp
+  rtt/os/TimeService.cpp
+  rtt/os/Timer.cpp
+  rtt/os/detail/os_log.cpp
+  rtt/os/detail/scheduling.cpp
+  rtt/os/startstop.cpp
+  rtt/os/threads.cpp)

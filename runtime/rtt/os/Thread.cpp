@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/os/Thread.hpp>
+
+#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/detail/scheduling.hpp>
+#include <rtt/os/detail/thread_state.hpp>
+
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+/**
+ * @file
+ * Creation, properties and end of a thread. What it executes is in ThreadSession.cpp, start() and stop() in
+ * ThreadStartStop.cpp.
+ */
+namespace RTT {
+namespace os {
+
+namespace {
+
+std::atomic<unsigned> stackSize{0};
+std::atomic<double> stopTimeoutNoPeriod{1.0};
+std::atomic<double> stopTimeoutPeriods{10.0};
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+}  // namespace
+
+Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity, const std::string& name)
+    : state_(new State) {
+    state_->name = name.empty() ? "Thread" : name;
+    state_->period = period > 0 ? Seconds_to_nsecs(period) : 0;
+    const std::string quoted = "'" + state_->name + "'";
+    detail::log(detail::LogInfo, "Thread",
+                "creating thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
+                    std::to_string(priority) + ", CPU mask " + std::to_string(cpuAffinity));
+    CheckScheduler(scheduler);
+    CheckPriority(scheduler, priority);
+    const int error =
+        detail::createThread(state_->task.thread, scheduler, priority, stackSize, &Thread::entry, this, state_->name);
+    if (error != 0) {
+        detail::log(detail::LogCritical, "Thread", "cannot create thread " + quoted + ": " + std::strerror(error));
+        throw std::bad_alloc();
+    }
+    state_->joinable = true;
+    state_->scheduler = scheduler;
+    state_->priority = priority;
+    state_->born.wait();  // from here on its id is known
+    detail::applyAffinity(state_->task.pid, cpuAffinity, state_->name);
+    enlist(state_->name.c_str(), getPid());
+    detail::log(detail::LogInfo, "Thread",
+                "created thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
+                    std::to_string(priority) + ", CPU mask " + std::to_string(Thread::getCpuAffinity()) + ", period " +
+                    formatted("%g s", Thread::getPeriod()) + ", PID " + std::to_string(getPid()));
+}
+
+Thread::~Thread() {
+    // The overrides of a sub-class are gone already: end the thread, call nothing.
+    state_->running = false;
+    terminate();
+}
+
+void* Thread::entry(void* self) {
+    Thread* const thread = static_cast<Thread*>(self);
+    thread->state_->task.pid = detail::currentTid();
+    pthread_setname_np(pthread_self(), detail::shortThreadName(thread->state_->name).c_str());
+    thread->state_->born.signal();
+    thread->run();
+    return nullptr;
+}
+
+void Thread::terminate() {
+    if (!state_->joinable.exchange(false)) return;
+    state_->running = false;
+    state_->exit = true;
+    wake(kExitReason);
+    pthread_join(state_->task.thread, nullptr);
+    delist();
+}
+
+const char* Thread::getName() const { return state_->name.c_str(); }
+RTOS_TASK* Thread::getTask() { return &state_->task; }
+const RTOS_TASK* Thread::getTask() const { return &state_->task; }
+unsigned int Thread::getPid() const { return static_cast<unsigned>(state_->task.pid); }
+
+bool Thread::setScheduler(int scheduler) {
+    if (!CheckScheduler(scheduler)) return false;
+    std::lock_guard<std::mutex> lock(state_->scheduling);
+    int priority = state_->priority;
+    if (scheduler == ORO_SCHED_OTHER)
+        priority = 0;
+    else if (priority == 0)
+        priority = LowestPriority;
+    if (!state_->joinable || !detail::applyScheduling(state_->task.thread, scheduler, priority, state_->name))
+        return false;
+    state_->scheduler = scheduler;
+    state_->priority = priority;
+    return true;
+}
+
+int Thread::getScheduler() const { return state_->scheduler; }
+
+bool Thread::setPriority(int priority) {
+    std::lock_guard<std::mutex> lock(state_->scheduling);
+    int scheduler = state_->scheduler;
+    CheckPriority(scheduler, priority);
+    if (!state_->joinable || !detail::applyScheduling(state_->task.thread, scheduler, priority, state_->name))
+        return false;
+    state_->priority = priority;
+    return true;
+}
+
+int Thread::getPriority() const { return state_->priority; }
+
+bool Thread::setCpuAffinity(unsigned cpuAffinity) {
+    return state_->joinable && detail::applyAffinity(state_->task.pid, cpuAffinity, state_->name);
+}
+
+unsigned Thread::getCpuAffinity() const { return state_->joinable ? detail::affinityOf(state_->task.pid) : ~0u; }
+
+bool Thread::setPeriod(Seconds period) {
+    const nsecs ns = Seconds_to_nsecs(period);
+    // Between periodic and not, only while idle: the two run different functions.
+    if (ns < 0 || (isActive() && (ns == 0) != (state_->period == 0))) return false;
+    state_->period = ns;
+    return true;
+}
+
+bool Thread::setPeriod(secs s, nsecs ns) { return setPeriod(nsecs_to_Seconds(secs_to_nsecs(s) + ns)); }
+bool Thread::setPeriod(TIME_SPEC period) { return setPeriod(period.tv_sec, static_cast<nsecs>(period.tv_nsec)); }
+Seconds Thread::getPeriod() const { return nsecs_to_Seconds(getPeriodNS()); }
+nsecs Thread::getPeriodNS() const { return state_->period; }
+
+void Thread::yield() { sched_yield(); }
+void Thread::setMaxOverrun(int maxOverrun) { state_->maxOverrun = maxOverrun; }
+int Thread::getMaxOverrun() const { return state_->maxOverrun; }
+void Thread::setWaitPeriodPolicy(int policy) { state_->waitPolicy = policy; }
+void Thread::setStopTimeout(Seconds timeout) { state_->stopTimeout = Seconds_to_nsecs(timeout); }
+
+Seconds Thread::getStopTimeout() const {
+    if (const nsecs set = state_->stopTimeout) return nsecs_to_Seconds(set);
+    const nsecs period =
+        state_->period;  // not getPeriod(): an Activity waits by itself and stops within the time of no period
+    return period == 0 ? stopTimeoutNoPeriod.load() : stopTimeoutPeriods * nsecs_to_Seconds(period);
+}
+
+void Thread::setStackSize(unsigned bytes) { stackSize = bytes; }
+void Thread::setLockTimeoutNoPeriod(double seconds) { stopTimeoutNoPeriod = seconds; }
+void Thread::setLockTimeoutPeriodFactor(double periods) { stopTimeoutPeriods = periods; }
+
+}  // namespace os
+}  // namespace RTT

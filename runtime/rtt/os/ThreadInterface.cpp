@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/os/ThreadInterface.hpp>
+
+#include <rtt/os/detail/futex.hpp>
+#include <rtt/os/detail/thread_list.hpp>
+
+namespace RTT {
+namespace os {
+
+ThreadInterface::~ThreadInterface() { delist(); }
+
+bool ThreadInterface::isSelf() const { return getTask()->pid == detail::currentTid(); }
+
+void ThreadInterface::enlist(const char* name, unsigned pid) { number_ = detail::addThread(name, pid); }
+
+void ThreadInterface::delist() {
+    if (number_ >= 0) detail::removeThread(number_);
+    number_ = -1;
+}
+
+}  // namespace os
+}  // namespace RTT

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/detail/thread_state.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace RTT {
+namespace os {
+
+bool Thread::isActive() const { return state_->isPast(State::kActive); }
+
+bool Thread::isRunning() const { return isPeriodic() ? state_->running.load() : state_->session != 0; }
+
+bool Thread::start() {
+    if (!state_->joinable) return false;
+    if (!state_->change(State::kIdle, State::kStarting)) return startAgain();
+    // A thread that stopped itself may still be in its last cycle.
+    if (!isSelf() && !waitForSessionEnd(getStopTimeout())) {
+        detail::log(detail::LogError, "Thread",
+                    "cannot start thread '" + state_->name + "': it has not finished its previous cycle yet");
+        state_->life = State::kIdle;
+        return false;
+    }
+    bool initialized = false;
+    try {
+        initialized = initialize();
+    } catch (...) {
+        state_->life = State::kIdle;
+        throw;
+    }
+    if (!initialized) {
+        state_->life = State::kIdle;
+        return false;
+    }
+    state_->running = true;
+    state_->life = State::kActive;
+    state_->session.fetch_or(State::kDue);
+    wake(kStartReason);
+    return true;
+}
+
+bool Thread::startAgain() {
+    if (state_->life != State::kActive || isPeriodic()) return false;
+    state_->session.fetch_or(State::kDue);
+    wake(kStartReason);
+    return true;
+}
+
+bool Thread::stop() {
+    if (!state_->change(State::kActive, State::kStopping)) return false;
+    state_->running = false;
+    if (isSelf()) return stopSelf();
+    wake(kStopReason);
+    if (!isPeriodic() && state_->inUserCode != 0 && !breakLoop()) {
+        detail::log(detail::LogWarning, "Thread",
+                    "cannot stop thread '" + state_->name + "': breakLoop() returned false while loop() is executing");
+        return keepRunning();
+    }
+    const Seconds timeout = getStopTimeout();
+    if (!waitForSessionEnd(timeout)) {
+        char seconds[32];
+        std::snprintf(seconds, sizeof seconds, "%g", timeout);
+        detail::log(detail::LogError, "Thread",
+                    "cannot stop thread '" + state_->name + "': loop() or step() has not returned within " + seconds +
+                        " s; setStopTimeout() changes that time");
+        return keepRunning();
+    }
+    finalize();
+    state_->life = State::kIdle;
+    return true;
+}
+
+// In the thread itself, within its session, which ends when the current step returns because `running` is false.
+bool Thread::stopSelf() {
+    finalize();
+    state_->life = State::kIdle;
+    return true;
+}
+
+// A stop() that failed. The session may have seen `running` false and be about to end: then the new one takes over.
+bool Thread::keepRunning() {
+    state_->running = true;
+    state_->life = State::kActive;
+    state_->session.fetch_or(State::kDue);
+    wake(kStartReason);
+    return false;
+}
+
+bool Thread::waitForSessionEnd(Seconds timeout) const {
+    const nsecs now = rtos_get_time_ns();
+    const nsecs wait = Seconds_to_nsecs(timeout);
+    const nsecs deadline = wait > detail::kForever - now ? detail::kForever : now + wait;
+    while (const std::uint32_t busy = state_->session)
+        if (!detail::futexWait(state_->session, busy, deadline)) return state_->session == 0;
+    return true;
+}
+
+void Thread::emergencyStop() {
+    state_->running = false;
+    // Not active any more: a stop() in another thread waits for this session and does the rest.
+    if (!state_->change(State::kActive, State::kStopping)) return;
+    try {
+        stopSelf();
+    } catch (const std::exception& e) {
+        detail::log(detail::LogCritical, "Thread",
+                    "finalize() of thread '" + state_->name + "' threw an exception: " + e.what());
+        state_->life = State::kIdle;
+    }
+}
+
+bool Thread::initialize() { return true; }
+void Thread::step() {}
+void Thread::loop() { step(); }
+bool Thread::breakLoop() { return false; }
+void Thread::finalize() {}
+
+}  // namespace os
+}  // namespace RTT

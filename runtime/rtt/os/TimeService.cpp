@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/os/TimeService.hpp>
+
+namespace RTT {
+namespace os {
+
+TimeService* TimeService::Instance() {
+    // Constant-initialised and trivially destroyed: usable from static constructors and destructors.
+    static TimeService instance;
+    return &instance;
+}
+
+bool TimeService::Release() {
+    Instance()->word_.store(pack(0, true));
+    return true;
+}
+
+TimeService::ticks TimeService::getTicks() const {
+    // Relaxed: the word stands for itself, no other data is published through it.
+    const ticks word = word_.load(std::memory_order_relaxed);
+    return offsetOf(word) + (enabledOf(word) ? rtos_get_time_ticks() : 0);
+}
+
+TimeService::ticks TimeService::ticksChange(ticks delta) {
+    word_.fetch_add(delta * 2);  // leaves the flag alone
+    return getTicks();
+}
+
+TimeService::Seconds TimeService::secondsChange(Seconds delta) {
+    return nsecs_to_Seconds(ticks2nsecs(ticksChange(nsecs2ticks(Seconds_to_nsecs(delta)))));
+}
+
+void TimeService::enableSystemClock(bool yes) {
+    ticks word = word_.load();
+    ticks changed;
+    do {
+        if (enabledOf(word) == yes) return;
+        // The time itself does not jump: what the clock contributed goes into the offset, and back.
+        const ticks clock = rtos_get_time_ticks();
+        changed = pack(offsetOf(word) + (yes ? -clock : clock), yes);
+    } while (!word_.compare_exchange_weak(word, changed));
+}
+
+bool TimeService::systemClockEnabled() const { return enabledOf(word_.load()); }
+
+}  // namespace os
+}  // namespace RTT

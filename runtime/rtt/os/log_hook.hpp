@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OS_LOG_HOOK_HPP
+#define ORO_OS_LOG_HOOK_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <string>
+
+namespace RTT {
+namespace os {
+
+/** Writes one line to the log; `level` is a RTT::LoggerLevel. */
+typedef void (*LogHook)(int level, const char* module, const std::string& text);
+
+/**
+ * Tells the os layer, which does not know the Logger, where its messages go. The Logger does it when the library is
+ * loaded; until then warnings and worse go to the standard error stream.
+ */
+RTT_API void setLogHook(LogHook hook) noexcept;
+
+}  // namespace os
+}  // namespace RTT
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "PluginLoader.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include "detail/plugin_table.hpp"
+#include "detail/search_path.hpp"
+
+#include <exception>
+#include <mutex>
+
+namespace RTT::plugin {
+namespace {
+
+const char* directoryOf(Kind kind) { return kind == Kind::Typekit ? "types" : "plugins"; }
+
+PluginLoader::shared_ptr& instance() {
+    static PluginLoader::shared_ptr loader;
+    return loader;
+}
+
+std::mutex& instanceMutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "none" : text;
+}
+
+bool addGlobalService(const LoadedPlugin& plugin) {
+    if (!plugin.createService) {
+        log(Error) << "plugin '" << plugin.name << "' was found, but it is not a service" << endlog();
+        return false;
+    }
+    return internal::GlobalService::Instance()->addService(plugin.createService());
+}
+
+bool loadInto(const LoadedPlugin& plugin, TaskContext* component, const std::string& owner) {
+    try {
+        if (component ? plugin.load(component) : addGlobalService(plugin)) return true;
+        log(Error) << "service or plugin '" << plugin.name << "' refused to load into " << owner << endlog();
+    } catch (const std::exception& error) {
+        log(Error) << "service or plugin '" << plugin.name << "' threw while loading into " << owner << ": "
+                   << error.what() << endlog();
+    } catch (...) {
+        log(Error) << "service or plugin '" << plugin.name << "' threw an unknown exception while loading into "
+                   << owner << endlog();
+    }
+    return false;
+}
+
+}  // namespace
+
+struct PluginLoader::Impl {
+    PluginTable table;
+    mutable std::mutex pathMutex;
+    std::string path = defaultSearchPath();
+
+    void scan(const std::string& directory, Kind kind, Scan& sum) {
+        std::string error;
+        for (const std::string& file : librariesIn(directory)) {
+            ++sum.found;
+            if (!table.load(file, kind, error)) sum.errors.push_back(file + ": " + error);
+        }
+    }
+
+    bool scanAll(const std::string& pathList, Kind kind) {
+        const Logger::In in("PluginLoader");
+        Scan sum;
+        for (const std::string& path : splitPathList(pathList))
+            for (const std::string& base : withTargetDirectory(path)) scan(base + "/" + directoryOf(kind), kind, sum);
+        for (const std::string& error : sum.errors) log(Error) << "could not load " << error << endlog();
+        return sum.found > 0 && sum.errors.empty();
+    }
+
+    bool loadFile(const std::string& file, Kind kind) {
+        std::string error;
+        const bool loaded = table.load(file, kind, error);
+        if (!loaded) log(Error) << "could not load " << file << ": " << error << endlog();
+        return loaded;
+    }
+
+    bool loadNamed(const std::string& name, const std::string& pathList, Kind kind) {
+        const Logger::In in("PluginLoader");
+        if (table.contains(name)) return true;
+        if (isFile(name)) return loadFile(name, kind);
+        for (const std::string& path : splitPathList(pathList))
+            for (const std::string& base : withTargetDirectory(path))
+                for (const std::string& file : fileNamesOf(name))
+                    for (const std::string& found : {base + "/" + directoryOf(kind) + "/" + file, base + "/" + file})
+                        if (isFile(found)) return loadFile(found, kind);
+        log(Error) << "no " << (kind == Kind::Typekit ? "typekit" : "plugin") << " named '" << name << "' in "
+                   << pathList << endlog();
+        return false;
+    }
+};
+
+PluginLoader::PluginLoader() : impl_(new Impl) {}
+
+PluginLoader::~PluginLoader() = default;
+
+PluginLoader::shared_ptr PluginLoader::Instance() {
+    const std::lock_guard<std::mutex> lock(instanceMutex());
+    if (!instance()) instance().reset(new PluginLoader);
+    return instance();
+}
+
+void PluginLoader::Release() {
+    const std::lock_guard<std::mutex> lock(instanceMutex());
+    instance().reset();
+}
+
+bool PluginLoader::loadTypekits(const std::string& path_list) { return impl_->scanAll(path_list, Kind::Typekit); }
+bool PluginLoader::loadPlugins(const std::string& path_list) { return impl_->scanAll(path_list, Kind::Plugin); }
+
+bool PluginLoader::loadTypekit(const std::string& name, const std::string& path_list) {
+    return impl_->loadNamed(name, path_list.empty() ? getPluginPath() : path_list, Kind::Typekit);
+}
+
+bool PluginLoader::loadPlugin(const std::string& name, const std::string& path_list) {
+    return impl_->loadNamed(name, path_list.empty() ? getPluginPath() : path_list, Kind::Plugin);
+}
+
+bool PluginLoader::loadLibrary(const std::string& path) {
+    const Logger::In in("PluginLoader");
+    std::string error;
+    const bool loaded = loadLibrary(path, error);
+    if (!loaded) log(Error) << "could not load library '" << path << "': " << error << endlog();
+    return loaded;
+}
+
+bool PluginLoader::loadLibrary(const std::string& path, std::string& error) {
+    const Logger::In in("PluginLoader");
+    const std::string directory = fileName(parentPath(canonicalPath(path)));
+    for (Kind kind : {Kind::Typekit, Kind::Plugin})
+        if (directory == directoryOf(kind)) return impl_->table.load(path, kind, error);
+    error = "its directory is named '" + directory + "', expected 'types' or 'plugins'";
+    return false;
+}
+
+PluginLoader::Scan PluginLoader::importDirectory(const std::string& directory) {
+    const Logger::In in("PluginLoader");
+    Scan sum;
+    for (Kind kind : {Kind::Typekit, Kind::Plugin}) impl_->scan(directory + "/" + directoryOf(kind), kind, sum);
+    return sum;
+}
+
+bool PluginLoader::loadService(const std::string& servicename, TaskContext* tc) {
+    const Logger::In in("PluginLoader");
+    const std::string owner = tc ? "TaskContext " + tc->getName() : std::string("GlobalService");
+    LoadedPlugin plugin;
+    if (!impl_->table.find(servicename, plugin)) {
+        log(Error) << "no such service or plugin: '" << servicename << "'; services are: " << joined(listServices())
+                   << endlog();
+        return false;
+    }
+    log(Info) << "loading service or plugin '" << servicename << "' into " << owner << endlog();
+    return loadInto(plugin, tc, owner);
+}
+
+bool PluginLoader::isLoaded(const std::string& file) const { return impl_->table.contains(file); }
+
+std::vector<std::string> PluginLoader::listServices() const {
+    std::vector<std::string> names;
+    for (const LoadedPlugin& plugin : impl_->table.all())
+        if (plugin.createService) names.push_back(plugin.name);
+    return names;
+}
+
+std::vector<std::string> PluginLoader::listPlugins() const {
+    std::vector<std::string> names;
+    for (const LoadedPlugin& plugin : impl_->table.all())
+        if (plugin.kind == Kind::Plugin) names.push_back(plugin.name);
+    return names;
+}
+
+std::vector<std::string> PluginLoader::listTypekits() const {
+    std::vector<std::string> names;
+    for (const LoadedPlugin& plugin : impl_->table.all())
+        if (plugin.kind == Kind::Typekit) names.push_back(plugin.name);
+    return names;
+}
+
+std::string PluginLoader::getPluginPath() const {
+    const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+    return impl_->path;
+}
+
+void PluginLoader::setPluginPath(const std::string& newpath) {
+    const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+    impl_->path = newpath;
+}
+
+}  // namespace RTT::plugin

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Path lists, library names and directories, as plugin and component loader see them.
+#ifndef OROFORGE_PLUGIN_SEARCH_PATH_HPP
+#define OROFORGE_PLUGIN_SEARCH_PATH_HPP
+
+#include <string>
+#include <vector>
+
+namespace RTT::plugin {
+
+/** The directories of a list separated by ':' or ';', in order, without empty and repeated ones. */
+std::vector<std::string> splitPathList(const std::string& list);
+
+/** RTT_COMPONENT_PATH of the environment followed by `orocos` in the directory of the runtime's library. */
+std::string defaultSearchPath();
+
+/** The directory and its sub-directory of this target, those that exist; only the former if it is one of a target. */
+std::vector<std::string> withTargetDirectory(const std::string& directory);
+
+/** The `*.so` and `*.so.N` files of a directory, sorted by name; empty if it does not exist. */
+std::vector<std::string> librariesIn(const std::string& directory);
+
+bool isDirectory(const std::string& path);
+bool isFile(const std::string& path);
+/** The path without links, `.` and `..`; unchanged if it does not exist. */
+std::string canonicalPath(const std::string& path);
+/** The last component of a path, a final '/' ignored. */
+std::string fileName(const std::string& path);
+/** All before the last component of a path; "." if there is nothing. */
+std::string parentPath(const std::string& path);
+/** `robot` for `libs/librobot-gnulinux.so.2`: no directory, no `lib`, no target, no suffix. */
+std::string shortName(const std::string& path);
+/** The file names a library of that short name may have in a directory. */
+std::vector<std::string> fileNamesOf(const std::string& shortName);
+
+}  // namespace RTT::plugin
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// One loaded shared library, closed again unless kept.
+#ifndef OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
+#define OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
+
+#include <string>
+
+namespace RTT::plugin {
+
+class SharedLibrary {
+public:
+    enum Scope { Local, Global };
+
+    SharedLibrary() = default;
+    /** Opens the file and resolves all symbols. On failure the object is false and `error` has the linker's text. */
+    SharedLibrary(const std::string& file, Scope scope, std::string& error);
+    SharedLibrary(SharedLibrary&& other) noexcept;
+    SharedLibrary& operator=(SharedLibrary&& other) noexcept;
+    ~SharedLibrary();
+
+    explicit operator bool() const { return handle_ != nullptr; }
+
+    /**
+     * A function that this very library defines, null if it has none of that name. The linker's own look-up would go
+     * on in the libraries it depends on, and a component library that links another would pass for it.
+     */
+    template <class Function>
+    Function* function(const char* name) const {
+        return reinterpret_cast<Function*>(ownSymbol(name));
+    }
+
+    /** Leaves the library loaded for the rest of the process. */
+    void keep() { handle_ = nullptr; }
+
+private:
+    void* ownSymbol(const char* name) const;
+
+    void* handle_ = nullptr;
+};
+
+}  // namespace RTT::plugin
+
+#endif

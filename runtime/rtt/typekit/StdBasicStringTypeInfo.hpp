@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_STD_BASIC_STRING_TYPE_INFO_HPP
+#define ORO_STD_BASIC_STRING_TYPE_INFO_HPP
+
+#include <rtt/types/SequenceTypeInfo.hpp>
+
+namespace RTT { namespace types {
+
+/** Generator for strings: printed as they are, members size, capacity and the characters by index, resizable. */
+template <class T>
+class StdBasicStringTypeInfo : public TemplateTypeInfo<T, true>, public SequenceTypeInfoBase<T> {
+public:
+    explicit StdBasicStringTypeInfo(const std::string& name) : TemplateTypeInfo<T, true>(name) {}
+
+    bool installTypeInfoObject(TypeInfo* info) override {
+        const auto self = boost::dynamic_pointer_cast<StdBasicStringTypeInfo>(this->getSharedPtr());
+        TemplateTypeInfo<T, true>::installTypeInfoObject(info);
+        info->setMemberFactory(self);
+        // No composition factory: a string is a leaf. Reading takes the whole text, blanks included.
+        info->setStreamFactory(boost::shared_ptr<StreamFactory>(new WholeText()));
+        return false;
+    }
+
+private:
+    struct WholeText : TemplateStreamFactory<T> {
+        bool fromString(const std::string& text, base::DataSourceBase::shared_ptr target) const override {
+            void* storage = detail::storageOfType(target, typeid(T));
+            if (!storage) return false;
+            static_cast<T*>(storage)->assign(text.begin(), text.end());
+            target->updated();
+            return true;
+        }
+    };
+};
+
+}} // namespace RTT::types
+
+#endif

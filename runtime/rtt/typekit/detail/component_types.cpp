@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "builtin_parts.hpp"
+
+#include <rtt/TaskContext.hpp>
+#include <rtt/types/PrimitiveTypeInfo.hpp>
+
+namespace RTT { namespace types { namespace builtin {
+
+void addComponentTypes() { Types()->addType(new PrimitiveTypeInfo<TaskContext*>("TaskContext")); }
+
+}}} // namespace RTT::types::builtin

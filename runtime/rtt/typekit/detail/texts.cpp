@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "builtin_parts.hpp"
+
+#include <rtt/typekit/StdStringTypeInfo.hpp>
+#include <rtt/types/StdVectorTypeInfo.hpp>
+
+namespace RTT { namespace types { namespace builtin {
+
+void addTexts() {
+    Types()->addType(new StdStringTypeInfo());
+    Types()->addType(new StdVectorTypeInfo());
+}
+
+}}} // namespace RTT::types::builtin

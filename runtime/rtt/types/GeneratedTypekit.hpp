@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What generated typekits are made of: constant tables that describe types, and the functions that turn a table
+// into a generator for TypeInfoRepository::addType(). All tables must have static storage.
+#ifndef ORO_GENERATED_TYPEKIT_HPP
+#define ORO_GENERATED_TYPEKIT_HPP
+
+#include "SequenceTable.hpp"
+#include "StructTable.hpp"
+#include "TypeThunks.hpp"
+#include "TypekitPlugin.hpp"
+#include "Types.hpp"
+#include "carray.hpp"
+
+namespace RTT { namespace types {
+
+/** A struct with the given members: live access by name, property bags, and the text form "{a = 1, b = 2}". */
+template <class T>
+TypeInfoGenerator* makeStructType(const char* name, const Member* members, std::size_t count, const char* doc = "") {
+    return detail::newStructGenerator(name, members, count, doc, typeOps<T>(), typeThunks<T>());
+}
+
+/** An enum: its text form is the enumerator's name, the first of that value; any of the names is read. */
+template <class E>
+TypeInfoGenerator* makeEnumType(const char* name, const Enumerator* values, std::size_t count, const char* doc = "") {
+    return detail::newEnumGenerator(name, values, count, doc, typeOps<E>(), typeThunks<E>(), enumOps<E>(), &typeRef<E>);
+}
+
+/** A container with size(), capacity(), resize() and operator[], such as std::vector. */
+template <class C>
+TypeInfoGenerator* makeSequenceType(const char* name) {
+    return detail::newSequenceGenerator(name, sequenceOps<C>(), typeOps<C>(), typeThunks<C>());
+}
+
+/** The type of members declared E m[N] or std::array<E, N> m. */
+template <class E>
+TypeInfoGenerator* makeArrayType(const char* name) {
+    return detail::newArrayGenerator(name, arrayOps<E>(), typeOps<carray<E>>(), typeThunks<carray<E>>());
+}
+
+}} // namespace RTT::types
+
+#endif

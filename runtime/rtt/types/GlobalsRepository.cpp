@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "GlobalsRepository.hpp"
+
+namespace RTT { namespace types {
+
+GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
+    // Never destroyed: plugins may hold references to what is in it.
+    static auto* instance = new shared_ptr(new GlobalsRepository());
+    return *instance;
+}
+
+}} // namespace RTT::types

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_MEMBER_FACTORY_HPP
+#define ORO_MEMBER_FACTORY_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+
+namespace RTT { namespace types {
+
+/** Gives access to the members of values of one type. Every function has a default that knows no members. */
+class RTT_API MemberFactory {
+public:
+    virtual ~MemberFactory();
+
+    /** Sets the number of elements; false if the type has a fixed size. */
+    virtual bool resize(base::DataSourceBase::shared_ptr value, int size) const;
+    virtual std::vector<std::string> getMemberNames() const;
+    /** A source that refers to the member, or null. */
+    virtual base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
+                                                       const std::string& name) const;
+    /** The same by a source that gives the name (string) or the index (int). */
+    virtual base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
+                                                       base::DataSourceBase::shared_ptr id) const;
+};
+
+}} // namespace RTT::types
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "PropertyComposition.hpp"
+
+#include <rtt/internal/detail/property_update.hpp>
+#include "PropertyDecomposition.hpp"
+#include "Types.hpp"
+
+namespace RTT { namespace types {
+
+using base::DataSourceBase;
+using base::PropertyBase;
+
+namespace {
+
+/** The members of a value as a bag: what its type makes of it, else one property per member. Null if it has none. */
+DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
+    const TypeInfo* type = source->getTypeInfo();
+    if (auto decomposed = type->decomposeType(source)) return decomposed;
+    // A type that can be written as text and read back, such as string, is a leaf whatever members it has.
+    const auto names = type->isStreamable() ? std::vector<std::string>() : type->getMemberNames();
+    if (names.empty()) return nullptr;
+    boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
+    result->set().setType(type->getTypeName());
+    for (const auto& name : names)
+        if (auto member = source->getMember(name))
+            result->set().ownProperty(member->getTypeInfo()->buildProperty(name, "Part", member));
+    return result;
+}
+
+const PropertyBag* bagIn(const DataSourceBase::shared_ptr& source) {
+    if (!source || !source->getTypeId() || *source->getTypeId() != typeid(PropertyBag)) return nullptr;
+    return static_cast<const PropertyBag*>(source->getRawConstPointer());
+}
+
+/** Puts a property for `item` into `target`: its members if it has any, else a property on the same value. */
+bool addDecomposed(PropertyBase& item, PropertyBag& target, bool recurse) {
+    const auto value = item.getDataSource();
+    const auto simpler = recurse && !internal::detail::bagOf(item) ? membersOf(value) : nullptr;
+    if (!simpler) return target.ownProperty(item.create(value));
+    if (!bagIn(simpler))
+        return target.ownProperty(
+            simpler->getTypeInfo()->buildProperty(item.getName(), item.getDescription(), simpler));
+    auto* made = new Property<PropertyBag>(item.getName(), item.getDescription());
+    target.ownProperty(made);
+    return typeDecomposition(value, made->value(), recurse);
+}
+
+} // namespace
+
+bool typeDecomposition(DataSourceBase::shared_ptr source, PropertyBag& target, bool recurse) {
+    if (!source || bagIn(source)) return false;
+    const auto members = membersOf(source);
+    const PropertyBag* bag = bagIn(members);
+    if (!bag) return false;
+    target.setType(bag->getType());
+    bool good = true;
+    for (auto* item : *bag) good = addDecomposed(*item, target, recurse) && good;
+    return good;
+}
+
+bool propertyDecomposition(PropertyBase* source, PropertyBag& target, bool recurse) {
+    return source && source->ready() && typeDecomposition(source->getDataSource(), target, recurse);
+}
+
+bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target) {
+    target.setType(source.getType());
+    bool good = true;
+    for (auto* item : source) {
+        const PropertyBag* inner = internal::detail::bagOf(*item);
+        if (!inner) {
+            good = addDecomposed(*item, target, true) && good;
+            continue;
+        }
+        auto* made = new Property<PropertyBag>(item->getName(), item->getDescription());
+        target.ownProperty(made);
+        good = decomposePropertyBag(*inner, made->value()) && good;
+    }
+    return good;
+}
+
+bool composePropertyBag(const PropertyBag& source, PropertyBag& target) {
+    internal::detail::BagUpdate how;
+    how.report = internal::detail::logUpdateError;
+    target.setType(source.getType());
+    return internal::detail::addCopies(target, source, how);
+}
+
+}} // namespace RTT::types

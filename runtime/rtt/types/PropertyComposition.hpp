@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_PROPERTY_COMPOSITION_HPP
+#define ORO_PROPERTY_COMPOSITION_HPP
+
+#include <rtt/PropertyBag.hpp>
+
+namespace RTT { namespace types {
+
+/**
+ * Adds a copy of each item of `source` to `target`; bags whose type names a registered type become a value of it.
+ * False, and errors in the log, for types that are unknown or cannot be composed from the members given.
+ */
+RTT_API bool composePropertyBag(const PropertyBag& source, PropertyBag& target);
+
+}} // namespace RTT::types
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_PROPERTY_DECOMPOSITION_HPP
+#define ORO_PROPERTY_DECOMPOSITION_HPP
+
+#include <rtt/PropertyBag.hpp>
+
+namespace RTT { namespace types {
+
+/**
+ * Adds the members of a value to `target`, as properties that refer to the value where it can be changed, and sets
+ * the target's type. Members that have members become bags themselves if `recurse`. False if the value has no members.
+ */
+RTT_API bool typeDecomposition(base::DataSourceBase::shared_ptr source, PropertyBag& target, bool recurse = true);
+/** The same for the value of a property. */
+RTT_API bool propertyDecomposition(base::PropertyBase* source, PropertyBag& target, bool recurse = false);
+/** The same for each item of a bag: what has members becomes a bag, the others are copied. */
+RTT_API bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target);
+
+}} // namespace RTT::types
+
+#endif

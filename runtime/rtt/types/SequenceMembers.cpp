@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "SequenceMembers.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/ElementDataSource.hpp>
+#include "TypeThunkTable.hpp"
+#include "Types.hpp"
+#include <rtt/types/detail/member_update.hpp>
+#include <cstdlib>
+#include <istream>
+#include <ostream>
+
+namespace RTT { namespace types {
+
+using base::DataSourceBase;
+using SourcePtr = DataSourceBase::shared_ptr;
+
+namespace {
+
+/** The number of elements, read anew each time. */
+class CountDataSource : public internal::DataSource<int> {
+public:
+    CountDataSource(SourcePtr of, std::size_t (*count)(const void*)) : of_(std::move(of)), count_(count), last_(0) {}
+
+    int get() const override {
+        last_ = of_->evaluate() ? static_cast<int>(count_(of_->getRawConstPointer())) : 0;
+        return last_;
+    }
+    int value() const override { return last_; }
+    const int& rvalue() const override { return last_; }
+    CountDataSource* clone() const override { return new CountDataSource(of_, count_); }
+    CountDataSource* copy(internal::CopyMap& cloned) const override {
+        return new CountDataSource(of_->copy(cloned), count_);
+    }
+
+private:
+    SourcePtr of_;
+    std::size_t (*count_)(const void*);
+    mutable int last_;
+};
+
+bool isIndexText(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+} // namespace
+
+const TypeThunks* SequenceMembers::elementThunks() const {
+    const TypeInfo* type = Types()->getTypeById(ops_.elementType());
+    const TypeThunks* thunks = type ? type->getThunks() : nullptr;
+    if (!thunks || !thunks->element)
+        log(Error) << "no access to the elements of a sequence: their C++ type " << ops_.elementType()
+                   << " is not registered" << endlog();
+    return thunks && thunks->element ? thunks : nullptr;
+}
+
+SourcePtr SequenceMembers::elementAt(const SourcePtr& item, std::size_t index) const {
+    const TypeThunks* thunks = elementThunks();
+    if (!thunks) return nullptr;
+    return thunks->element(item.get(), new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(index)),
+                           &ops_);
+}
+
+std::size_t SequenceMembers::sizeOf(const SourcePtr& item) const {
+    const void* container = item->evaluate() ? item->getRawConstPointer() : nullptr;
+    return container ? ops_.size(container) : 0;
+}
+
+bool SequenceMembers::resize(SourcePtr value, int size) const {
+    void* container = value->isAssignable() && size >= 0 && ops_.resize ? value->getRawPointer() : nullptr;
+    if (!container || !ops_.resize(container, static_cast<std::size_t>(size))) return false;
+    value->updated();
+    return true;
+}
+
+std::vector<std::string> SequenceMembers::getMemberNames() const { return {"size", "capacity"}; }
+
+SourcePtr SequenceMembers::getMember(SourcePtr item, const std::string& name) const {
+    if (name == "size") return new CountDataSource(item, ops_.size);
+    if (name == "capacity") return new CountDataSource(item, ops_.capacity);
+    if (isIndexText(name)) return elementAt(item, std::strtoul(name.c_str(), nullptr, 10));
+    log(Error) << "a sequence has no member " << name << "; it has size, capacity, and elements by index" << endlog();
+    return nullptr;
+}
+
+SourcePtr SequenceMembers::getMember(SourcePtr item, SourcePtr id) const {
+    if (const void* name = detail::valueOfType(id, typeid(std::string)))
+        return getMember(item, *static_cast<const std::string*>(name));
+    const TypeInfo* number = Types()->getTypeInfo<int>();
+    const std::type_info* type = id->getTypeId();
+    if (number && type && *type != typeid(int) && *type != typeid(unsigned int)) {
+        id = number->convert(id);
+        type = id->getTypeId();
+    }
+    if (!type || (*type != typeid(int) && *type != typeid(unsigned int))) {
+        log(Error) << "the index of a sequence must be an int, not " << id->getType() << endlog();
+        return nullptr;
+    }
+    const TypeThunks* thunks = elementThunks();
+    return thunks ? thunks->element(item.get(), id.get(), &ops_) : nullptr;
+}
+
+SourcePtr SequenceMembers::decomposeType(SourcePtr source) const {
+    boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
+    result->set().setType(source->getTypeName());
+    const std::size_t size = sizeOf(source);
+    for (std::size_t i = 0; i != size; ++i) {
+        const SourcePtr element = elementAt(source, i);
+        if (!element) return nullptr;
+        result->set().ownProperty(
+            element->getTypeInfo()->buildProperty("Element" + std::to_string(i), "Sequence Element", element));
+    }
+    return result;
+}
+
+bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
+    const auto* bag = static_cast<const PropertyBag*>(detail::valueOfType(source, typeid(PropertyBag)));
+    if (!bag || !target->isAssignable()) return false;
+    if (ops_.resize) {
+        if (!resize(target, static_cast<int>(bag->size()))) return false;
+    } else if (sizeOf(target) != bag->size()) {
+        log(Error) << "an array of " << sizeOf(target) << " elements cannot take " << bag->size() << endlog();
+        return false;
+    }
+    for (std::size_t i = 0; i != bag->size(); ++i) {
+        const base::PropertyBase* item = bag->getItem(i);
+        const SourcePtr element = elementAt(target, i);
+        if (element && detail::updateByAnyMeans(element, item->getDataSource())) continue;
+        log(Error) << "element " << i << " of type " << (element ? element->getTypeName() : "unknown_t")
+                   << " cannot take a value of type " << item->getType() << endlog();
+        return false;
+    }
+    target->updated();
+    return true;
+}
+
+std::ostream& SequenceMembers::write(std::ostream& os, SourcePtr source) const {
+    os << '{';
+    const std::size_t size = sizeOf(source);
+    for (std::size_t i = 0; i != size; ++i) {
+        const SourcePtr element = elementAt(source, i);
+        if (!element) break;
+        element->evaluate();
+        element->write(i ? os << ", " : os);
+    }
+    return os << '}';
+}
+
+std::istream& SequenceMembers::read(std::istream& is, SourcePtr) const {
+    is.setstate(std::ios::failbit);
+    return is;
+}
+
+}} // namespace RTT::types

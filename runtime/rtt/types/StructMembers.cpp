@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "StructMembers.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include "TypeOps.hpp"
+#include "TypeThunkTable.hpp"
+#include "Types.hpp"
+#include <rtt/types/detail/member_update.hpp>
+#include <istream>
+#include <ostream>
+
+namespace RTT { namespace types {
+
+using base::DataSourceBase;
+using SourcePtr = DataSourceBase::shared_ptr;
+
+namespace {
+
+/** Lets a member of a value that cannot be changed be found by its offset each time the value is evaluated. */
+const SequenceOps& byteOffsetOps() {
+    static constexpr SequenceOps table = {
+        [](const void*) { return ~std::size_t(0); },
+        [](const void*) { return ~std::size_t(0); },
+        nullptr,
+        [](void* object, std::size_t offset) { return static_cast<void*>(static_cast<char*>(object) + offset); },
+        nullptr,
+        nullptr,
+        nullptr,
+    };
+    return table;
+}
+
+SourcePtr partOf(const SourcePtr& item, const Member& member, const TypeThunks& thunks) {
+    char* at = static_cast<char*>(item->getRawPointer());
+    return at ? thunks.part(at + member.offset, member.count, item.get()) : nullptr;
+}
+
+} // namespace
+
+std::vector<std::string> StructMembers::getMemberNames() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i != count_; ++i) names.push_back(members_[i].name);
+    return names;
+}
+
+SourcePtr StructMembers::getMember(SourcePtr item, const std::string& name) const {
+    for (std::size_t i = 0; i != count_; ++i)
+        if (name == members_[i].name) return memberOf(item, members_[i]);
+    return nullptr;
+}
+
+SourcePtr StructMembers::getMember(SourcePtr item, SourcePtr id) const { return MemberFactory::getMember(item, id); }
+
+SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) const {
+    if (!item->getTypeId() || *item->getTypeId() != *ops_.id) return nullptr;
+    const char* id = member.type();
+    const TypeInfo* type = member.count ? Types()->getArrayType(id) : Types()->getTypeById(id);
+    if (!type || !type->getThunks()) {
+        log(Error) << "member " << member.name << " of type " << item->getTypeName() << " is out of reach: its C++ type "
+                   << id << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
+        return nullptr;
+    }
+    if (item->isAssignable()) return partOf(item, member, *type->getThunks());
+    if (!member.count && type->getThunks()->element) {
+        auto* offset = new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(member.offset));
+        return type->getThunks()->element(item.get(), offset, &byteOffsetOps());
+    }
+    // An array in a value that cannot be changed: a view on a copy.
+    const SourcePtr copy = thunks_.value();
+    return copy->update(item.get()) ? partOf(copy, member, *type->getThunks()) : nullptr;
+}
+
+SourcePtr StructMembers::decomposeType(SourcePtr source) const {
+    boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
+    PropertyBag& bag = result->set();
+    bag.setType(source->getTypeName());
+    for (std::size_t i = 0; i != count_; ++i) {
+        const SourcePtr member = memberOf(source, members_[i]);
+        if (!member || !bag.ownProperty(member->getTypeInfo()->buildProperty(members_[i].name, "Part", member)))
+            return nullptr;
+    }
+    return result;
+}
+
+bool StructMembers::composeType(SourcePtr source, SourcePtr target) const {
+    const auto* bag = static_cast<const PropertyBag*>(detail::valueOfType(source, typeid(PropertyBag)));
+    if (!bag || !detail::storageOfType(target, *ops_.id)) return false;
+    bool complete = true;
+    for (std::size_t i = 0; i != count_; ++i) {
+        const base::PropertyBase* item = bag->find(members_[i].name);
+        if (!item || detail::updateByAnyMeans(memberOf(target, members_[i]), item->getDataSource())) continue;
+        log(Error) << "member " << members_[i].name << " of type " << target->getTypeName()
+                   << " cannot take a value of type " << item->getType() << endlog();
+        complete = false;
+    }
+    target->updated();
+    return complete;
+}
+
+std::ostream& StructMembers::write(std::ostream& os, SourcePtr source) const {
+    os << '{';
+    for (std::size_t i = 0; i != count_; ++i) {
+        os << (i ? ", " : "") << members_[i].name << " = ";
+        const SourcePtr member = memberOf(source, members_[i]);
+        if (member && member->evaluate()) member->write(os);
+        else os << "(unknown_t)";
+    }
+    return os << '}';
+}
+
+std::istream& StructMembers::read(std::istream& is, SourcePtr) const {
+    is.setstate(std::ios::failbit);
+    return is;
+}
+
+}} // namespace RTT::types

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TEMPLATE_CONN_FACTORY_HPP
+#define ORO_TEMPLATE_CONN_FACTORY_HPP
+
+#include "TypeThunks.hpp"
+
+namespace RTT { namespace types {
+
+/** The port factory of T over its thunks, to derive from and to give to TypeInfo::setPortFactory(). */
+template <class T>
+class TemplateConnFactory : public internal::ConnFactory {
+public:
+    base::InputPortInterface* inputPort(const std::string& name) const override { return new InputPort<T>(name); }
+    base::OutputPortInterface* outputPort(const std::string& name) const override { return new OutputPort<T>(name); }
+    base::ChannelElementBase::shared_ptr buildDataStorage(const ConnPolicy& policy) const override {
+        return internal::ConnFactory::buildDataStorage<T>(policy);
+    }
+};
+
+}} // namespace RTT::types
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TEMPLATE_TYPE_INFO_HPP
+#define ORO_TEMPLATE_TYPE_INFO_HPP
+
+#include "PrimitiveTypeInfo.hpp"
+
+namespace RTT { namespace types {
+
+/** Generator for a type that may be used everywhere, ports included. */
+template <typename T, bool use_ostream = false>
+class TemplateTypeInfo : public PrimitiveTypeInfo<T, use_ostream> {
+public:
+    using PrimitiveTypeInfo<T, use_ostream>::PrimitiveTypeInfo;
+
+    bool installTypeInfoObject(TypeInfo* info) override {
+        PrimitiveTypeInfo<T, use_ostream>::installTypeInfoObject(info);
+        info->setThunks(&typeThunks<T>());
+        return false;
+    }
+};
+
+}} // namespace RTT::types
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TRANSPORT_PLUGIN_HPP
+#define ORO_TRANSPORT_PLUGIN_HPP
+
+#include <rtt/rtt-config.h>
+#include <string>
+
+namespace RTT {
+
+class TaskContext;
+
+namespace types {
+
+class TypeInfo;
+
+/** A library that adds a transport to types. Lives until the process ends. */
+class RTT_API TransportPlugin {
+public:
+    virtual ~TransportPlugin();
+
+    /** Called for each known and each later type, "unknown_t" included; adds a TypeTransporter or returns false. */
+    virtual bool registerTransport(std::string type_name, TypeInfo* info) = 0;
+    virtual std::string getTransportName() const = 0;
+    /** The typekit whose types it transports. */
+    virtual std::string getTypekitName() const = 0;
+    /** Unique name of the plugin. */
+    virtual std::string getName() const = 0;
+};
+
+}} // namespace RTT::types
+
+#include "TypekitRepository.hpp"
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TYPE_INFO_HPP
+#define ORO_TYPE_INFO_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+#include <boost/shared_ptr.hpp>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+namespace RTT {
+
+class ConnPolicy;
+namespace base {
+class AttributeBase;
+class PropertyBase;
+class InputPortInterface;
+class OutputPortInterface;
+class ChannelElementBase;
+}
+namespace internal { class ConnFactory; }
+
+namespace types {
+
+struct TypeOps;
+struct TypeThunks;
+class TypeConstructor;
+class TypeTransporter;
+class ValueFactory;
+class MemberFactory;
+class CompositionFactory;
+class StreamFactory;
+
+typedef boost::shared_ptr<ValueFactory> ValueFactoryPtr;
+typedef boost::shared_ptr<MemberFactory> MemberFactoryPtr;
+typedef boost::shared_ptr<CompositionFactory> CompositionFactoryPtr;
+typedef boost::shared_ptr<StreamFactory> StreamFactoryPtr;
+typedef boost::shared_ptr<internal::ConnFactory> ConnFactoryPtr;
+
+/**
+ * All that is known at run time of one C++ type: its names, how to make values, variables, properties and ports of
+ * it, its members, its text form, its conversions and transports. What a type lacks yields null, false or an empty
+ * list, never an error. Objects live until the process ends.
+ *
+ * Thread safe. Not for real-time contexts.
+ */
+class RTT_API TypeInfo {
+public:
+    typedef const std::type_info* TypeId;
+    typedef base::DataSourceBase::shared_ptr SourcePtr;
+
+    explicit TypeInfo(std::string name, TypeId id = nullptr);
+    TypeInfo(const TypeInfo&) = delete;
+    TypeInfo& operator=(const TypeInfo&) = delete;
+    ~TypeInfo();
+
+    /** The name it was registered under first. */
+    const std::string& getTypeName() const;
+    /** All names. */
+    std::vector<std::string> getTypeNames() const;
+    /** False if it has that name already. */
+    bool addAlias(const std::string& alias);
+    bool isType(const std::string& name) const;
+    bool setTypeId(TypeId id);
+    TypeId getTypeId() const;
+    /** type_info::name() of the C++ type, which is its identity in all registries; "" if unknown. */
+    const char* getTypeIdName() const;
+    /** What the type is, from its header's comment. */
+    const std::string& getDescription() const;
+    void setDescription(const std::string& text);
+
+    // -- Values ---------------------------------------------------------------------------------------------
+    /** A value made from arguments by a constructor: none gives a default value, one of this type is itself. */
+    SourcePtr construct(const std::vector<SourcePtr>& arguments) const;
+    /** `source` itself if it is of this type, else converted; the source unchanged if no conversion is known. */
+    SourcePtr convert(SourcePtr source) const;
+    /** Takes ownership. */
+    void addConstructor(TypeConstructor* constructor);
+
+    SourcePtr buildValue() const;
+    /** A source on memory that holds such a value. */
+    SourcePtr buildReference(void* value) const;
+    SourcePtr buildActionAlias(base::ActionInterface* action, SourcePtr source) const;
+    base::AttributeBase* buildConstant(std::string name, SourcePtr value, int sizehint) const;
+    base::AttributeBase* buildConstant(std::string name, SourcePtr value) const;
+    base::AttributeBase* buildVariable(std::string name, int sizehint) const;
+    base::AttributeBase* buildVariable(std::string name) const;
+    base::AttributeBase* buildAttribute(std::string name, SourcePtr source = nullptr) const;
+    base::AttributeBase* buildAlias(std::string name, SourcePtr source) const;
+    base::PropertyBase* buildProperty(const std::string& name, const std::string& description,
+                                      SourcePtr source = nullptr) const;
+
+    // -- Text -----------------------------------------------------------------------------------------------
+    /** "(typename)" for types without a text form. */
+    std::ostream& write(std::ostream& os, SourcePtr source) const;
+    std::istream& read(std::istream& is, SourcePtr target) const;
+    std::string toString(SourcePtr source) const;
+    bool fromString(const std::string& text, SourcePtr target) const;
+    bool isStreamable() const;
+
+    // -- Members --------------------------------------------------------------------------------------------
+    bool resize(SourcePtr source, int size) const;
+    std::vector<std::string> getMemberNames() const;
+    /** Live part of `item`; null if there is no such member. */
+    SourcePtr getMember(SourcePtr item, const std::string& name) const;
+    SourcePtr getMember(SourcePtr item, SourcePtr id) const;
+
+    // -- Decomposition --------------------------------------------------------------------------------------
+    /** Sets `target`, of this type, from a value of this type, a bag of its members, or another form it knows. */
+    bool composeType(SourcePtr source, SourcePtr target) const;
+    /** A simpler form of the value: a bag of members, a number, a text; null if it has none. */
+    SourcePtr decomposeType(SourcePtr source) const;
+    bool convertType(SourcePtr source, SourcePtr target) const;
+
+    // -- Ports ----------------------------------------------------------------------------------------------
+    base::InputPortInterface* inputPort(const std::string& name) const;
+    base::OutputPortInterface* outputPort(const std::string& name) const;
+    boost::intrusive_ptr<base::ChannelElementBase> buildDataStorage(const ConnPolicy& policy) const;
+    boost::intrusive_ptr<base::ChannelElementBase> buildChannelOutput(base::InputPortInterface& port,
+                                                                      const ConnPolicy& policy) const;
+    boost::intrusive_ptr<base::ChannelElementBase> buildChannelInput(base::OutputPortInterface& port,
+                                                                     const ConnPolicy& policy) const;
+
+    // -- Transports -----------------------------------------------------------------------------------------
+    /** Takes ownership, also when it returns false because there is one for that protocol already. */
+    bool addProtocol(int protocol, TypeTransporter* transporter);
+    /** That of unknown_t if this type has none. Null, and a warning, if neither has. */
+    TypeTransporter* getProtocol(int protocol) const;
+    bool hasProtocol(int protocol) const;
+    std::vector<int> getTransportNames() const;
+
+    // -- For typekits ---------------------------------------------------------------------------------------
+    void setOps(const TypeOps* ops);
+    const TypeOps* getOps() const;
+    void setThunks(const TypeThunks* thunks);
+    const TypeThunks* getThunks() const;
+    /** For views on arrays: which element type they are used for. */
+    void setArrayElement(const char* elementIdName);
+    const char* getArrayElement() const;
+
+    void setValueFactory(ValueFactoryPtr factory);
+    void setMemberFactory(MemberFactoryPtr factory);
+    void setCompositionFactory(CompositionFactoryPtr factory);
+    void setStreamFactory(StreamFactoryPtr factory);
+    void setPortFactory(ConnFactoryPtr factory);
+    ValueFactoryPtr getValueFactory() const;
+    MemberFactoryPtr getMemberFactory() const;
+    CompositionFactoryPtr getCompositionFactory() const;
+    StreamFactoryPtr getStreamFactory() const;
+    ConnFactoryPtr getPortFactory() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}} // namespace RTT::types
+
+#endif

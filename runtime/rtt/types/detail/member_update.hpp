@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_MEMBER_UPDATE_HPP
+#define ORO_MEMBER_UPDATE_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+
+namespace RTT { namespace types {
+
+class TypeInfo;
+
+namespace detail {
+
+/** The object registered for that C++ type, or a new one of that name. */
+RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id);
+
+/** Sets `target` from `source` whatever way there is: assignment, conversion, composition. */
+RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
+
+}}} // namespace RTT::types::detail
+
+#endif

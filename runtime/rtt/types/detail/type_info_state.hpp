@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_TYPE_INFO_STATE_HPP
+#define ORO_TYPE_INFO_STATE_HPP
+
+#include <rtt/types/TypeConstructor.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeTransporter.hpp>
+#include <atomic>
+#include <map>
+#include <mutex>
+
+namespace RTT { namespace types {
+
+/** Everything in a TypeInfo. The mutex guards what is not atomic or constant; no user code runs while it is held. */
+struct TypeInfo::State {
+    explicit State(std::string n, TypeId i) : name(std::move(n)), id(i) {}
+
+    const std::string name;
+    std::atomic<TypeId> id;
+    std::atomic<const TypeOps*> ops{nullptr};
+    std::atomic<const TypeThunks*> thunks{nullptr};
+    std::atomic<const char*> arrayElement{""};
+
+    mutable std::mutex mutex;
+    std::vector<std::string> aliases;
+    std::string description;
+    std::vector<std::shared_ptr<TypeConstructor>> constructors;
+    std::map<int, std::unique_ptr<TypeTransporter>> transporters;
+    ValueFactoryPtr values;
+    MemberFactoryPtr members;
+    CompositionFactoryPtr compositions;
+    StreamFactoryPtr streams;
+    ConnFactoryPtr ports;
+
+    template <class F> auto locked(F read) const {
+        std::lock_guard<std::mutex> lock(mutex);
+        return read();
+    }
+    std::vector<std::shared_ptr<TypeConstructor>> currentConstructors() const {
+        return locked([this] { return constructors; });
+    }
+};
+
+}} // namespace RTT::types
+
+#endif

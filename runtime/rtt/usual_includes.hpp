@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What user code uses without including it: components rely on <rtt/TaskContext.hpp> for all of this.
+#ifndef ORO_USUAL_INCLUDES_HPP
+#define ORO_USUAL_INCLUDES_HPP
+
+#ifndef BOOST_BIND_GLOBAL_PLACEHOLDERS
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS  // user code says _1, not boost::placeholders::_1
+#endif
+#include <boost/bind.hpp>
+#include <boost/function.hpp>
+#include <boost/shared_ptr.hpp>
+
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <rtt/Activity.hpp>
+#include <rtt/Attribute.hpp>
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/Operation.hpp>
+#include <rtt/OperationCaller.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/ServiceRequester.hpp>
+#include <rtt/Time.hpp>
+#include <rtt/os/MutexLock.hpp>
+#include <rtt/os/TimeService.hpp>
+
+namespace RTT {
+namespace extras {}
+namespace marsh {}
+namespace plugin {}
+namespace scripting {}
+namespace types {}
+/** All namespaces of the runtime at once. */
+namespace detail {
+using namespace base;
+using namespace internal;
+using namespace types;
+using namespace os;
+using namespace extras;
+using namespace scripting;
+using namespace plugin;
+}
+}
+
+#endif
