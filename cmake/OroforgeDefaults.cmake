@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Compiler settings shared by everything built in this tree.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "" FORCE)
+endif()
+
+add_compile_options(-Wall -Wextra)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # STB_GNU_UNIQUE symbols would pin every plugin in memory for ever.
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fno-gnu-unique>)
+endif()
+add_link_options(-Wl,-z,defs)
+
+set(OROFORGE_SANITIZE "" CACHE STRING "address | thread | undefined, or a list joined by commas")
+if(OROFORGE_SANITIZE)
+  add_compile_options(-fsanitize=${OROFORGE_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${OROFORGE_SANITIZE})
+endif()
+
+# One layout for the build tree and the install tree, so that programs run from either.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archive)
+set(OROFORGE_PLUGIN_DIR lib/orocos/${OROCOS_TARGET})
