@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <check/check.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include <model/cpp_type.hpp>
+
+namespace oroforge::check {
+
+namespace {
+
+/// Members of RTT::TaskContext: an operation of that name would hide or override them.
+bool isTaskContextMember(const std::string& name) {
+    static const std::set<std::string> members = {
+        "activate", "addAttribute", "addConstant", "addEventPort", "addLocalPort", "addOperation", "addPeer", "addPort",
+        "addProperty", "attributes", "cleanup", "cleanupHook", "clear", "configure", "configureHook", "connectPeers",
+        "connectPorts", "connectServices", "dataOnPort", "dataOnPortCallback", "dataOnPortHook", "disconnect",
+        "disconnectPeers", "engine", "error", "errorHook", "exception", "exceptionHook", "fatal", "forceActivity",
+        "getActivity", "getAttribute", "getCpuAffinity", "getName", "getOperation", "getPeer", "getPeerList",
+        "getPeriod", "getPort", "getProperty", "getProvider", "getTargetState", "getTaskState", "hasPeer",
+        "inException", "inFatalError", "inRunTimeError", "isActive", "isConfigured", "isRunning", "loadService",
+        "operations", "ports", "properties", "provides", "ready", "recover", "removePeer", "requires",
+        "resetException", "setActivity", "setCpuAffinity", "setPeriod", "start", "startHook", "stop", "stopHook",
+        "trigger", "update", "updateHook"};
+    return members.count(name) != 0;
+}
+
+/// Attributes every component has.
+bool isStandardAttribute(const std::string& name) {
+    static const std::set<std::string> attributes = {"TriggerOnStart", "CycleCounter", "IOCounter", "TimeOutCounter",
+                                                     "TriggerCounter"};
+    return attributes.count(name) != 0;
+}
+
+bool checkIdentifier(const std::string& what, const model::Text& name, diag::Sink& sink) {
+    if (!name.given()) return false;
+    if (!model::isIdentifier(name.value)) {
+        sink.error(name.where, "OM010",
+                   what + " name '" + name.value + "' is not an identifier: expected letters, digits and '_', not a digit first");
+        return false;
+    }
+    if (model::isKeyword(name.value)) {
+        sink.error(name.where, "OM011", what + " name '" + name.value + "' is a C++ keyword");
+        return false;
+    }
+    return true;
+}
+
+void checkMember(const std::string& what, const model::Text& name, diag::Sink& sink) {
+    if (!checkIdentifier(what, name, sink)) return;
+    if (isTaskContextMember(name.value) || isStandardAttribute(name.value)) {
+        sink.error(name.where, "OM015", what + " name '" + name.value + "' is taken: every component already has it");
+    }
+}
+
+void checkClassName(const model::Text& name, diag::Sink& sink) {
+    if (!name.given()) return;
+    for (const std::string& part : model::splitQualified(name.value)) {
+        if (model::isIdentifier(part) && !model::isKeyword(part)) continue;
+        sink.error(name.where, "OM014",
+                   "'" + name.value + "' is not a class name: expected identifiers joined by '::', such as 'tank::Controller'");
+        return;
+    }
+}
+
+void checkComponent(const model::Component& component, diag::Sink& sink) {
+    checkClassName(component.className, sink);
+    for (const auto& port : component.ports) checkMember("port", port.name, sink);
+    for (const auto& property : component.properties) checkMember("property", property.name, sink);
+    for (const auto& attribute : component.attributes) checkMember("attribute", attribute.name, sink);
+    for (const auto& service : component.services) checkIdentifier("service", service.name, sink);
+    for (const auto& operation : component.operations) {
+        checkMember("operation", operation.name, sink);
+        for (const auto& argument : operation.arguments) checkIdentifier("argument", argument.name, sink);
+    }
+}
+
+bool isVersion(const std::string& text) {
+    std::size_t parts = 1;
+    bool digit = false;
+    for (const char c : text) {
+        if (c == '.' && digit) {
+            ++parts;
+            digit = false;
+        } else if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+            digit = true;
+        } else {
+            return false;
+        }
+    }
+    return digit && parts == 3;
+}
+
+void checkHeader(const model::Text& header, diag::Sink& sink) {
+    if (!header.given()) return;
+    const bool relative = !header.value.empty() && header.value[0] != '/' && header.value.find("..") == std::string::npos;
+    const bool plain = header.value.find_first_of(" \t\"<>\\;$") == std::string::npos;
+    if (relative && plain) return;
+    sink.error(header.where, "OM017",
+               "'" + header.value + "' is not a header of this package: expected a path such as 'include/tank/tank-types.hpp'");
+}
+
+}  // namespace
+
+std::string packageNameFault(const std::string& name) {
+    if (name.empty()) return "is empty";
+    if (std::isalpha(static_cast<unsigned char>(name.front())) == 0) return "does not begin with a letter";
+    const auto bad = std::find_if(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) == 0 && c != '_' && c != '.' && c != '-';
+    });
+    if (bad != name.end()) {
+        return std::string("contains '") + *bad + "'; expected letters, digits, '_', '.' and '-'";
+    }
+    return {};
+}
+
+void names(const model::Package& package, diag::Sink& sink) {
+    if (package.name.given()) {
+        const std::string fault = packageNameFault(package.name.value);
+        if (!fault.empty()) sink.error(package.name.where, "OM013", "package name '" + package.name.value + "' " + fault);
+    }
+    if (package.version.given() && !isVersion(package.version.value)) {
+        sink.error(package.version.where, "OM016",
+                   "version '" + package.version.value + "' is not of the form '1.2.3'");
+    }
+    for (const auto& dependency : package.dependencies) {
+        const std::string fault = packageNameFault(dependency.value);
+        if (dependency.given() && !fault.empty()) {
+            sink.error(dependency.where, "OM013", "package name '" + dependency.value + "' " + fault);
+        }
+    }
+    for (const auto& header : package.typekitHeaders) checkHeader(header, sink);
+    for (const auto& component : package.components) checkComponent(component, sink);
+}
+
+}  // namespace oroforge::check

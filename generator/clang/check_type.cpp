@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "describe_type.hpp"
+#include "type_names.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+Rejection aboutType(Reason reason, const clang::TagDecl& type, clang::SourceLocation at) {
+    Rejection rejection;
+    rejection.reason = reason;
+    rejection.subject = "type '" + shownName(type) + "'";
+    rejection.type = shownName(type);
+    rejection.at = at;
+    return rejection;
+}
+
+/// The first virtual function that is written in the class, else the class.
+clang::SourceLocation virtualPlace(const clang::CXXRecordDecl& type) {
+    for (const clang::CXXMethodDecl* method : type.methods()) {
+        if (method->isVirtual() && !method->isImplicit()) return method->getLocation();
+    }
+    return type.getLocation();
+}
+
+bool isOpen(const clang::FunctionDecl* function) {
+    return function != nullptr && !function->isDeleted() && function->getAccess() != clang::AS_private &&
+           function->getAccess() != clang::AS_protected;
+}
+
+clang::SourceLocation placeOf(const clang::FunctionDecl* function, const clang::CXXRecordDecl& type) {
+    const bool written = function != nullptr && !function->isImplicit();
+    return written ? function->getLocation() : type.getLocation();
+}
+
+}  // namespace
+
+bool isHidden(const clang::TagDecl& type) {
+    for (const clang::Decl* scope = &type; llvm::isa<clang::TagDecl>(scope);
+         scope = llvm::cast<clang::Decl>(scope->getDeclContext())) {
+        if (scope->getAccess() == clang::AS_private || scope->getAccess() == clang::AS_protected) return true;
+    }
+    return false;
+}
+
+std::vector<Rejection> checkType(const clang::TagDecl& type) {
+    std::vector<Rejection> found;
+    if (type.isInAnonymousNamespace()) {
+        found.push_back(aboutType(Reason::InternalLinkage, type, type.getLocation()));
+    } else if (type.isUnion()) {
+        found.push_back(aboutType(Reason::Union, type, type.getLocation()));
+    }
+    const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&type);
+    if (found.empty() && record != nullptr && record->isPolymorphic()) {
+        found.push_back(aboutType(Reason::Polymorphic, type, virtualPlace(*record)));
+    }
+    return found;
+}
+
+std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema) {
+    // Looking a member up may declare it implicitly; that is why the class is not const for clang.
+    auto* record = const_cast<clang::CXXRecordDecl*>(&type);
+    std::vector<Rejection> found;
+    const clang::FunctionDecl* construct = sema.LookupDefaultConstructor(record);
+    if (!isOpen(construct)) {
+        found.push_back(aboutType(Reason::NoDefaultConstructor, type, placeOf(construct, type)));
+    }
+    const clang::FunctionDecl* needed[] = {
+        sema.LookupCopyingConstructor(record, clang::Qualifiers::Const),
+        sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0), sema.LookupDestructor(record)};
+    for (const clang::FunctionDecl* function : needed) {
+        if (isOpen(function)) continue;
+        found.push_back(aboutType(Reason::NotCopyable, type, placeOf(function, type)));
+        break;
+    }
+    return found;
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Included by generator/CMakeLists.txt: the library that reads C++ with clang.
+find_package(LLVM REQUIRED CONFIG PATHS /usr/lib/llvm-19 NO_DEFAULT_PATH)
+find_package(Clang REQUIRED CONFIG PATHS /usr/lib/llvm-19 NO_DEFAULT_PATH)
+# Libraries that link this one live in other folders; imported targets are known per folder.
+set_target_properties(clang-cpp LLVM PROPERTIES IMPORTED_GLOBAL TRUE)
+
+# Where the package libclang-common-19-dev puts clang's own headers; looked for again when typegen runs.
+set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
+  CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
+
+add_library(oroforge_gen_clang STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/check_type.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/classify.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/classify_standard.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/collect_fields.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/describe_type.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnostic_bridge.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/doc_comment.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/find_roots.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/rejection.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/resource_dir.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/source_places.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/type_names.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/type_reader.cpp)
+target_include_directories(oroforge_gen_clang SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
+target_include_directories(oroforge_gen_clang PUBLIC ${PROJECT_SOURCE_DIR}/generator)
+target_compile_definitions(oroforge_gen_clang PRIVATE OROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")
+# Debian's LLVM is built without run-time type information, and classes here derive from its classes.
+# GCC 12 sees null pointers in clang's inline functions where there are none.
+target_compile_options(oroforge_gen_clang PRIVATE -fno-rtti $<$<CXX_COMPILER_ID:GNU>:-Wno-nonnull>)
+target_precompile_headers(oroforge_gen_clang PRIVATE ${CMAKE_CURRENT_LIST_DIR}/llvm_compat.hpp)
+target_link_libraries(oroforge_gen_clang PUBLIC oroforge_gen_types oroforge_diag PRIVATE clang-cpp LLVM)

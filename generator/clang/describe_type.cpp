@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "describe_type.hpp"
+
+#include <cstring>
+
+#include "collect_fields.hpp"
+#include "doc_comment.hpp"
+#include "type_names.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+constexpr std::size_t kMostNotes = 8;
+
+model::Enumerator describeValue(const clang::EnumConstantDecl& value, const std::string& enumCpp,
+                                const clang::ASTContext& context) {
+    model::Enumerator result;
+    result.name = value.getNameAsString();
+    result.cpp = enumCpp + "::" + result.name;
+    result.value = llvm::toString(value.getInitVal(), 10);
+    result.doc = docComment(context, value).text;
+    return result;
+}
+
+}  // namespace
+
+diag::Location TypeDescriber::locate(clang::SourceLocation at) const {
+    return places_.locate(sema_.getSourceManager(), at);
+}
+
+bool TypeDescriber::isOwn(const clang::TagDecl& type) const {
+    return !llvm::isa<clang::ClassTemplateSpecializationDecl>(type) &&
+           places_.isListed(sema_.getSourceManager(), type.getLocation());
+}
+
+const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
+    const auto [entry, isNew] = fates_.try_emplace(type.getCanonicalDecl());
+    TypeFate& fate = entry->second;
+    if (!isNew) return fate;
+    const clang::CXXRecordDecl& definition = *type.getDefinition();
+    std::vector<Rejection> found = checkType(definition);
+    FieldCollector fields(*this);
+    if (found.empty()) {
+        fields.collect(definition);
+        found = fields.rejections();
+    }
+    if (found.empty() && !fields.broken()) found = checkSpecialMembers(definition, sema_);
+    settle(definition, found, fields.broken(), fate);
+    if (!fate.usable) return fate;
+
+    model::Struct result;
+    const auto name = nameOf(definition);
+    const clang::ASTRecordLayout& layout = context().getASTRecordLayout(&definition);
+    result.cpp = name->cpp;
+    result.name = name->registry;
+    result.size = layout.getSize().getQuantity();
+    result.align = layout.getAlignment().getQuantity();
+    result.doc = docComment(context(), definition).text;
+    result.fields = fields.fields();
+    result.where = locate(definition.getLocation());
+    into_.structs.push_back(result);
+    return fate;
+}
+
+const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
+    const auto [entry, isNew] = fates_.try_emplace(type.getCanonicalDecl());
+    TypeFate& fate = entry->second;
+    if (!isNew) return fate;
+    const clang::EnumDecl& definition = *type.getDefinition();
+    settle(definition, checkType(definition), false, fate);
+    if (!fate.usable) return fate;
+
+    model::Enum result;
+    const auto name = nameOf(definition);
+    result.cpp = name->cpp;
+    result.name = name->registry;
+    result.underlying = shownName(definition.getIntegerType().getCanonicalType(), context());
+    result.size = context().getTypeSizeInChars(definition.getIntegerType()).getQuantity();
+    result.doc = docComment(context(), definition).text;
+    result.where = locate(definition.getLocation());
+    for (const clang::EnumConstantDecl* value : definition.enumerators()) {
+        result.values.push_back(describeValue(*value, name->cpp, context()));
+        result.values.back().where = locate(value->getLocation());
+    }
+    into_.enums.push_back(result);
+    return fate;
+}
+
+void TypeDescriber::settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate) {
+    fate.usable = found.empty() && !broken;
+    if (!isOwn(type)) {
+        fate.rejections = std::move(found);
+        return;
+    }
+    for (const Rejection& rejection : found) report(rejection);
+}
+
+void TypeDescriber::report(const Rejection& rejection) {
+    const Rejection& cause = origin(rejection);
+    const Rule& rule = ruleOf(cause.reason);
+    std::string message = sentence(cause);
+    if (!rejection.causes.empty()) {
+        const std::string type = rejection.type.empty() ? "" : " has the type '" + rejection.type + "', which";
+        message = rejection.subject + type + " cannot be described: " + message;
+    }
+    diag::Diagnostic& diagnostic = sink_.error(locate(rejection.at), rule.code, message);
+    addCauses(rejection, diagnostic);
+    if (std::strlen(rule.advice) != 0) diagnostic.hint(rule.advice);
+}
+
+void TypeDescriber::addCauses(const Rejection& rejection, diag::Diagnostic& to) const {
+    for (const Rejection& cause : rejection.causes) {
+        if (to.notes.size() == kMostNotes) return;
+        const std::string type = cause.type.empty() ? "" : " of type '" + cause.type + "'";
+        to.note(locate(cause.at), cause.causes.empty() ? sentence(cause) : "through " + cause.subject + type);
+        addCauses(cause, to);
+    }
+}
+
+}  // namespace oroforge::cxx

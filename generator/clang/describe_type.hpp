@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Turns declarations into model::Struct and model::Enum, each type once, and reports what cannot be turned.
+#ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_TYPE_HPP
+#define OROFORGE_GENERATOR_CLANG_DESCRIBE_TYPE_HPP
+
+#include <map>
+#include <vector>
+
+#include <diag/sink.hpp>
+#include <model/type_model.hpp>
+
+#include "rejection.hpp"
+#include "source_places.hpp"
+
+namespace oroforge::cxx {
+
+/// What became of a type.
+struct TypeFate {
+    bool usable = true;                 ///< also while it is being described: a std::vector of itself is fine
+    std::vector<Rejection> rejections;  ///< why not, unless that was reported already
+};
+
+class TypeDescriber {
+public:
+    TypeDescriber(clang::Sema& sema, const SourcePlaces& places, diag::Sink& sink, model::TypeModel& into)
+        : sema_(sema), places_(places), sink_(sink), into_(into) {}
+
+    /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
+    /// those of other types are handed to the field that uses them.
+    const TypeFate& describe(const clang::CXXRecordDecl& type);
+    const TypeFate& describe(const clang::EnumDecl& type);
+
+    clang::Sema& sema() const { return sema_; }
+    const clang::ASTContext& context() const { return sema_.getASTContext(); }
+    diag::Location locate(clang::SourceLocation at) const;
+
+    /// Whether it is the user's own: written in a listed header and no template instance.
+    bool isOwn(const clang::TagDecl& type) const;
+
+private:
+    void settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate);
+    void report(const Rejection& rejection);
+    void addCauses(const Rejection& rejection, diag::Diagnostic& to) const;
+
+    clang::Sema& sema_;
+    const SourcePlaces& places_;
+    diag::Sink& sink_;
+    model::TypeModel& into_;
+    std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show
+};
+
+/// Whether the type is a private or protected member of a class, so that nobody else can name it.
+bool isHidden(const clang::TagDecl& type);
+
+/// Faults of the type as a whole that show before its fields are looked at: linkage, unions, virtual functions.
+std::vector<Rejection> checkType(const clang::TagDecl& type);
+
+/// Default construction, copying and destruction by anybody.
+std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema);
+
+}  // namespace oroforge::cxx
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "doc_comment.hpp"
+
+#include <sstream>
+
+namespace oroforge::cxx {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// Position of "@word" or "\\word" as a word of its own, or npos.
+std::size_t findCommand(const std::string& line, const std::string& word) {
+    for (std::size_t at = line.find(word, 1); at != std::string::npos; at = line.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool marked = line[at - 1] == '@' || line[at - 1] == '\\';
+        if (marked && (end == line.size() || line[end] == ' ')) return at - 1;
+    }
+    return std::string::npos;
+}
+
+/// Cuts the command and what follows it off `line`; returns what follows.
+std::string takeRest(std::string& line, const std::string& word) {
+    const std::size_t at = findCommand(line, word);
+    if (at == std::string::npos) return {};
+    const std::string rest = trimmed(line.substr(at + 1 + word.size()));
+    line = trimmed(line.substr(0, at));
+    return rest;
+}
+
+}  // namespace
+
+DocComment parseDocText(const std::string& text) {
+    DocComment doc;
+    bool paragraph = false;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        line = trimmed(line);
+        const std::string unit = takeRest(line, "unit");
+        if (!unit.empty()) doc.unit = unit;
+        if (findCommand(line, "brief") == 0) line = trimmed(line.substr(6));
+        if (line.empty()) {
+            if (!unit.empty()) continue;
+            paragraph = !doc.text.empty();
+            continue;
+        }
+        if (!doc.text.empty()) doc.text += paragraph ? '\n' : ' ';
+        doc.text += line;
+        paragraph = false;
+    }
+    return doc;
+}
+
+DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration) {
+    const clang::RawComment* comment = context.getRawCommentForAnyRedecl(&declaration);
+    if (comment == nullptr) return {};
+    return parseDocText(comment->getFormattedText(context.getSourceManager(), context.getDiagnostics()));
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Documentation comments (///, /** */, ///<) of declarations.
+#ifndef OROFORGE_GENERATOR_CLANG_DOC_COMMENT_HPP
+#define OROFORGE_GENERATOR_CLANG_DOC_COMMENT_HPP
+
+#include <string>
+
+#include "llvm_compat.hpp"
+
+namespace oroforge::cxx {
+
+struct DocComment {
+    std::string text;  ///< without marks; lines joined by blanks, paragraphs by a newline
+    std::string unit;  ///< what follows "@unit"
+};
+
+DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration);
+
+/// The same from the bare text of a comment.
+DocComment parseDocText(const std::string& text);
+
+}  // namespace oroforge::cxx
+
+#endif

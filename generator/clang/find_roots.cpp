@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "find_roots.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+bool isNamed(const clang::TagDecl& type) {
+    return type.getIdentifier() != nullptr || type.getTypedefNameForAnonDecl() != nullptr;
+}
+
+bool isTemplated(const clang::TagDecl& type) {
+    return type.isTemplated() || llvm::isa<clang::ClassTemplateSpecializationDecl>(type);
+}
+
+bool isPublic(const clang::Decl& declaration) {
+    return declaration.getAccess() == clang::AS_public || declaration.getAccess() == clang::AS_none;
+}
+
+class RootFinder {
+public:
+    RootFinder(const clang::SourceManager& sources, const SourcePlaces& places) : sources_(sources), places_(places) {}
+
+    void walk(const clang::DeclContext& scope) {
+        for (const clang::Decl* declaration : scope.decls()) {
+            if (llvm::isa<clang::NamespaceDecl, clang::LinkageSpecDecl>(declaration)) {
+                walk(*llvm::cast<clang::DeclContext>(declaration));
+            } else if (const auto* type = llvm::dyn_cast<clang::TagDecl>(declaration)) {
+                visit(*type);
+            }
+        }
+    }
+    std::vector<const clang::TagDecl*> roots;
+
+private:
+    void visit(const clang::TagDecl& type) {
+        if (!type.isThisDeclarationADefinition() || type.isImplicit() || isTemplated(type) || !isPublic(type)) return;
+        if (!isNamed(type) || !places_.isListed(sources_, type.getLocation())) return;
+        roots.push_back(&type);
+        if (llvm::isa<clang::CXXRecordDecl>(type)) walk(type);
+    }
+
+    const clang::SourceManager& sources_;
+    const SourcePlaces& places_;
+};
+
+}  // namespace
+
+std::vector<const clang::TagDecl*> findRoots(const clang::ASTContext& context, const SourcePlaces& places) {
+    RootFinder finder(context.getSourceManager(), places);
+    finder.walk(*context.getTranslationUnitDecl());
+    return finder.roots;
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "rejection.hpp"
+
+#include <cassert>
+#include <cstring>
+
+namespace oroforge::cxx {
+
+namespace {
+
+constexpr Rule kRules[] = {
+    {Reason::RawPointer, "TK010", "is a raw pointer '{}', which has no value to copy between components",
+     "store the value itself, or a std::vector of values"},
+    {Reason::CString, "TK010", "is a raw pointer '{}', which has no value to copy between components", "use std::string"},
+    {Reason::Reference, "TK011", "is a reference '{}', which has no value of its own", "store the value itself"},
+    {Reason::Callable, "TK012", "is a callable '{}', which is not data",
+     "offer an operation of a component instead"},
+    {Reason::PrivateMember, "TK013", "is not public", "make the data members public, or keep the class out of typegen "
+     "(#ifndef __orogen) and write its typekit by hand"},
+    {Reason::Union, "TK014", "is a union; which of its members is meant cannot be known",
+     "use a struct, or std::uint8_t bytes[N] for raw storage"},
+    {Reason::BitField, "TK015", "is a bit-field '{}', which has no address",
+     "use a whole integer and mask the bits in accessor functions"},
+    {Reason::ConstMember, "TK016", "is const ('{}'), so samples cannot be assigned",
+     "remove const, or make it static constexpr"},
+    {Reason::VolatileMember, "TK017", "is volatile ('{}'), expected a plain value", "remove volatile"},
+    {Reason::MultiDimArray, "TK018", "is an array of arrays '{}', expected one dimension",
+     "use one dimension of rows * columns elements, or wrap a row in a struct"},
+    {Reason::UnboundedArray, "TK019", "is an array '{}' without elements, that is unbounded storage",
+     "give it a fixed size, or use std::vector"},
+    {Reason::Polymorphic, "TK020", "has virtual functions: it stands for an identity, not for a value",
+     "move the data into a plain struct and let the class hold it"},
+    {Reason::HiddenBase, "TK021", "is not public", "inherit publicly, or make the base class a member"},
+    {Reason::VirtualBase, "TK022", "is virtual, so its fields have no fixed place",
+     "inherit without virtual, or make the base class a member"},
+    {Reason::SameName, "TK023", "has the same name as another field that is inherited", "rename one of them"},
+    {Reason::NoDefaultConstructor, "TK024", "has no public default constructor, which ports and properties need",
+     "add a public constructor without arguments"},
+    {Reason::NotCopyable, "TK025", "lacks a public copy constructor, copy assignment or destructor, which samples need",
+     "allow copy construction, copy assignment and destruction"},
+    {Reason::Misaligned, "TK026", "is packed to an address that does not suit '{}'",
+     "order the fields by size instead of packing them"},
+    {Reason::Overlapping, "TK027", "is [[no_unique_address]] and may share its bytes with other fields",
+     "remove the attribute"},
+    {Reason::Unnamed, "TK028", "has an unnamed type '{}'", "give the type a name"},
+    {Reason::InternalLinkage, "TK029", "lies in an unnamed namespace: each file would have its own type",
+     "move it into a named namespace"},
+    {Reason::HiddenType, "TK030", "has the type '{}', whose name is not public", "make the nested type public"},
+    {Reason::WideScalar, "TK031", "is of type '{}', which has no portable width",
+     "use double, float or a sized integer such as std::int64_t"},
+    {Reason::CharacterType, "TK032", "is of the wide character type '{}'", "use char, or std::uint32_t for code points"},
+    {Reason::VectorOfBool, "TK033", "is '{}', whose elements are bits without address", "use std::vector<std::uint8_t>"},
+    {Reason::CustomAllocator, "TK034", "is '{}' with an allocator of its own", "use the standard allocator"},
+    {Reason::ArrayElement, "TK035", "is '{}', a sequence of arrays", "wrap the array in a struct"},
+    {Reason::View, "TK036", "is a non-owning view '{}'; what it looks at may be gone when a sample is read",
+     "use std::string or std::vector"},
+    {Reason::OtherString, "TK037", "is a string '{}', expected std::string", "use std::string with UTF-8 text"},
+    {Reason::SmartPointer, "TK038", "is a smart pointer '{}': samples would share or lose what it points to",
+     "store the value itself, or a std::vector of values"},
+    {Reason::Synchronisation, "TK039", "is '{}', which synchronises threads and is no value",
+     "keep it in the component; ports and operations are thread-safe already"},
+    {Reason::Map, "TK040", "is an associative container '{}'", "use a std::vector of a struct with key and value"},
+    {Reason::Set, "TK041", "is a set '{}'", "use a std::vector"},
+    {Reason::OtherSequence, "TK042", "is a container '{}', expected std::vector or std::array", "use std::vector"},
+    {Reason::Optional, "TK043", "is '{}', which may be without a value", "use a value and a bool, or a std::vector"},
+    {Reason::Variant, "TK044", "is '{}', whose type changes at run time",
+     "use a struct with an enum and one field for each alternative"},
+    {Reason::Tuple, "TK045", "is '{}', whose parts have no names", "use a struct with named fields"},
+    {Reason::Time, "TK046", "is a time type '{}'", "use std::int64_t nanoseconds or double seconds"},
+    {Reason::OtherStandard, "TK047", "is of the standard library type '{}', which typekits do not hold",
+     "use numbers, std::string, std::vector, std::array and structs of these"},
+    {Reason::NeverDefined, "TK048", "has the type '{}', which is declared but never defined",
+     "include the header that defines it"},
+    {Reason::TemplateArgument, "TK049", "has the type '{}', a template instance that cannot be named",
+     "use types and integers as template arguments"},
+    {Reason::OtherType, "TK050", "has the type '{}', expected a number, enum, string, struct, std::vector or array", ""},
+};
+
+}  // namespace
+
+const Rule& ruleOf(Reason reason) {
+    for (const Rule& rule : kRules) {
+        if (rule.reason == reason) return rule;
+    }
+    assert(false && "reason without a rule");
+    return kRules[0];
+}
+
+std::string sentence(const Rejection& rejection) {
+    std::string words = ruleOf(rejection.reason).words;
+    const std::size_t hole = words.find("{}");
+    if (hole != std::string::npos) words.replace(hole, std::strlen("{}"), rejection.type);
+    return rejection.subject + " " + words;
+}
+
+const Rejection& origin(const Rejection& rejection) {
+    return rejection.causes.empty() ? rejection : origin(rejection.causes.front());
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Why a type cannot be described: one code per reason, with its words and its advice in one table.
+#ifndef OROFORGE_GENERATOR_CLANG_REJECTION_HPP
+#define OROFORGE_GENERATOR_CLANG_REJECTION_HPP
+
+#include <string>
+#include <vector>
+
+#include "llvm_compat.hpp"
+
+namespace oroforge::cxx {
+
+enum class Reason {
+    RawPointer, CString, Reference, Callable, PrivateMember, Union, BitField, ConstMember, VolatileMember,
+    MultiDimArray, UnboundedArray, Polymorphic, HiddenBase, VirtualBase, SameName, NoDefaultConstructor,
+    NotCopyable, Misaligned, Overlapping, Unnamed, InternalLinkage, HiddenType, WideScalar, CharacterType,
+    VectorOfBool, CustomAllocator, ArrayElement, View, OtherString, SmartPointer, Synchronisation, Map, Set,
+    OtherSequence, Optional, Variant, Tuple, Time, OtherStandard, NeverDefined, TemplateArgument, OtherType,
+};
+
+struct Rule {
+    Reason reason;
+    const char* code;
+    const char* words;  ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
+    const char* advice; ///< empty if there is none
+};
+
+const Rule& ruleOf(Reason reason);
+
+/// A field, base class or type that cannot be described.
+struct Rejection {
+    Reason reason = Reason::OtherType;
+    std::string subject;  ///< "field 'next' of 'Node'"
+    std::string type;     ///< as the user wrote it
+    clang::SourceLocation at;
+    std::vector<Rejection> causes;  ///< not empty: the reason lies inside the type
+};
+
+/// "field 'next' of 'Node' is a raw pointer 'int *'": the words of the rule filled in.
+std::string sentence(const Rejection& rejection);
+
+/// The innermost first cause, or the rejection itself.
+const Rejection& origin(const Rejection& rejection);
+
+}  // namespace oroforge::cxx
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "source_places.hpp"
+
+namespace oroforge::cxx {
+
+SourcePlaces::SourcePlaces(const std::vector<model::Header>& headers) {
+    for (const model::Header& header : headers) {
+        llvm::sys::fs::UniqueID id;
+        if (!llvm::sys::fs::getUniqueID(header.path, id)) listed_.emplace(id, header.path);
+    }
+}
+
+std::string SourcePlaces::given(const clang::SourceManager& sources, clang::FileID file,
+                                const std::string& spelled) const {
+    if (const auto entry = sources.getFileEntryRefForID(file)) {
+        const auto found = listed_.find(entry->getUniqueID());
+        if (found != listed_.end()) return found->second;
+    }
+    // clang puts "./" before what it finds beside the main file; the user did not write that.
+    return spelled.rfind("./", 0) == 0 ? spelled.substr(2) : spelled;
+}
+
+diag::Location SourcePlaces::locate(const clang::SourceManager& sources, clang::SourceLocation at) const {
+    if (at.isInvalid()) return {};
+    const clang::SourceLocation seen = sources.getExpansionLoc(at);
+    const clang::PresumedLoc place = sources.getPresumedLoc(seen, /*UseLineDirectives=*/false);
+    if (place.isInvalid()) return {};
+    const std::string file = given(sources, sources.getFileID(seen), place.getFilename());
+    if (file == kMainFile) return {"typegen"};
+    return {file, place.getLine(), place.getColumn()};
+}
+
+bool SourcePlaces::isListed(const clang::SourceManager& sources, clang::SourceLocation at) const {
+    if (at.isInvalid()) return false;
+    const auto entry = sources.getFileEntryRefForID(sources.getFileID(sources.getExpansionLoc(at)));
+    return entry && listed_.count(entry->getUniqueID()) != 0;
+}
+
+}  // namespace oroforge::cxx

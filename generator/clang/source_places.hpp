@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// From clang's locations to those of the user: paths as given on the command line.
+#ifndef OROFORGE_GENERATOR_CLANG_SOURCE_PLACES_HPP
+#define OROFORGE_GENERATOR_CLANG_SOURCE_PLACES_HPP
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <diag/diagnostic.hpp>
+#include <model/type_model.hpp>
+
+#include "llvm_compat.hpp"
+
+namespace oroforge::cxx {
+
+/// Name of the main file that includes the listed headers; it exists in memory only.
+inline constexpr const char* kMainFile = "typegen_input.cpp";
+
+class SourcePlaces {
+public:
+    explicit SourcePlaces(const std::vector<model::Header>& headers);
+
+    /// Where the user sees it: for macro expansions the place of the macro's use.
+    diag::Location locate(const clang::SourceManager& sources, clang::SourceLocation at) const;
+
+    /// Whether it stands in one of the listed headers.
+    bool isListed(const clang::SourceManager& sources, clang::SourceLocation at) const;
+
+private:
+    std::string given(const clang::SourceManager& sources, clang::FileID file, const std::string& spelled) const;
+    std::map<llvm::sys::fs::UniqueID, std::string> listed_;
+};
+
+}  // namespace oroforge::cxx
+
+#endif

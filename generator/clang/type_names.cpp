@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "type_names.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+using clang::BuiltinType;
+
+/// The name of the declaration itself, or of the typedef that a C-style `typedef struct {…} T;` gives it.
+std::string ownName(const clang::TagDecl& type) {
+    if (const clang::TypedefNameDecl* alias = type.getTypedefNameForAnonDecl()) return alias->getNameAsString();
+    return type.getNameAsString();
+}
+
+std::optional<TypeName> nameOfArgument(const clang::TemplateArgument& argument, const clang::ASTContext& context) {
+    if (argument.getKind() == clang::TemplateArgument::Integral) {
+        const std::string digits = llvm::toString(argument.getAsIntegral(), 10);
+        if (argument.getIntegralType()->isBooleanType()) return TypeName{digits == "0" ? "false" : "true", digits};
+        if (!argument.getIntegralType()->isEnumeralType()) return TypeName{digits, digits};
+        return std::nullopt;
+    }
+    if (argument.getKind() != clang::TemplateArgument::Type) return std::nullopt;
+    const clang::QualType type = argument.getAsType().getCanonicalType();
+    if (type.hasQualifiers()) return std::nullopt;
+    if (const auto* builtin = type->getAs<BuiltinType>()) return nameOf(*builtin, context);
+    if (const clang::TagDecl* tag = type->getAsTagDecl()) return nameOf(*tag);
+    return std::nullopt;
+}
+
+bool addArguments(const clang::ClassTemplateSpecializationDecl& type, TypeName& name) {
+    std::string cpp, registry;
+    for (const clang::TemplateArgument& argument : type.getTemplateArgs().asArray()) {
+        const auto part = nameOfArgument(argument, type.getASTContext());
+        if (!part) return false;
+        cpp += (cpp.empty() ? "" : ", ") + part->cpp;
+        registry += (registry.empty() ? "" : ",") + part->registry;
+    }
+    name.cpp += "<" + cpp + ">";
+    name.registry += "<" + registry + ">";
+    return true;
+}
+
+bool addScope(const clang::DeclContext* scope, TypeName& name);
+
+bool addPart(const clang::NamedDecl& declaration, const std::string& own, TypeName& name) {
+    if (own.empty() || !addScope(declaration.getDeclContext(), name)) return false;
+    name.cpp += "::" + own;
+    name.registry += "/" + own;
+    const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&declaration);
+    return instance == nullptr || addArguments(*instance, name);
+}
+
+bool addScope(const clang::DeclContext* scope, TypeName& name) {
+    scope = scope->getRedeclContext();
+    if (scope->isTranslationUnit()) return true;
+    if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) {
+        return addPart(*space, space->getNameAsString(), name);
+    }
+    if (const auto* outer = llvm::dyn_cast<clang::TagDecl>(scope)) return addPart(*outer, ownName(*outer), name);
+    return false;
+}
+
+bool isWidth(const BuiltinType& type, unsigned bits, bool isSigned, const clang::ASTContext& context) {
+    return context.hasSameType(clang::QualType(&type, 0), context.getIntTypeForBitwidth(bits, isSigned));
+}
+
+}  // namespace
+
+std::optional<TypeName> nameOf(const clang::TagDecl& type) {
+    TypeName name;
+    if (!addPart(type, ownName(type), name)) return std::nullopt;
+    return name;
+}
+
+std::optional<TypeName> nameOf(const BuiltinType& type, const clang::ASTContext& context) {
+    switch (type.getKind()) {
+        case BuiltinType::Bool: return TypeName{"bool", "/bool"};
+        case BuiltinType::Char_S:
+        case BuiltinType::Char_U: return TypeName{"char", "/char"};
+        case BuiltinType::SChar: return TypeName{"signed char", "/int8_t"};
+        case BuiltinType::UChar: return TypeName{"unsigned char", "/uint8_t"};
+        case BuiltinType::Short: return TypeName{"short", "/int16_t"};
+        case BuiltinType::UShort: return TypeName{"unsigned short", "/uint16_t"};
+        case BuiltinType::Int: return TypeName{"int", "/int32_t"};
+        case BuiltinType::UInt: return TypeName{"unsigned int", "/uint32_t"};
+        // Of the two 64-bit types one is std::int64_t; the other keeps RTT's name, for they are different C++ types.
+        case BuiltinType::Long: return TypeName{"long", isWidth(type, 64, true, context) ? "/int64_t" : "/long"};
+        case BuiltinType::ULong:
+            return TypeName{"unsigned long", isWidth(type, 64, false, context) ? "/uint64_t" : "/ulong"};
+        case BuiltinType::LongLong:
+            return TypeName{"long long", isWidth(type, 64, true, context) ? "/int64_t" : "/llong"};
+        case BuiltinType::ULongLong:
+            return TypeName{"unsigned long long", isWidth(type, 64, false, context) ? "/uint64_t" : "/ullong"};
+        case BuiltinType::Float: return TypeName{"float", "/float"};
+        case BuiltinType::Double: return TypeName{"double", "/double"};
+        default: return std::nullopt;
+    }
+}
+
+std::string shownName(const clang::TagDecl& type) {
+    const clang::ASTContext& context = type.getASTContext();
+    return shownName(context.getTypeDeclType(&type).getCanonicalType(), context);
+}
+
+std::string shownName(clang::QualType type, const clang::ASTContext& context) {
+    clang::PrintingPolicy policy(context.getLangOpts());
+    policy.AnonymousTagLocations = false;  // they would hold paths of this machine
+    return type.getAsString(policy);
+}
+
+bool isStandard(const clang::Decl& declaration) {
+    const clang::NamespaceDecl* outermost = nullptr;
+    for (const clang::DeclContext* scope = declaration.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
+        if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
+    }
+    return outermost != nullptr && outermost->getName() == "std";
+}
+
+bool isStandard(const clang::CXXRecordDecl& type, const char* name) {
+    return type.isInStdNamespace() && type.getName() == name;
+}
+
+}  // namespace oroforge::cxx

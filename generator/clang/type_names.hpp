@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Names of types: in C++, in the type registry and in messages.
+#ifndef OROFORGE_GENERATOR_CLANG_TYPE_NAMES_HPP
+#define OROFORGE_GENERATOR_CLANG_TYPE_NAMES_HPP
+
+#include <optional>
+#include <string>
+
+#include "llvm_compat.hpp"
+
+namespace oroforge::cxx {
+
+struct TypeName {
+    std::string cpp;       ///< "::demo::Point"
+    std::string registry;  ///< "/demo/Point"
+};
+
+/// Names of a class or enum; nothing if it cannot be named at all (unnamed type, exotic template arguments).
+std::optional<TypeName> nameOf(const clang::TagDecl& type);
+
+/// Names of a number type; nothing for those that typekits do not hold (long double, __int128, wide characters).
+std::optional<TypeName> nameOf(const clang::BuiltinType& type, const clang::ASTContext& context);
+
+/// For messages: "demo::Point", "unnamed struct" …
+std::string shownName(const clang::TagDecl& type);
+
+/// For messages: the type as the user spelled it.
+std::string shownName(clang::QualType type, const clang::ASTContext& context);
+
+/// Whether it lies anywhere within namespace std.
+bool isStandard(const clang::Decl& declaration);
+
+/// Whether it is std::<name>, inline namespaces left out.
+bool isStandard(const clang::CXXRecordDecl& type, const char* name);
+
+}  // namespace oroforge::cxx
+
+#endif

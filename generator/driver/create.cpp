@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+//
+//     words or manifest ─► model ─► checks ─► scaffold ─► directory ready? ─► write all or nothing
+#include <driver/create.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+
+#include <check/check.hpp>
+#include <diag/nearest_match.hpp>
+#include <driver/package_files.hpp>
+#include <manifest/reader.hpp>
+
+namespace fs = std::filesystem;
+
+namespace oroforge::driver {
+
+namespace {
+
+const diag::Location kHere{"orocreate-pkg", 0, 0};
+
+const std::vector<std::string>& knownKinds() {
+    static const std::vector<std::string> kinds = {"all",     "component", "plugin", "service",
+                                                   "support", "typekit",   "cmake",  "empty"};
+    return kinds;
+}
+
+std::string typekitHeader(const std::string& name) { return "include/" + name + "/" + name + "-types.hpp"; }
+
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The package that the kinds ask for. Kinds that a forced package already has stay in its build.
+model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
+    const std::string& name = options.words.front();
+    const std::vector<std::string> kinds(options.words.begin() + 1, options.words.end());
+    const std::string fault = check::packageNameFault(name);
+    if (!fault.empty()) sink.error(kHere, "OC002", "package name '" + name + "' " + fault);
+    for (const std::string& kind : kinds) {
+        if (std::find(knownKinds().begin(), knownKinds().end(), kind) != knownKinds().end()) continue;
+        sink.error(kHere, "OC003", "unknown kind '" + kind + "', expected " + diag::oneOf(knownKinds()) + diag::didYouMean(kind, knownKinds()));
+    }
+    const auto has = [&](const char* kind, const std::string& file) {
+        const bool all = kinds.empty() || std::find(kinds.begin(), kinds.end(), "all") != kinds.end();
+        return all || std::find(kinds.begin(), kinds.end(), kind) != kinds.end() || fs::exists(fs::path(name) / file);
+    };
+    model::Package package;
+    package.name = {name, {kHere.file, 1, 1}};
+    package.skeletons.component = has("component", "src/" + name + "-component.cpp");
+    package.skeletons.plugin = has("plugin", "src/" + name + "-plugin.cpp");
+    package.skeletons.service = has("service", "src/" + name + "-service.cpp");
+    package.skeletons.support = has("support", "src/" + name + "-support.cpp");
+    if (has("typekit", typekitHeader(name))) package.typekitHeaders.push_back({typekitHeader(name), {kHere.file, 1, 1}});
+    return package;
+}
+
+bool isOnly(const Options& options, const char* kind) { return options.words.size() == 2 && options.words[1] == kind; }
+
+/// Headers that stand beside the manifest are taken along; if there is none, one is made with a struct per type.
+void addTypekitHeaders(const model::Package& package, const fs::path& manifest, Scaffold& files, diag::Sink& sink) {
+    const fs::path directory = manifest.parent_path();
+    const auto stands = [&](const model::Text& header) { return fs::is_regular_file(directory / header.value); };
+    const auto& headers = package.typekitHeaders;
+    if (std::none_of(headers.begin(), headers.end(), stands)) {
+        if (headers.size() > 1) {
+            sink.error(headers[1].where, "OC006", "none of the typekit headers stands beside the manifest; only one can be made");
+        }
+        return;
+    }
+    for (const model::Text& header : headers) {
+        if (!stands(header)) sink.error(header.where, "OC006", "no file '" + header.value + "' beside the manifest");
+        files.user[header.value] = textOf(directory / header.value);
+    }
+}
+
+/// What is to be written into `directory`; existing user files are left out and listed in `kept`.
+emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::vector<std::string>& kept) {
+    emit::Outputs outputs = files.shared;
+    for (const auto& [name, text] : files.user) {
+        if (fs::exists(directory / name)) {
+            kept.push_back(name);
+        } else {
+            outputs[name] = text;
+        }
+    }
+    return outputs;
+}
+
+void writePackage(const Scaffold& files, const std::string& name, const Options& options, std::ostream& out, diag::Sink& sink) {
+    if (fs::exists(name) && !options.force) {
+        sink.error(kHere, "OC004", "'" + name + "' already exists; nothing was written. Use -f to write into it");
+    }
+    if (sink.hadErrors()) return;
+    std::vector<std::string> kept;
+    emit::Written written;
+    if (!emit::write(writable(files, name, kept), name, sink, &written)) return;
+    for (const std::string& file : written.changed) out << "wrote " << name << "/" << file << '\n';
+    for (const std::string& file : kept) out << "kept  " << name << "/" << file << '\n';
+}
+
+void createFromManifest(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
+    const auto package = manifest::readFile(options.from, sink);
+    if (package) check::run(*package, sink);
+    if (sink.hadErrors()) return;
+    const std::string& name = package->name.value;
+    if (!options.words.empty() && options.words.front() != name) {
+        sink.error(package->name.where, "OC005",
+                   "the manifest is of package '" + name + "', the command line asks for '" + options.words.front() + "'");
+        return;
+    }
+    const std::string manifest = name + ".xml";
+    Scaffold files = scaffold(*package, manifest, renderer);
+    addTypekitHeaders(*package, options.from, files, sink);
+    files.shared[manifest] = textOf(options.from);
+    writePackage(files, name, options, out, sink);
+}
+
+void createFromKinds(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
+    const model::Package package = packageOfKinds(options, sink);
+    if (sink.hadErrors()) return;
+    Scaffold files = scaffold(package, "", renderer);
+    if (isOnly(options, "empty")) files = Scaffold{{{"package.xml", files.shared["package.xml"]}}, {}};
+    writePackage(files, package.name.value, options, out, sink);
+}
+
+}  // namespace
+
+void createPackage(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
+    if (options.from.empty()) {
+        createFromKinds(options, renderer, out, sink);
+    } else {
+        createFromManifest(options, renderer, out, sink);
+    }
+}
+
+}  // namespace oroforge::driver

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <driver/create.hpp>
+
+#include <filesystem>
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+#include <check/check.hpp>
+#include <driver/package_files.hpp>
+#include <emit/depfile.hpp>
+#include <manifest/reader.hpp>
+#include <view/view.hpp>
+
+namespace fs = std::filesystem;
+
+namespace oroforge::driver {
+
+namespace {
+
+void dumpViews(const model::Package& package, const std::string& manifest, std::ostream& out) {
+    nlohmann::json all;
+    all["package"] = view::packageView(package, manifest);
+    all["components"] = nlohmann::json::array();
+    for (const auto& component : package.components) {
+        all["components"].push_back(view::componentView(package, component, manifest));
+    }
+    out << all.dump(2) << '\n';
+}
+
+}  // namespace
+
+void generateComponents(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
+    const auto package = manifest::readFile(options.generate, sink);
+    if (package) check::run(*package, sink);
+    if (sink.hadErrors()) return;
+    const std::string manifest = fs::path(options.generate).filename().string();
+    if (options.dump == "model") {
+        out << model::dump(*package);
+    } else if (options.dump == "view") {
+        dumpViews(*package, manifest, out);
+    } else if (options.listOutputs) {
+        emit::listOutputs(out, generatedFileNames(*package), options.output);
+    } else if (emit::write(generatedFiles(*package, manifest, renderer), options.output, sink) && !options.depfile.empty()) {
+        std::vector<std::string> targets;
+        for (const std::string& name : generatedFileNames(*package)) targets.push_back((fs::path(options.output) / name).string());
+        emit::writeDepfile(options.depfile, targets, {fs::absolute(options.generate).string()}, sink);
+    }
+}
+
+}  // namespace oroforge::driver

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// The command line of orocreate-pkg.
+#ifndef OROFORGE_GENERATOR_DRIVER_OPTIONS_HPP
+#define OROFORGE_GENERATOR_DRIVER_OPTIONS_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+namespace oroforge::driver {
+
+struct Options {
+    std::vector<std::string> words;  ///< package name, then kinds
+    std::string from;                ///< manifest of a new package
+    std::string generate;            ///< manifest to generate base classes from
+    std::string output;              ///< where generated files go
+    std::string depfile;
+    std::string templateDir;
+    std::string dump;                ///< "model" or "view": print that step instead of writing files
+    bool listOutputs = false;
+    bool force = false;
+};
+
+/// Nothing if the program is to end with `status`: after --help or --version (0), or a wrong command line (1, reported).
+std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sink& sink, int& status);
+
+}  // namespace oroforge::driver
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Dependency files for make and ninja.
+#ifndef OROFORGE_GENERATOR_EMIT_DEPFILE_HPP
+#define OROFORGE_GENERATOR_EMIT_DEPFILE_HPP
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+namespace oroforge::emit {
+
+/// "out1 out2: in1 \" with the characters special to make escaped.
+std::string depfileText(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
+/// False and an error EMIT001 if it cannot be written.
+bool writeDepfile(const std::filesystem::path& file, const std::vector<std::string>& outputs,
+                  const std::vector<std::string>& inputs, diag::Sink& sink);
+
+}  // namespace oroforge::emit
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Files a generator wants to exist.
+#ifndef OROFORGE_GENERATOR_EMIT_OUTPUTS_HPP
+#define OROFORGE_GENERATOR_EMIT_OUTPUTS_HPP
+
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+namespace oroforge::emit {
+
+/// Path relative to the output directory → text. Sorted, so that output never depends on hash or pointer order.
+using Outputs = std::map<std::string, std::string>;
+
+struct Written {
+    std::vector<std::string> changed;    ///< written, new or different
+    std::vector<std::string> unchanged;  ///< left alone: their time stamps stay, so nothing is rebuilt
+};
+
+/// Writes all files below `directory`, or none: every text is first written beside its place and only then renamed.
+/// False, with an error EMIT001 in the sink, if something could not be written; then all is as before.
+bool write(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
+           Written* written = nullptr);
+
+/// One path per line, `directory` in front.
+void listOutputs(std::ostream& out, const Outputs& outputs, const std::filesystem::path& directory);
+void listOutputs(std::ostream& out, const std::vector<std::string>& outputs, const std::filesystem::path& directory);
+
+}  // namespace oroforge::emit
+
+#endif

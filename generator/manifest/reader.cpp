@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <manifest/reader.hpp>
+
+#include <cstdlib>
+
+#include <manifest/schema.hpp>
+#include <model/literal.hpp>
+#include <xml/document.hpp>
+
+namespace oroforge::manifest {
+
+namespace {
+
+using xml::Element;
+
+model::Text text(const Element& element, const char* name) {
+    const xml::Attribute* found = element.attribute(name);
+    return found == nullptr ? model::Text{} : model::Text{found->value, found->valueWhere};
+}
+
+/// Nothing if it is absent or malformed; the latter is already reported.
+std::optional<model::Number> number(const Element& element, const char* name) {
+    const xml::Attribute* found = element.attribute(name);
+    if (found == nullptr || !model::isNumberText(found->value)) return std::nullopt;
+    return model::Number{found->value, std::strtod(found->value.c_str(), nullptr), found->valueWhere};
+}
+
+bool flag(const Element& element, const char* name, bool fallback) {
+    return element.attributeOr(name, fallback ? "true" : "false") == "true";
+}
+
+std::string docOf(const Element& element) {
+    const Element* child = element.child("doc");
+    return child != nullptr ? child->text : element.attributeOr("doc", "");
+}
+
+std::optional<model::Policy> readPolicy(const Element& port) {
+    const Element* element = port.child("policy");
+    if (element == nullptr) return std::nullopt;
+    model::Policy policy;
+    policy.type = element->attributeOr("type", "data");
+    policy.size = number(*element, "size");
+    // What the structure check has refused must not be judged a second time.
+    const bool knownType = policy.type == "data" || policy.type == "buffer" || policy.type == "circular_buffer";
+    if (!knownType || (element->hasAttribute("size") && !policy.size)) return std::nullopt;
+    policy.lock = element->attributeOr("lock", "");
+    // As RTT::ConnPolicy does: only data connections start with the last value of the output.
+    policy.init = flag(*element, "init", policy.type == "data");
+    policy.pull = flag(*element, "pull", false);
+    policy.where = element->where;
+    return policy;
+}
+
+model::Port readPort(const Element& element) {
+    model::Port port;
+    port.name = text(element, "name");
+    port.direction = element.attributeOr("direction", "in") == "out" ? model::Direction::Out : model::Direction::In;
+    port.type = text(element, "type");
+    port.event = flag(element, "event", false);
+    if (const auto* event = element.attribute("event")) port.eventWhere = event->where;
+    port.policy = readPolicy(element);
+    port.doc = docOf(element);
+    port.where = element.where;
+    return port;
+}
+
+model::Property readProperty(const Element& element) {
+    model::Property property;
+    property.name = text(element, "name");
+    property.type = text(element, "type");
+    property.defaultValue = text(element, "default");
+    property.minimum = number(element, "min");
+    property.maximum = number(element, "max");
+    property.unit = element.attributeOr("unit", "");
+    property.doc = docOf(element);
+    property.where = element.where;
+    return property;
+}
+
+model::Attribute readAttribute(const Element& element) {
+    return {text(element, "name"), text(element, "type"), text(element, "default"), docOf(element), element.where};
+}
+
+model::Operation readOperation(const Element& element) {
+    model::Operation operation;
+    operation.name = text(element, "name");
+    operation.returns = text(element, "returns");
+    operation.thread = element.attributeOr("thread", "client") == "own" ? model::Thread::Own : model::Thread::Client;
+    for (const Element* arg : element.childrenNamed("arg")) {
+        operation.arguments.push_back(
+            {text(*arg, "name"), text(*arg, "type"), arg->attributeOr("unit", ""), docOf(*arg), arg->where});
+    }
+    operation.doc = docOf(element);
+    operation.where = element.where;
+    return operation;
+}
+
+model::ServiceUse readService(const Element& element, model::ServiceRole role) {
+    return {text(element, "service"), role, docOf(element), element.where};
+}
+
+std::optional<model::Activity> readActivity(const Element& element) {
+    if (!element.hasAttribute("activity") && !element.hasAttribute("period") && !element.hasAttribute("priority") &&
+        !element.hasAttribute("scheduler")) {
+        return std::nullopt;
+    }
+    model::Activity activity;
+    const bool hasPeriod = element.hasAttribute("period");
+    const std::string kind = element.attributeOr("activity", hasPeriod ? "periodic" : "nonperiodic");
+    if (kind == "periodic") activity.kind = model::ActivityKind::Periodic;
+    if (kind == "sequential") activity.kind = model::ActivityKind::Sequential;
+    if (kind == "slave") activity.kind = model::ActivityKind::Slave;
+    activity.period = number(element, "period");
+    activity.priority = number(element, "priority");
+    activity.scheduler = text(element, "scheduler");
+    const auto* attribute = element.attribute("activity");
+    activity.where = attribute != nullptr ? attribute->where : element.where;
+    return activity;
+}
+
+/// Without <hooks> the five usual ones; with it exactly those that are asked for.
+model::Hooks readHooks(const Element& component) {
+    const Element* element = component.child("hooks");
+    if (element == nullptr) return {};
+    return {flag(*element, "configure", false), flag(*element, "start", false), flag(*element, "update", false),
+            flag(*element, "stop", false),      flag(*element, "cleanup", false), flag(*element, "error", false),
+            flag(*element, "exception", false)};
+}
+
+model::Component readComponent(const Element& element) {
+    model::Component component;
+    component.className = text(element, "class");
+    if (element.attributeOr("initial", "Stopped") == "PreOperational") {
+        component.initial = model::InitialState::PreOperational;
+    }
+    component.activity = readActivity(element);
+    component.doc = docOf(element);
+    for (const Element& child : element.children) {
+        if (child.name == "port") component.ports.push_back(readPort(child));
+        if (child.name == "property") component.properties.push_back(readProperty(child));
+        if (child.name == "attribute") component.attributes.push_back(readAttribute(child));
+        if (child.name == "operation") component.operations.push_back(readOperation(child));
+        if (child.name == "requires") component.services.push_back(readService(child, model::ServiceRole::Required));
+        if (child.name == "provides") component.services.push_back(readService(child, model::ServiceRole::Provided));
+    }
+    component.hooks = readHooks(element);
+    component.where = element.where;
+    return component;
+}
+
+model::Package readPackage(const Element& root) {
+    model::Package package;
+    package.name = text(root, "name");
+    package.version = text(root, "version");
+    package.license = text(root, "license");
+    if (const Element* description = root.child("description")) package.description = description->text;
+    for (const Element& child : root.children) {
+        if (child.name == "maintainer") package.maintainers.push_back({text(child, "name"), text(child, "email")});
+        if (child.name == "depend") package.dependencies.push_back(text(child, "package"));
+        if (child.name == "typekit") package.typekitHeaders.push_back(text(child, "header"));
+        if (child.name == "component") package.components.push_back(readComponent(child));
+    }
+    package.where = root.where;
+    return package;
+}
+
+std::optional<model::Package> read(const std::optional<xml::Document>& document, diag::Sink& sink) {
+    if (!document) return std::nullopt;
+    const Element& root = document->root();
+    if (root.name != "package") {
+        sink.error(root.where, "OM006", "found the root element <" + root.name + ">, expected <package>");
+        return std::nullopt;
+    }
+    checkStructure(root, sink);
+    return readPackage(root);
+}
+
+}  // namespace
+
+std::optional<model::Package> readFile(const std::string& path, diag::Sink& sink) {
+    return read(xml::Document::parseFile(path, sink), sink);
+}
+
+std::optional<model::Package> readText(const std::string& content, const std::string& name, diag::Sink& sink) {
+    return read(xml::Document::parseText(content, name, sink), sink);
+}
+
+}  // namespace oroforge::manifest

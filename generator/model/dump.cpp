@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <model/package.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace oroforge::model {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json place(const diag::Location& where) { return std::to_string(where.line) + ":" + std::to_string(where.column); }
+
+void put(Json& into, const char* key, const std::string& text) {
+    if (!text.empty()) into[key] = text;
+}
+void put(Json& into, const char* key, const Text& text) { put(into, key, text.value); }
+void put(Json& into, const char* key, const std::optional<Number>& number) {
+    if (number) into[key] = number->value;
+}
+
+Json toJson(const Argument& argument);
+Json toJson(const Attribute& attribute);
+Json toJson(const Component& component);
+Json toJson(const Operation& operation);
+Json toJson(const Person& person);
+Json toJson(const Port& port);
+Json toJson(const Property& property);
+Json toJson(const ServiceUse& service);
+Json toJson(const Text& text);
+
+template <class T>
+Json toJson(const std::vector<T>& items) {
+    Json list = Json::array();
+    for (const T& item : items) list.push_back(toJson(item));
+    return list;
+}
+
+Json started(const Text& name) { return Json{{"name", name.value}, {"at", place(name.where)}}; }
+
+const char* word(ActivityKind kind) {
+    switch (kind) {
+        case ActivityKind::Periodic: return "periodic";
+        case ActivityKind::NonPeriodic: return "nonperiodic";
+        case ActivityKind::Sequential: return "sequential";
+        case ActivityKind::Slave: return "slave";
+    }
+    return "";
+}
+
+Json toJson(const Policy& policy) {
+    Json json{{"type", policy.type}};
+    put(json, "size", policy.size);
+    put(json, "lock", policy.lock);
+    json["init"] = policy.init;
+    json["pull"] = policy.pull;
+    return json;
+}
+
+Json toJson(const Port& port) {
+    Json json = started(port.name);
+    json["direction"] = port.direction == Direction::In ? "in" : "out";
+    put(json, "type", port.type);
+    json["event"] = port.event;
+    if (port.policy) json["policy"] = toJson(*port.policy);
+    put(json, "doc", port.doc);
+    return json;
+}
+
+Json toJson(const Property& property) {
+    Json json = started(property.name);
+    put(json, "type", property.type);
+    if (property.defaultValue.given()) json["default"] = property.defaultValue.value;
+    put(json, "unit", property.unit);
+    put(json, "min", property.minimum);
+    put(json, "max", property.maximum);
+    put(json, "doc", property.doc);
+    return json;
+}
+
+Json toJson(const Attribute& attribute) {
+    Json json = started(attribute.name);
+    put(json, "type", attribute.type);
+    if (attribute.defaultValue.given()) json["default"] = attribute.defaultValue.value;
+    put(json, "doc", attribute.doc);
+    return json;
+}
+
+Json toJson(const Argument& argument) {
+    Json json = started(argument.name);
+    put(json, "type", argument.type);
+    put(json, "unit", argument.unit);
+    put(json, "doc", argument.doc);
+    return json;
+}
+
+Json toJson(const Operation& operation) {
+    Json json = started(operation.name);
+    put(json, "returns", operation.returns);
+    json["thread"] = operation.thread == Thread::Own ? "own" : "client";
+    json["arguments"] = toJson(operation.arguments);
+    put(json, "doc", operation.doc);
+    return json;
+}
+
+Json toJson(const ServiceUse& service) {
+    Json json = started(service.name);
+    json["role"] = service.role == ServiceRole::Required ? "required" : "provided";
+    put(json, "doc", service.doc);
+    return json;
+}
+
+Json toJson(const Activity& activity) {
+    Json json{{"kind", word(activity.kind)}};
+    put(json, "period", activity.period);
+    put(json, "priority", activity.priority);
+    put(json, "scheduler", activity.scheduler);
+    return json;
+}
+
+Json toJson(const Hooks& hooks) {
+    Json json = Json::array();
+    const std::pair<const char*, bool> all[] = {
+        {"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update}, {"stop", hooks.stop},
+        {"cleanup", hooks.cleanup},     {"error", hooks.error}, {"exception", hooks.exception}};
+    for (const auto& [name, wanted] : all) {
+        if (wanted) json.push_back(name);
+    }
+    return json;
+}
+
+Json toJson(const Component& component) {
+    Json json{{"class", component.className.value}, {"at", place(component.className.where)}};
+    json["initial"] = component.initial == InitialState::Stopped ? "Stopped" : "PreOperational";
+    if (component.activity) json["activity"] = toJson(*component.activity);
+    put(json, "doc", component.doc);
+    json["ports"] = toJson(component.ports);
+    json["properties"] = toJson(component.properties);
+    json["attributes"] = toJson(component.attributes);
+    json["operations"] = toJson(component.operations);
+    json["services"] = toJson(component.services);
+    json["hooks"] = toJson(component.hooks);
+    return json;
+}
+
+Json toJson(const Person& person) {
+    Json json = started(person.name);
+    put(json, "email", person.email);
+    return json;
+}
+
+Json toJson(const Text& text) { return started(text); }
+
+}  // namespace
+
+std::string dump(const Package& package) {
+    Json json = started(package.name);
+    put(json, "version", package.version);
+    put(json, "license", package.license);
+    put(json, "description", package.description);
+    json["maintainers"] = toJson(package.maintainers);
+    json["dependencies"] = toJson(package.dependencies);
+    json["typekits"] = toJson(package.typekitHeaders);
+    json["components"] = toJson(package.components);
+    return json.dump(2) + "\n";
+}
+
+}  // namespace oroforge::model

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What a package consists of: plain data with the places it came from. No XML, no text of generated files.
+#ifndef OROFORGE_GENERATOR_MODEL_PACKAGE_HPP
+#define OROFORGE_GENERATOR_MODEL_PACKAGE_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <diag/diagnostic.hpp>
+
+namespace oroforge::model {
+
+/// A text of the user and where it stands. Empty and without line if it was not given.
+struct Text {
+    std::string value;
+    diag::Location where;
+
+    bool given() const { return where.line != 0; }
+};
+
+/// A number of the user: as it was written, and what it is worth.
+struct Number {
+    std::string text;
+    double value = 0;
+    diag::Location where;
+};
+
+enum class Direction { In, Out };
+enum class Thread { Client, Own };
+enum class ActivityKind { Periodic, NonPeriodic, Sequential, Slave };
+enum class InitialState { PreOperational, Stopped };
+enum class ServiceRole { Required, Provided };
+
+/// Connection policy that a port proposes to those who connect it.
+struct Policy {
+    std::string type;  ///< "data", "buffer" or "circular_buffer"
+    std::optional<Number> size;
+    std::string lock;  ///< "lock_free", "locked", "unsync" or empty
+    bool init = false;
+    bool pull = false;
+    diag::Location where;
+};
+
+struct Port {
+    Text name;
+    Direction direction = Direction::In;
+    Text type;
+    bool event = false;
+    diag::Location eventWhere;
+    std::optional<Policy> policy;
+    std::string doc;
+    diag::Location where;
+};
+
+struct Property {
+    Text name;
+    Text type;
+    Text defaultValue;
+    std::optional<Number> minimum;
+    std::optional<Number> maximum;
+    std::string unit;
+    std::string doc;
+    diag::Location where;
+};
+
+struct Attribute {
+    Text name;
+    Text type;
+    Text defaultValue;
+    std::string doc;
+    diag::Location where;
+};
+
+struct Argument {
+    Text name;
+    Text type;
+    std::string unit;
+    std::string doc;
+    diag::Location where;
+};
+
+struct Operation {
+    Text name;
+    Text returns;  ///< "void" if not given
+    Thread thread = Thread::Client;
+    std::vector<Argument> arguments;
+    std::string doc;
+    diag::Location where;
+};
+
+struct ServiceUse {
+    Text name;
+    ServiceRole role = ServiceRole::Required;
+    std::string doc;
+    diag::Location where;
+};
+
+struct Activity {
+    ActivityKind kind = ActivityKind::NonPeriodic;
+    std::optional<Number> period;  ///< seconds
+    std::optional<Number> priority;
+    Text scheduler;  ///< "ORO_SCHED_RT" or "ORO_SCHED_OTHER"
+    diag::Location where;
+};
+
+/// Which hooks the user's class overrides.
+struct Hooks {
+    bool configure = true;
+    bool start = true;
+    bool update = true;
+    bool stop = true;
+    bool cleanup = true;
+    bool error = false;
+    bool exception = false;
+};
+
+struct Component {
+    Text className;  ///< qualified: "tank::Controller"
+    InitialState initial = InitialState::Stopped;
+    std::optional<Activity> activity;  ///< the runtime's default if not given
+    std::string doc;
+    std::vector<Port> ports;
+    std::vector<Property> properties;
+    std::vector<Attribute> attributes;
+    std::vector<Operation> operations;
+    std::vector<ServiceUse> services;
+    Hooks hooks;
+    diag::Location where;
+};
+
+struct Person {
+    Text name;
+    Text email;
+};
+
+/// Parts of a package that are written once from a template and described by no manifest.
+struct Skeletons {
+    bool component = false;
+    bool plugin = false;
+    bool service = false;
+    bool support = false;
+};
+
+struct Package {
+    Text name;
+    Text version;
+    Text license;
+    std::string description;
+    std::vector<Person> maintainers;
+    std::vector<Text> dependencies;    ///< names of packages
+    std::vector<Text> typekitHeaders;  ///< relative to the package: "include/tank/tank-types.hpp"
+    std::vector<Component> components;
+    Skeletons skeletons;
+    diag::Location where;
+};
+
+/// The model as JSON text, for --dump=model and goldens. With the lines and columns of what has a name.
+std::string dump(const Package& package);
+
+}  // namespace oroforge::model
+
+#endif

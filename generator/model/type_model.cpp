@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "type_model.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace oroforge::model {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string place(const diag::Location& where) {
+    return where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+}
+
+void addText(Json& json, const char* key, const std::string& text) {
+    if (!text.empty()) json[key] = text;
+}
+
+const char* word(TypeKind kind) {
+    switch (kind) {
+        case TypeKind::Scalar: return "scalar";
+        case TypeKind::String: return "string";
+        case TypeKind::Enum: return "enum";
+        case TypeKind::Struct: return "struct";
+        case TypeKind::Sequence: return "sequence";
+    }
+    return "";
+}
+
+Json toJson(const TypeUse& use) {
+    Json json = {{"kind", word(use.kind)}, {"cpp", use.cpp}, {"name", use.name}};
+    if (!use.element.empty()) json["element"] = toJson(use.element.front());
+    return json;
+}
+
+Json toJson(const Field& field) {
+    Json json = {{"name", field.name}, {"type", toJson(field.type)}, {"offset", field.offset}};
+    if (field.count != 0) json["count"] = field.count;
+    addText(json, "doc", field.doc);
+    addText(json, "unit", field.unit);
+    addText(json, "base", field.base);
+    json["where"] = place(field.where);
+    return json;
+}
+
+Json toJson(const Struct& type) {
+    Json json = {{"cpp", type.cpp}, {"name", type.name}, {"size", type.size}, {"align", type.align}};
+    addText(json, "doc", type.doc);
+    json["where"] = place(type.where);
+    json["fields"] = Json::array();
+    for (const Field& field : type.fields) json["fields"].push_back(toJson(field));
+    return json;
+}
+
+Json toJson(const Enumerator& value) {
+    Json json = {{"name", value.name}, {"cpp", value.cpp}, {"value", value.value}};
+    addText(json, "doc", value.doc);
+    return json;
+}
+
+Json toJson(const Enum& type) {
+    Json json = {{"cpp", type.cpp}, {"name", type.name}, {"underlying", type.underlying}, {"size", type.size}};
+    addText(json, "doc", type.doc);
+    json["where"] = place(type.where);
+    json["values"] = Json::array();
+    for (const Enumerator& value : type.values) json["values"].push_back(toJson(value));
+    return json;
+}
+
+Json toJson(const Header& header) { return {{"path", header.path}, {"include", header.include}}; }
+
+template <class T>
+Json listOf(const std::vector<T>& all) {
+    Json json = Json::array();
+    for (const T& one : all) json.push_back(toJson(one));
+    return json;
+}
+
+}  // namespace
+
+std::string dump(const TypeModel& model) {
+    const Json json = {{"headers", listOf(model.headers)},
+                       {"structs", listOf(model.structs)},
+                       {"enums", listOf(model.enums)},
+                       {"sequences", listOf(model.sequences)},
+                       {"arrays", listOf(model.arrays)}};
+    // Comments may hold bytes that are not UTF-8; they must not stop a dump.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace oroforge::model

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What typegen knows about the types of a package: plain data, no clang types, no generated text.
+#ifndef OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
+#define OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <diag/diagnostic.hpp>
+
+namespace oroforge::model {
+
+enum class TypeKind { Scalar, String, Enum, Struct, Sequence };
+
+/// The type of a field, of a sequence's elements or of an array's elements.
+struct TypeUse {
+    TypeKind kind = TypeKind::Scalar;
+    std::string cpp;               ///< valid anywhere in C++: "double", "::demo::Point", "std::vector<::demo::Point>"
+    std::string name;              ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
+    std::vector<TypeUse> element;  ///< exactly one for a Sequence, else empty
+};
+
+struct Field {
+    std::string name;
+    TypeUse type;                 ///< of one element, if the field is an array
+    std::uint64_t count = 0;      ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
+    std::uint64_t offset = 0;     ///< bytes from the start of the outermost struct
+    std::string doc;              ///< comment above or behind the field, without its marks
+    std::string unit;             ///< from "@unit m/s" in the comment
+    std::string base;             ///< C++ name of the base class it comes from; empty = own field
+    diag::Location where;
+};
+
+struct Struct {
+    std::string cpp;
+    std::string name;
+    std::uint64_t size = 0;
+    std::uint64_t align = 0;
+    std::string doc;
+    std::vector<Field> fields;  ///< fields of base classes first
+    diag::Location where;
+};
+
+struct Enumerator {
+    std::string name;
+    std::string cpp;    ///< "::demo::Mode::Idle"
+    std::string value;  ///< decimal, exact for every underlying type
+    std::string doc;
+    diag::Location where;
+};
+
+struct Enum {
+    std::string cpp;
+    std::string name;
+    std::string underlying;
+    std::uint64_t size = 0;
+    std::string doc;
+    std::vector<Enumerator> values;
+    diag::Location where;
+};
+
+/// A header to describe: its name as the user gave it and as generated code includes it.
+struct Header {
+    std::string path;
+    std::string include;
+};
+
+struct TypeModel {
+    std::vector<Header> headers;
+    std::vector<Struct> structs;
+    std::vector<Enum> enums;
+    std::vector<TypeUse> sequences;  ///< each std::vector that a field reaches, inner ones included
+    std::vector<TypeUse> arrays;     ///< the element type of each array
+    std::vector<std::string> files;  ///< every file that was read, for dependency files
+};
+
+/// The model as JSON text (`--dump=model`); `files` is left out, for it depends on the machine.
+std::string dump(const TypeModel& model);
+
+}  // namespace oroforge::model
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <render/renderer.hpp>
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
+
+namespace oroforge::render {
+
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+/// The engine asks for keys of {{x}} and {{#x}} in the same words; the mark tells them apart, so that only
+/// the first kind may be refused. No view key begins with it.
+constexpr char kVariableMark = '$';
+
+/// Stands in a line that holds nothing but a section, partial or comment tag; such lines leave no trace in the output.
+/// (The engine forgets them only where the section is entered.)
+constexpr char kTagLine = '\x01';
+
+bool isPresent(const nlohmann::json& value) {
+    if (value.is_string()) return !value.get_ref<const std::string&>().empty();
+    return !(value.is_null() || (value.is_boolean() && !value.get<bool>()));
+}
+
+mustache::data toData(const nlohmann::json& value) {
+    if (value.is_object()) {
+        mustache::data object(mustache::data::type::object);
+        for (const auto& [key, item] : value.items()) object.set(key, toData(item));
+        return object;
+    }
+    if (value.is_array()) {
+        mustache::data list(mustache::data::type::list);
+        for (const auto& item : value) list.push_back(toData(item));
+        return list;
+    }
+    if (!isPresent(value)) return mustache::data(false);
+    if (value.is_string()) return mustache::data(value.get<std::string>());
+    if (value.is_boolean()) return mustache::data(true);
+    return mustache::data(value.dump());
+}
+
+std::string trimmed(const std::string& text) {
+    const auto begin = text.find_first_not_of(" \t\n");
+    return begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(" \t\n") - begin + 1);
+}
+
+/// {{x}} and {{{x}}} become {{&$x}}: never escaped, and recognisable as variables.
+std::string markVariables(const std::string& text) {
+    std::string result;
+    std::size_t at = 0;
+    for (std::size_t open; (open = text.find("{{", at)) != std::string::npos;) {
+        result.append(text, at, open - at);
+        const bool triple = text.compare(open, 3, "{{{") == 0;
+        const std::string end = triple ? "}}}" : "}}";
+        const std::size_t begin = open + end.size();
+        const std::size_t close = text.find(end, begin);
+        if (close == std::string::npos) return result + text.substr(open);
+        const std::string content = trimmed(text.substr(begin, close - begin));
+        const bool special = !triple && !content.empty() && std::string("#^/!>=&").find(content[0]) != std::string::npos;
+        result += "{{" + (special ? content : std::string("&") + kVariableMark + content) + "}}";
+        at = close + end.size();
+    }
+    return result + text.substr(at);
+}
+
+bool isTagLine(const std::string& line) {
+    const std::string tag = trimmed(line);
+    return tag.size() > 4 && tag.compare(0, 2, "{{") == 0 && std::string("#^/!>").find(tag[2]) != std::string::npos &&
+           tag.find("}}") == tag.size() - 2;
+}
+
+std::string markTagLines(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        result += isTagLine(line) ? trimmed(line) + kTagLine : line;
+        if (end < text.size()) result += '\n';
+        at = end + 1;
+    }
+    return result;
+}
+
+std::string prepared(const std::string& text) { return markTagLines(markVariables(text)); }
+
+std::string withoutTagLines(const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != kTagLine) {
+            result += text[i];
+        } else if (i + 1 < text.size() && text[i + 1] == '\n') {
+            ++i;
+        }
+    }
+    return result;
+}
+
+class Context : public mustache::context<std::string> {
+public:
+    Context(const mustache::data* root, const Templates& templates, std::string name)
+        : mustache::context<std::string>(root), templates_(templates), name_(std::move(name)) {}
+
+    const mustache::data* get(const std::string& key) const override {
+        const bool variable = !key.empty() && key.front() == kVariableMark;
+        const std::string plain = variable ? key.substr(1) : key;
+        const mustache::data* found = mustache::context<std::string>::get(plain);
+        if (!variable) return found == nullptr || isEmptyString(*found) ? nullptr : found;
+        if (found == nullptr) throw RenderError(name_ + ": no key '" + plain + "' in the view");
+        if (found->is_false()) return &empty_;
+        if (!found->is_string()) throw RenderError(name_ + ": key '" + plain + "' is not a string or number");
+        return found;
+    }
+
+    const mustache::data* get_partial(const std::string& partial) const override {
+        const std::string* text = templates_.find(partial);
+        if (text == nullptr) throw RenderError(name_ + ": no partial '" + partial + "'");
+        partials_.emplace_back(prepared(*text));
+        return &partials_.back();
+    }
+
+private:
+    static bool isEmptyString(const mustache::data& value) { return value.is_string() && value.string_value().empty(); }
+
+    const Templates& templates_;
+    std::string name_;
+    mustache::data empty_{std::string()};
+    mutable std::deque<mustache::data> partials_;  // the engine keeps pointers while it renders
+};
+
+}  // namespace
+
+Renderer::Renderer(Templates templates) : templates_(std::move(templates)) {}
+
+std::string Renderer::render(const std::string& templateName, const nlohmann::json& view) const {
+    const std::string* text = templates_.find(templateName);
+    if (text == nullptr) throw RenderError("no template '" + templateName + "'");
+    mustache::mustache engine(prepared(*text));
+    if (!engine.is_valid()) throw RenderError(templateName + ": " + engine.error_message());
+    const mustache::data data = toData(view);
+    Context context(&data, templates_, templateName);
+    std::string result = engine.render(context);
+    if (!engine.is_valid()) throw RenderError(templateName + ": " + engine.error_message());
+    return withoutTagLines(result);
+}
+
+}  // namespace oroforge::render

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// The set of templates a generator fills in.
+#ifndef OROFORGE_GENERATOR_RENDER_TEMPLATES_HPP
+#define OROFORGE_GENERATOR_RENDER_TEMPLATES_HPP
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+#include <render/embedded.hpp>
+
+namespace oroforge::render {
+
+/// Name → text. A comment tag at the very beginning ("what this makes, which keys it reads") is not output.
+class Templates {
+public:
+    Templates() = default;
+    explicit Templates(const EmbeddedFiles& files);
+
+    void add(const std::string& name, const std::string& text);
+    void add(const EmbeddedFiles& files);
+
+    /// Every *.mustache below `directory` replaces or joins the embedded ones; false and an error if unreadable.
+    bool overrideFrom(const std::string& directory, diag::Sink& sink);
+
+    /// Null if there is none of that name.
+    const std::string* find(const std::string& name) const;
+    std::vector<std::string> names() const;
+
+private:
+    std::map<std::string, std::string> texts_;
+};
+
+}  // namespace oroforge::render
+
+#endif

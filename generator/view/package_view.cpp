@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <view/view.hpp>
+
+#include <cctype>
+#include <map>
+#include <regex>
+#include <set>
+
+#include <model/cpp_type.hpp>
+#include <view/cpp_text.hpp>
+#include <xml/escape.hpp>
+
+namespace oroforge::view {
+
+namespace {
+
+using nlohmann::json;
+
+std::string orElse(const model::Text& text, const char* fallback) { return text.given() ? text.value : fallback; }
+
+/// "Controller" → "controller": the usual name of an instance.
+std::string instanceName(const std::string& className) {
+    std::string result = className;
+    if (!result.empty()) result[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(result[0])));
+    return result;
+}
+
+json maintainersOf(const model::Package& package) {
+    json list = json::array();
+    for (const model::Person& person : package.maintainers) {
+        list.push_back({{"name", xml::escapeText(person.name.value)}, {"email", xml::escapeAttribute(person.email.value)}});
+    }
+    // The format of package.xml demands one.
+    if (list.empty()) list.push_back({{"name", "Unknown"}, {"email", "unknown@example.org"}});
+    return list;
+}
+
+/// CPF's word for a type; empty for those that are not simple values.
+std::string cpfType(const std::string& type) {
+    switch (model::classify(type)) {
+        case model::TypeClass::Boolean: return "boolean";
+        case model::TypeClass::Signed: return model::integerBits(type) == 32 ? "long" : "";
+        case model::TypeClass::Unsigned: return model::integerBits(type) == 32 ? "ulong" : "";
+        case model::TypeClass::Float: return "float";
+        case model::TypeClass::Double: return "double";
+        case model::TypeClass::Character: return "char";
+        case model::TypeClass::String: return "string";
+        case model::TypeClass::Other: break;
+    }
+    return {};
+}
+
+json deployedProperties(const model::Component& component) {
+    json list = json::array();
+    for (const model::Property& property : component.properties) {
+        const std::string type = cpfType(property.type.value);
+        if (!property.defaultValue.given() || type.empty()) continue;
+        std::string value = property.defaultValue.value;
+        if (type == "boolean") value = value == "true" ? "1" : "0";
+        list.push_back({{"name", property.name.value}, {"type", type}, {"value", xml::escapeText(value)}});
+    }
+    return list;
+}
+
+struct Connection {
+    std::string type;
+    const model::Port* input = nullptr;
+    bool hasOutput = false;
+    bool isConnectable() const { return input != nullptr && hasOutput; }
+};
+
+/// Ports of one name and type, at least one output and one input, make a connection of that name.
+std::map<std::string, Connection> connectionsOf(const model::Package& package) {
+    std::map<std::string, Connection> connections;
+    for (const auto& component : package.components) {
+        for (const auto& port : component.ports) {
+            const std::string type = model::normalised(port.type.value);
+            Connection& connection = connections.emplace(port.name.value, Connection{type, nullptr, false}).first->second;
+            if (connection.type != type) continue;
+            if (port.direction == model::Direction::Out) connection.hasOutput = true;
+            else if (connection.input == nullptr || port.policy) connection.input = &port;
+        }
+    }
+    return connections;
+}
+
+int policyNumber(const std::string& type) { return type == "buffer" ? 1 : type == "circular_buffer" ? 2 : 0; }
+
+json connectionViews(const std::map<std::string, Connection>& connections) {
+    json list = json::array();
+    for (const auto& [name, connection] : connections) {
+        if (!connection.isConnectable()) continue;
+        const auto& policy = connection.input->policy;
+        json size = policy && policy->size ? json(policy->size->text) : json(nullptr);
+        list.push_back({{"name", name}, {"policyType", policy ? policyNumber(policy->type) : 0}, {"size", size}});
+    }
+    return list;
+}
+
+json deployedPorts(const model::Component& component, const std::map<std::string, Connection>& connections) {
+    json list = json::array();
+    for (const model::Port& port : component.ports) {
+        const Connection& connection = connections.at(port.name.value);
+        if (connection.isConnectable() && connection.type == model::normalised(port.type.value)) {
+            list.push_back({{"name", port.name.value}});
+        }
+    }
+    return list;
+}
+
+json componentEntries(const model::Package& package) {
+    const auto connections = connectionsOf(package);
+    json list = json::array();
+    for (const model::Component& component : package.components) {
+        const std::string name = lastName(component.className.value);
+        json entry{{"class", name}, {"qualified", component.className.value}, {"instance", instanceName(name)}};
+        entry["summary"] = component.doc.empty() ? json(nullptr) : json(oneLine(component.doc));
+        entry["properties"] = deployedProperties(component);
+        entry["hasProperties"] = !entry["properties"].empty();
+        entry["ports"] = deployedPorts(component, connections);
+        entry["hasPorts"] = !entry["ports"].empty();
+        list.push_back(entry);
+    }
+    return list;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+std::vector<std::string> typekitHeaders(const model::Package& package) {
+    std::vector<std::string> headers;
+    for (const auto& header : package.typekitHeaders) headers.push_back(header.value);
+    return headers;
+}
+
+/// Everything other packages may include.
+std::vector<std::string> installedHeaders(const model::Package& package) {
+    std::vector<std::string> headers = typekitHeaders(package);
+    for (const auto& component : package.components) headers.push_back("src/" + lastName(component.className.value) + ".hpp");
+    const std::string& name = package.name.value;
+    if (package.skeletons.component) headers.push_back("src/" + name + "-component.hpp");
+    if (package.skeletons.support) headers.push_back("include/" + name + "/" + name + "-support.hpp");
+    return headers;
+}
+
+std::vector<std::string> testFiles(const model::Package& package) {
+    std::vector<std::string> files;
+    for (const auto& component : package.components) files.push_back(lastName(component.className.value) + "_test.cpp");
+    if (package.skeletons.component) files.push_back(package.name.value + "-component_test.cpp");
+    return files;
+}
+
+std::set<std::string> ownNamespaces(const model::Package& package) {
+    std::set<std::string> spaces{identifier(package.name.value)};
+    for (const auto& component : package.components) {
+        const std::string space = namespaceOf(component.className.value);
+        if (!space.empty()) spaces.insert(space);
+    }
+    return spaces;
+}
+
+std::set<std::string> qualifiedNamesIn(const model::Component& component) {
+    std::string text;
+    for (const auto& port : component.ports) text += port.type.value + ";";
+    for (const auto& property : component.properties) text += property.type.value + ";";
+    for (const auto& attribute : component.attributes) text += attribute.type.value + ";";
+    for (const auto& operation : component.operations) {
+        text += operation.returns.value + ";";
+        for (const auto& argument : operation.arguments) text += argument.type.value + ";";
+    }
+    static const std::regex qualified("[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)+");
+    std::set<std::string> names;
+    for (std::sregex_iterator it(text.begin(), text.end(), qualified), end; it != end; ++it) names.insert(it->str());
+    return names;
+}
+
+}  // namespace
+
+json packageView(const model::Package& package, const std::string& manifest) {
+    const std::string name = package.name.value;
+    json view;
+    view["name"] = name;
+    view["identifier"] = identifier(name);
+    view["class"] = className(name);
+    view["guard"] = guardName(name);
+    view["version"] = orElse(package.version, "1.0.0");
+    view["license"] = xml::escapeText(orElse(package.license, "Apache-2.0"));
+    view["description"] = xml::escapeText(package.description.empty() ? "The package " + name : package.description);
+    view["summary"] = package.description.empty() ? json(nullptr) : json(package.description);
+    view["maintainers"] = maintainersOf(package);
+    view["dependencies"] = json::array();
+    for (const auto& dependency : package.dependencies) view["dependencies"].push_back({{"name", dependency.value}});
+    view["typekitHeaderList"] = joined(typekitHeaders(package));
+    view["installedHeaderList"] = joined(installedHeaders(package));
+    view["tests"] = testFiles(package);
+    view["hasTypekit"] = !package.typekitHeaders.empty();
+    view["components"] = componentEntries(package);
+    view["hasComponents"] = !package.components.empty();
+    view["manifest"] = package.components.empty() ? json(nullptr) : json(manifest);
+    view["connections"] = connectionViews(connectionsOf(package));
+    view["component"] = package.skeletons.component;
+    view["plugin"] = package.skeletons.plugin;
+    view["service"] = package.skeletons.service;
+    view["support"] = package.skeletons.support;
+    view["deployable"] = package.skeletons.component || !package.components.empty();
+    return view;
+}
+
+json typekitView(const model::Package& package, const std::string& header) {
+    const auto spaces = ownNamespaces(package);
+    std::map<std::string, std::set<std::string>> structs;
+    for (const auto& component : package.components) {
+        for (const std::string& name : qualifiedNamesIn(component)) {
+            if (spaces.count(namespaceOf(name)) != 0) structs[namespaceOf(name)].insert(lastName(name));
+        }
+    }
+    json view;
+    view["package"] = package.name.value;
+    view["guard"] = guardName(includeName(header));
+    view["class"] = className(package.name.value);
+    view["namespaces"] = json::array();
+    for (const auto& [space, names] : structs) {
+        view["namespaces"].push_back({{"name", space}, {"structs", names}});
+    }
+    view["example"] = structs.empty();
+    return view;
+}
+
+}  // namespace oroforge::view

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <collect/close_model.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace oroforge::typekit {
+
+namespace {
+
+using ByName = std::map<std::string, model::TypeUse>;
+
+void addSequences(const model::TypeUse& use, ByName& sequences) {
+    if (use.kind != model::TypeKind::Sequence) return;
+    sequences.emplace(use.name, use);
+    addSequences(use.element.front(), sequences);
+}
+
+std::vector<model::TypeUse> valuesOf(const ByName& all) {
+    std::vector<model::TypeUse> result;
+    for (const auto& [name, use] : all) result.push_back(use);
+    return result;
+}
+
+template <class T>
+void sortByName(std::vector<T>& all) {
+    std::sort(all.begin(), all.end(), [](const T& a, const T& b) { return a.name < b.name; });
+}
+
+/// Ports and property files know types by these names, so a shared one would let wrong types meet.
+class NameCheck {
+public:
+    explicit NameCheck(diag::Sink& sink) : sink_(sink) {}
+    void add(const std::string& name, const std::string& cpp, const diag::Location& where) {
+        const auto [first, isNew] = seen_.emplace(name, std::make_pair(cpp, where));
+        if (isNew || first->second.first == cpp) return;
+        sink_.error(where, "TK060", "type name '" + name + "' of '" + cpp + "' is already used")
+            .note(first->second.second, "first used here for '" + first->second.first + "'");
+    }
+
+private:
+    diag::Sink& sink_;
+    std::map<std::string, std::pair<std::string, diag::Location>> seen_;
+};
+
+}  // namespace
+
+void closeModel(model::TypeModel& model, diag::Sink& sink) {
+    ByName sequences, arrays;
+    for (const model::Struct& type : model.structs) {
+        for (const model::Field& field : type.fields) {
+            addSequences(field.type, sequences);
+            if (field.count != 0) arrays.emplace(field.type.name, field.type);
+        }
+    }
+    model.sequences = valuesOf(sequences);
+    model.arrays = valuesOf(arrays);
+    sortByName(model.structs);
+    sortByName(model.enums);
+    std::sort(model.files.begin(), model.files.end());
+
+    NameCheck names(sink);
+    for (const model::Struct& type : model.structs) names.add(type.name, type.cpp, type.where);
+    for (const model::Enum& type : model.enums) names.add(type.name, type.cpp, type.where);
+    if (model.structs.empty() && model.enums.empty()) {
+        const std::string file = model.headers.empty() ? "typegen" : model.headers.front().path;
+        sink.warning({file}, "TK061", "no struct, class or enum is defined in the listed headers: an empty typekit");
+    }
+}
+
+}  // namespace oroforge::typekit

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "options.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
+#include <diag/nearest_match.hpp>
+
+namespace oroforge::typekit {
+
+namespace {
+
+const std::vector<std::string> kTransports = {"corba", "mqueue", "ros", "typelib"};
+const std::vector<std::string> kLongOptions = {"--output", "--import", "--transports", "--notransports", "--verbose",
+                                               "--debug", "--help", "--version", "--list-outputs", "--depfile",
+                                               "--dump", "--template-dir"};
+
+bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
+
+std::vector<std::string> splitList(const std::string& text) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, ',');) {
+        if (!part.empty()) parts.push_back(part);
+    }
+    return parts;
+}
+
+class Parser {
+public:
+    Parser(const std::vector<std::string>& words, diag::Sink& sink) : words_(words), sink_(sink) {}
+
+    Options parse() {
+        if (const char* target = std::getenv("OROCOS_TARGET"); target != nullptr && *target != '\0') {
+            options_.target = target;
+        }
+        while (at_ < words_.size()) take(words_[at_++]);
+        if (!options_.help && !options_.version) finish();
+        return options_;
+    }
+
+private:
+    void error(const std::string& message) { sink_.error({"typegen"}, "TK003", message); }
+
+    void take(const std::string& word) {
+        if (onlyPositional_ || word.size() < 2 || word[0] != '-') return positional(word);
+        if (word == "--") {
+            onlyPositional_ = true;
+        } else if (!takeFlag(word) && !takeCompilerFlag(word) && !takeValued(word)) {
+            error("invalid option '" + word + "'" + diag::didYouMean(word.substr(0, word.find('=')), kLongOptions));
+        }
+    }
+
+    void positional(const std::string& word) {
+        if (options_.name.empty()) {
+            options_.name = word;
+        } else {
+            options_.inputs.push_back(word);
+        }
+    }
+
+    bool takeFlag(const std::string& word) {
+        if (word == "-h" || word == "--help") return options_.help = true;
+        if (word == "--version") return options_.version = true;
+        if (word == "-v" || word == "--verbose" || word == "-d" || word == "--debug") return options_.verbose = true;
+        if (word == "--list-outputs") return options_.listOutputs = true;
+        return false;
+    }
+
+    /// Options that change what a header means go to the compiler; any other would be ours by accident.
+    bool takeCompilerFlag(const std::string& word) {
+        if (beginsWith(word, "-std=")) {
+            options_.flags.push_back(word);
+            return true;
+        }
+        for (const std::string option : {"-isystem", "-include", "-I", "-D", "-U"}) {
+            if (!beginsWith(word, option)) continue;
+            options_.flags.push_back(option);
+            options_.flags.push_back(word.size() > option.size() ? word.substr(option.size()) : next(option));
+            return true;
+        }
+        return false;
+    }
+
+    bool takeValued(const std::string& word) {
+        std::string value;
+        if (is(word, "-o", "--output", value)) {
+            options_.output = value;
+            if (value.empty()) error("empty output folder in '" + word + "', expected -o DIR");
+        } else if (is(word, "-i", "--import", value)) {
+            options_.imports.push_back(value);
+        } else if (is(word, "-t", "--transports", value)) {
+            requireTransports(value);
+        } else if (is(word, "-n", "--notransports", value)) {
+            for (const std::string& name : splitList(value)) checkTransport(name);
+        } else if (is(word, "", "--depfile", value)) {
+            options_.depfile = value;
+        } else if (is(word, "", "--template-dir", value)) {
+            options_.templateDir = value;
+        } else if (is(word, "", "--dump", value)) {
+            setDump(value);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    /// "-oDIR", "-o DIR", "--output=DIR" or "--output DIR".
+    bool is(const std::string& word, const std::string& brief, const std::string& full, std::string& value) {
+        if (word == full || (!brief.empty() && word == brief)) {
+            value = next(word);
+        } else if (beginsWith(word, full + "=")) {
+            value = word.substr(full.size() + 1);
+        } else if (!brief.empty() && beginsWith(word, brief)) {
+            value = word.substr(brief.size());
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    std::string next(const std::string& option) {
+        if (at_ < words_.size()) return words_[at_++];
+        error("option '" + option + "' needs a value");
+        return "?";
+    }
+
+    bool checkTransport(const std::string& name) {
+        const bool known = std::find(kTransports.begin(), kTransports.end(), name) != kTransports.end();
+        if (!known) error("unknown transport '" + name + "', expected " + diag::oneOf(kTransports));
+        return known;
+    }
+
+    void requireTransports(const std::string& list) {
+        for (const std::string& name : splitList(list)) {
+            if (checkTransport(name)) error("transport '" + name + "' is not part of this toolchain's installation");
+        }
+    }
+
+    void setDump(const std::string& value) {
+        if (value == "model") {
+            options_.dump = Dump::Model;
+        } else if (value == "view") {
+            options_.dump = Dump::View;
+        } else {
+            error("unknown value '" + value + "' of --dump, expected 'model' or 'view'");
+        }
+    }
+
+    void finish() {
+        if (options_.name.empty() || options_.inputs.empty()) {
+            error("expected the name of the typekit and at least one header; see typegen --help");
+            return;
+        }
+        const auto bad = std::find_if(options_.name.begin(), options_.name.end(), [](unsigned char c) {
+            return std::isalnum(c) == 0 && c != '_' && c != '-' && c != '.';
+        });
+        if (bad != options_.name.end() || options_.name.find_first_not_of('.') == std::string::npos) {
+            error("illegal typekit name '" + options_.name + "', expected letters, digits, '_', '-' and '.'");
+        }
+        if (options_.output.empty()) options_.output = "./" + options_.name;
+    }
+
+    const std::vector<std::string>& words_;
+    diag::Sink& sink_;
+    Options options_;
+    std::size_t at_ = 0;
+    bool onlyPositional_ = false;
+};
+
+}  // namespace
+
+std::optional<Options> parseOptions(const std::vector<std::string>& words, diag::Sink& sink) {
+    const std::size_t before = sink.errorCount();
+    const Options options = Parser(words, sink).parse();
+    if (sink.errorCount() != before) return std::nullopt;
+    return options;
+}
+
+}  // namespace oroforge::typekit

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Command line of typegen: the original's options, and those of a compiler that change what a header means.
+#ifndef OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
+#define OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+namespace oroforge::typekit {
+
+enum class Dump { None, Model, View };
+
+struct Options {
+    std::string name;                  ///< of the typekit
+    std::vector<std::string> inputs;   ///< headers and folders
+    std::string output;                ///< folder, default "./NAME"
+    std::vector<std::string> imports;  ///< packages whose include folders are needed
+    std::vector<std::string> flags;    ///< for the compiler
+    std::string target = "gnulinux";
+    std::string depfile;
+    std::string templateDir;
+    Dump dump = Dump::None;
+    bool listOutputs = false;
+    bool verbose = false;
+    bool help = false;
+    bool version = false;
+};
+
+/// Nothing, and errors TK003 in the sink, if the words make no sense.
+std::optional<Options> parseOptions(const std::vector<std::string>& words, diag::Sink& sink);
+
+std::string usage();
+
+}  // namespace oroforge::typekit
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "typegen.hpp"
+
+#include <filesystem>
+#include <ostream>
+#include <set>
+
+#include <clang/type_reader.hpp>
+#include <collect/close_model.hpp>
+#include <collect/header_inputs.hpp>
+#include <collect/import_package.hpp>
+#include <diag/print.hpp>
+#include <emit/depfile.hpp>
+#include <emit/outputs.hpp>
+#include <plan/output_names.hpp>
+#include <plan/render_typekit.hpp>
+#include <plan/typekit_view.hpp>
+
+namespace fs = std::filesystem;
+
+namespace oroforge::render {
+EmbeddedFiles typekitTemplates();
+}
+
+namespace oroforge::typekit {
+
+namespace {
+
+std::optional<model::TypeModel> readModel(const Options& options, diag::Sink& sink) {
+    cxx::ParseRequest request;
+    request.flags = options.flags;
+    request.target = options.target;
+    for (const std::string& package : options.imports) {
+        const auto flags = importFlags(package, options.target, sink);
+        request.flags.insert(request.flags.end(), flags.begin(), flags.end());
+    }
+    request.headers = findHeaders(options.inputs, request.flags, options.name, sink);
+    if (sink.hadErrors()) return std::nullopt;
+    auto model = cxx::readTypes(request, sink);
+    if (model) closeModel(*model, sink);
+    if (sink.hadErrors()) return std::nullopt;
+    return model;
+}
+
+std::string realPath(const std::string& path) {
+    std::error_code error;
+    // The compiler spells system headers with "..", which only the file system can take out.
+    const fs::path real = fs::weakly_canonical(path, error);
+    return (error ? fs::absolute(path) : real).string();
+}
+
+/// Absolute names: ninja and make read relative ones from other folders than we do.
+bool writeDependencies(const Options& options, const model::TypeModel& model, diag::Sink& sink) {
+    if (options.depfile.empty()) return true;
+    const fs::path folder = fs::absolute(options.output).lexically_normal();
+    std::vector<std::string> outputs;
+    for (const std::string& name : outputNames(options.name)) outputs.push_back((folder / name).string());
+    std::set<std::string> inputs;
+    for (const std::string& file : model.files) inputs.insert(realPath(file));
+    return emit::writeDepfile(options.depfile, outputs, {inputs.begin(), inputs.end()}, sink);
+}
+
+void tell(const model::TypeModel& model, const emit::Written& written, std::ostream& out) {
+    for (const model::Struct& type : model.structs) out << "struct " << type.name << "\n";
+    for (const model::Enum& type : model.enums) out << "enum " << type.name << "\n";
+    for (const std::string& file : written.changed) out << "wrote " << file << "\n";
+    for (const std::string& file : written.unchanged) out << "unchanged " << file << "\n";
+}
+
+int generate(const Options& options, const model::TypeModel& model, diag::Sink& sink, std::ostream& out) {
+    const nlohmann::json view = makeView(model, options.name);
+    if (options.dump == Dump::View) {
+        out << view.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+        return 0;
+    }
+    render::Templates templates(render::typekitTemplates());
+    if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return 1;
+    emit::Outputs outputs;
+    try {
+        outputs = renderTypekit(view, render::Renderer(templates));
+    } catch (const render::RenderError& error) {
+        sink.error({"typegen"}, "TK007", std::string("a template does not fit: ") + error.what());
+        return 1;
+    }
+    emit::Written written;
+    if (!emit::write(outputs, options.output, sink, &written)) return 1;
+    if (!writeDependencies(options, model, sink)) return 1;
+    if (options.verbose) tell(model, written, out);
+    return 0;
+}
+
+}  // namespace
+
+int run(const Options& options, diag::Sink& sink, std::ostream& out) {
+    if (options.listOutputs) {
+        emit::listOutputs(out, outputNames(options.name), options.output);
+        return 0;
+    }
+    const auto model = readModel(options, sink);
+    if (!model) return 1;
+    if (options.dump == Dump::Model) {
+        out << dump(*model);
+        return 0;
+    }
+    return generate(options, *model, sink, out);
+}
+
+int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+    diag::Sink sink;
+    const auto options = parseOptions(words, sink);
+    int status = 1;
+    if (options && options->help) {
+        out << usage();
+        return 0;
+    }
+    if (options && options->version) {
+        out << "typegen " << OROFORGE_VERSION << "\n";
+        return 0;
+    }
+    if (options) status = run(*options, sink, out);
+    diag::print(err, sink);
+    return status;
+}
+
+}  // namespace oroforge::typekit

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// typegen as a function: options ─► headers ─► model ─► view ─► texts ─► files.
+#ifndef OROFORGE_TYPEKIT_GEN_DRIVER_TYPEGEN_HPP
+#define OROFORGE_TYPEKIT_GEN_DRIVER_TYPEGEN_HPP
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+
+#include "options.hpp"
+
+namespace oroforge::typekit {
+
+/// Exit status: 0, or 1 after errors. Either all files are written or none.
+/// `out` gets what was asked for by an option, and nothing else.
+int run(const Options& options, diag::Sink& sink, std::ostream& out);
+
+/// The whole program: parses the words, runs, and prints diagnostics to `err`.
+int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err);
+
+}  // namespace oroforge::typekit
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "options.hpp"
+
+namespace oroforge::typekit {
+
+std::string usage() {
+    return
+        R"(usage: typegen [options] NAME HEADER...
+
+Makes the source of a typekit plugin called NAME for the structs, classes and enums that are defined in the headers
+(files, or folders to search), and for the types they use.
+
+  -o, --output=DIR          where to generate; default ./NAME
+  -i, --import=PACKAGE      add the include folders of PACKAGE, as pkg-config knows them; may be repeated
+  -t, --transports=A,B      transports to generate for
+  -n, --notransports=A,B    transports not to generate for
+  -v, --verbose             say what is described and written
+  -I DIR  -isystem DIR  -D MACRO[=VALUE]  -U MACRO  -include FILE  -std=STANDARD
+                            as for a compiler; the default standard is c++17
+      --list-outputs        print the names of the files that would be written, and do nothing else
+      --depfile=FILE        write the names of all files that were read, for make or ninja
+      --dump=model|view     print the model, or what the templates are filled with, as JSON and write nothing
+      --template-dir=DIR    templates that replace the built-in ones
+      --version, -h, --help
+
+While the headers are read the macros __orogen, __orogen2 and OROCOS_TARGET are defined.
+Environment: OROCOS_TARGET, PKG_CONFIG_PATH, TYPEGEN_RESOURCE_DIR (clang's builtin headers).
+)";
+}
+
+}  // namespace oroforge::typekit

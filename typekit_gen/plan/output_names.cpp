@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <plan/output_names.hpp>
+
+#include <cstdint>
+
+namespace oroforge::typekit {
+
+std::size_t bucketOf(const std::string& typeName) {
+    // FNV-1a: std::hash may change with the standard library, and with it every generated file.
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : typeName) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 1099511628211ULL;
+    }
+    return static_cast<std::size_t>(hash % kBuckets);
+}
+
+std::string userHeaderName(const std::string& typekit) { return "types/" + typekit + "/typekit/Types.hpp"; }
+
+std::string bucketFileName(std::size_t bucket) { return "types_" + std::to_string(bucket) + ".cpp"; }
+
+std::string pluginFileName() { return "Plugin.cpp"; }
+
+std::vector<std::string> outputNames(const std::string& typekit) {
+    std::vector<std::string> names = {pluginFileName()};
+    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) names.push_back(bucketFileName(bucket));
+    names.push_back(userHeaderName(typekit));
+    return names;
+}
+
+}  // namespace oroforge::typekit

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// From the model to the JSON that the templates of templates/typekit/ read.
+#ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_VIEW_HPP
+#define OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_VIEW_HPP
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <model/type_model.hpp>
+
+namespace oroforge::typekit {
+
+/// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], buckets[] with
+/// structs[], enums[], sequences[], arrays[], instances[]. Texts for C++ are quoted already.
+nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit);
+
+/// The text as a C++ string literal, quotes included; one line.
+std::string cppString(const std::string& text);
+
+/// The name with everything that is not allowed in a C++ identifier replaced by '_'.
+std::string cppIdentifier(const std::string& text);
+
+}  // namespace oroforge::typekit
+
+#endif
