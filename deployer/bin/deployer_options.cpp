@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "deployer_options.hpp"
+
+#include <rtt/Logger.hpp>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace po = boost::program_options;
+
+namespace OCL::deploy {
+namespace {
+
+po::options_description visibleOptions() {
+    po::options_description options("Options");
+    options.add_options()("help,h", "show this text")("version", "show the version")(
+        "start,s", po::value<std::vector<std::string>>()->composing(),
+        "deploy from this XML file (.xml, .cpf) or script (.ops, .osd, .lua); may be repeated")(
+        "site-file", po::value<std::string>(),
+        "deploy from this file first; default: <name>-site.cpf, if there is one")(
+        "log-level,l", po::value<std::string>(),
+        "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL")(
+        "no-consolelog", "write the log to its file only")(
+        "check", "load and configure the XML files, start nothing, clean up and end")(
+        "daemon,d", "run in the background")("DeployerName", po::value<std::vector<std::string>>()->composing(),
+                                             "name of the deployer; the option's name may be left out");
+    return options;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+/** The level of that name, −1 if there is none. */
+int logLevelOf(const std::string& name) {
+    static const char* const names[] = {"never", "fatal", "critical", "error", "warning", "info", "debug", "realtime"};
+    for (int level = RTT::Never; level <= RTT::RealTime; ++level)
+        if (lower(name) == names[level]) return level;
+    return -1;
+}
+
+bool isScript(const std::string& word) {
+    for (const char* suffix : {".xml", ".cpf", ".osd", ".ops", ".lua"})
+        if (word.find(suffix) != std::string::npos) return true;
+    return false;
+}
+
+/** Words without an option: files, the name of the deployer, and remappings of ROS launch files, which are ignored. */
+void takeWords(const std::vector<std::string>& words, Options& options) {
+    for (const std::string& word : words) {
+        if (word.empty() || word[0] == '_') continue;
+        if (isScript(word))
+            options.files.push_back(word);
+        else
+            options.name = word;
+    }
+}
+
+bool takeValues(const po::variables_map& values, Options& options, std::string& error) {
+    options.action = values.count("help")      ? Options::ShowHelp
+                     : values.count("version") ? Options::ShowVersion
+                                               : Options::Run;
+    if (values.count("start")) options.files = values["start"].as<std::vector<std::string>>();
+    if (values.count("DeployerName")) takeWords(values["DeployerName"].as<std::vector<std::string>>(), options);
+    if (values.count("site-file")) options.siteFile = values["site-file"].as<std::string>();
+    options.consoleLog = !values.count("no-consolelog");
+    options.check = values.count("check") != 0;
+    options.daemon = values.count("daemon") != 0 && !options.check;
+    if (!values.count("log-level")) return true;
+    const std::string level = values["log-level"].as<std::string>();
+    options.logLevel = logLevelOf(level);
+    if (options.logLevel < 0) error = "unknown log level '" + level + "'";
+    return error.empty();
+}
+
+}  // namespace
+
+bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    words.erase(std::find(words.begin(), words.end(), "--"), words.end());  // the rest is for the runtime
+    try {
+        po::positional_options_description positions;
+        positions.add("DeployerName", -1);
+        po::variables_map values;
+        po::store(po::command_line_parser(words).options(visibleOptions()).positional(positions).run(), values);
+        po::notify(values);
+        return takeValues(values, options, error);
+    } catch (const po::error& thrown) {
+        error = thrown.what();
+        return false;
+    }
+}
+
+std::string usage(const std::string& program) {
+    std::ostringstream text;
+    text << "Usage: " << program << " [options] [name] [file…] [-- options of the runtime]\n\n"
+         << "Creates, connects, configures and starts the components that the files describe, and runs them until\n"
+         << "SIGINT, SIGTERM or SIGHUP. Exit status: 0, or 255 if a file could not be deployed.\n\n"
+         << visibleOptions();
+    return text.str();
+}
+
+std::string version(const std::string& program) {
+    return program + " " ORO_STRINGIFY(RTT_VERSION) " (Oroforge, target " OROCOS_TARGET_NAME ", compiler " __VERSION__
+                                                    ")\n";
+}
+
+std::vector<char*> wordsForRuntime(int argc, char** argv) {
+    std::vector<char*> words(argv, argv + argc);
+    const auto separator =
+        std::find_if(words.begin(), words.end(), [](const char* word) { return std::string(word) == "--"; });
+    if (separator != words.end()) words.erase(words.begin() + 1, separator + 1);
+    words.push_back(nullptr);
+    return words;
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The command line of the deployer programs.
+#ifndef OROFORGE_DEPLOYER_OPTIONS_HPP
+#define OROFORGE_DEPLOYER_OPTIONS_HPP
+
+#include <string>
+#include <vector>
+
+namespace OCL::deploy {
+
+struct Options {
+    enum Action { Run, ShowHelp, ShowVersion } action = Run;
+    std::string name = "Deployer";
+    std::string siteFile;
+    std::vector<std::string> files;  // in the order of processing
+    int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
+    bool consoleLog = true;
+    bool check = false;
+    bool daemon = false;
+};
+
+/** Reads the command line. False, with the reason, if it cannot be understood. */
+bool parseOptions(int argc, char** argv, Options& options, std::string& error);
+
+/** What --help shows. */
+std::string usage(const std::string& program);
+/** What --version shows. */
+std::string version(const std::string& program);
+
+/** The program's name and, if there is a "--", what stands after it, else all; a null ends the list. */
+std::vector<char*> wordsForRuntime(int argc, char** argv);
+
+}  // namespace OCL::deploy
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Construction, libraries, files and groups. Single components and wiring: deployment_operations.cpp.
+#include <ocl/DeploymentComponent.hpp>
+
+#include "deployment_state.hpp"
+#include "read_value.hpp"
+#include "report.hpp"
+#include "scripts.hpp"
+#include "signals.hpp"
+#include "xml_to_plan.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/os/fosi.h>
+#include <rtt/os/threads.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+namespace OCL {
+
+using deploy::Plan;
+using deploy::Records;
+using oroforge::diag::Sink;
+using RTT::endlog;
+using RTT::log;
+
+DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile)
+    : TaskContext(name, Stopped), impl_(new Impl) {
+    impl_->session.deployer = this;
+    impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
+    impl_->session.unloaded = [this](RTT::TaskContext* component) { componentUnloaded(component); };
+    addDeploymentInterface();
+
+    const std::string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
+    if (std::filesystem::exists(site)) {
+        log(RTT::Info) << "using site file '" << site << "'" << endlog();
+        (void)kickStart(site);
+        return;
+    }
+    (void)configure();
+    log(RTT::Info) << "there is no site file '" << site << "': importing 'ocl'" << endlog();
+    std::string error;
+    if (!RTT::ComponentLoader::Instance()->import("ocl", std::string(), error))
+        log(RTT::Info) << "no component library: " << error << endlog();
+}
+
+DeploymentComponent::~DeploymentComponent() {
+    if (impl_->autoUnload) (void)kickOutAll();
+    // Hooks of a derived class must not run while this part is taken apart.
+    stop();
+    clear();
+}
+
+bool DeploymentComponent::componentLoaded(RTT::TaskContext*) { return true; }
+void DeploymentComponent::componentUnloaded(RTT::TaskContext*) {}
+
+bool DeploymentComponent::configureHook() {
+    const RTT::ComponentLoader::shared_ptr components = RTT::ComponentLoader::Instance();
+    if (impl_->componentPath.empty()) {
+        impl_->componentPath = components->getComponentPath();
+        return true;
+    }
+    if (impl_->componentPath == components->getComponentPath()) return true;
+    log(RTT::Info) << "searching RTT_COMPONENT_PATH " << impl_->componentPath << endlog();
+    components->setComponentPath(impl_->componentPath);
+    RTT::plugin::PluginLoader::Instance()->setPluginPath(impl_->componentPath);
+    (void)components->import(impl_->componentPath);  // packages wait in there until they are imported by name
+    return true;
+}
+
+// --- libraries -----------------------------------------------------------------------------------------------------
+
+bool DeploymentComponent::import(const std::string& package) {
+    return RTT::ComponentLoader::Instance()->import(package, std::string());
+}
+
+void DeploymentComponent::path(const std::string& paths) {
+    deploy::addSearchPath(paths);
+    RTT::ComponentLoader::Instance()->import(paths);
+}
+
+bool DeploymentComponent::loadLibrary(const std::string& name) {
+    std::string error;
+    const bool loaded = deploy::loadLibrary(name, error);
+    if (!loaded) log(RTT::Error) << "could not load library '" << name << "': " << error << endlog();
+    return loaded;
+}
+
+bool DeploymentComponent::reloadLibrary(const std::string& filepath) {
+    return RTT::ComponentLoader::Instance()->reloadLibrary(filepath);
+}
+
+void DeploymentComponent::displayComponentTypes() const {
+    std::cout << "I can create the following component types: " << std::endl;
+    const std::vector<std::string> types = getComponentTypes();
+    for (const std::string& type : types) std::cout << "   " << type << std::endl;
+    if (types.empty()) std::cout << "   (none)" << std::endl;
+}
+
+std::vector<std::string> DeploymentComponent::getComponentTypes() const {
+    return RTT::ComponentLoader::Instance()->listComponentTypes();
+}
+
+// --- files ---------------------------------------------------------------------------------------------------------
+
+bool DeploymentComponent::loadComponents(const std::string& file) {
+    Sink sink;
+    return impl_->load(deploy::readPlanFile(file, sink), sink);
+}
+
+bool DeploymentComponent::loadConfigurationString(const std::string& text) {
+    Sink sink;
+    return impl_->load(deploy::readPlanText(text, "configuration string", sink), sink);
+}
+
+void DeploymentComponent::clearConfiguration() {
+    impl_->session.records.policies.clear();
+    for (deploy::Record& record : impl_->session.records.all) record.plan = deploy::ComponentPlan();
+}
+
+bool DeploymentComponent::configureComponents() {
+    if (impl_->session.records.all.empty()) {
+        log(RTT::Error) << "there are no components to configure: none was loaded" << endlog();
+        return false;
+    }
+    bool all = true;
+    for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->configure(group);
+    return all;
+}
+
+bool DeploymentComponent::startComponents() {
+    if (!impl_->valid) {
+        log(RTT::Error) << "not starting components: the last configuration was not valid" << endlog();
+        return false;
+    }
+    bool all = true;
+    for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->start(group);
+    return all;
+}
+
+bool DeploymentComponent::stopComponents() { return impl_->forGroupsDown(&deploy::stop); }
+bool DeploymentComponent::cleanupComponents() { return impl_->forGroupsDown(&deploy::cleanup); }
+bool DeploymentComponent::unloadComponents() { return impl_->forGroupsDown(&deploy::unload); }
+
+bool DeploymentComponent::kickStart(const std::string& file) { return kickStart2(file, true); }
+
+bool DeploymentComponent::kickStart2(const std::string& file, bool start) {
+    const Records before = impl_->session.records;
+    if (!loadComponents(file)) return false;
+    const int group = impl_->session.nextGroup - 1;
+    if (impl_->configure(group) && (!start || impl_->start(group))) {
+        log(RTT::Info) << "loaded, configured " << (start ? "and started " : "") << "the components of " << file
+                       << endlog();
+        return true;
+    }
+    log(RTT::Error) << "undoing what " << file << " created" << endlog();
+    impl_->undo(group, before);
+    return false;
+}
+
+bool DeploymentComponent::kickOutAll() {
+    const bool all = impl_->forGroupsDown(&deploy::takeDown);
+    if (all) impl_->session.nextGroup = 1;
+    return all;
+}
+
+bool DeploymentComponent::kickOutComponent(const std::string& name) {
+    const deploy::Record* record = impl_->session.records.find(name);
+    if (!record || !record->loadedHere) {
+        log(RTT::Error) << "could not kick out component '" << name << "': it was not loaded by " << getName()
+                        << endlog();
+        return false;
+    }
+    RTT::TaskContext& component = *record->instance;
+    (void)deploy::stopOne(component);
+    (void)deploy::cleanupOne(impl_->session, component);
+    (void)deploy::unloadOne(impl_->session, component);
+    return true;
+}
+
+void DeploymentComponent::kickOut(const std::string& file) {
+    Sink sink;
+    const Plan plan = deploy::readPlanFile(file, sink);
+    deploy::report(sink);
+    for (auto component = plan.components.rbegin(); component != plan.components.rend(); ++component)
+        if (impl_->session.records.find(component->name.value)) (void)kickOutComponent(component->name.value);
+}
+
+bool DeploymentComponent::runScript(const std::string& file) {
+    std::string error;
+    const bool ran = deploy::runScript(*this, deploy::ScriptPlan::Run, file, error);
+    if (!ran) log(RTT::Error) << "could not run script '" << file << "': " << error << endlog();
+    return ran;
+}
+
+// --- waiting -------------------------------------------------------------------------------------------------------
+
+void DeploymentComponent::waitForInterrupt() {
+    deploy::SignalCatcher catcher({SIGINT, SIGTERM, SIGHUP});
+    std::cout << "DeploymentComponent: waiting for an interrupt" << std::endl;
+    (void)catcher.wait();
+    std::cout << "DeploymentComponent: got the interrupt" << std::endl;
+}
+
+bool DeploymentComponent::waitForSignal(int signal) {
+    deploy::SignalCatcher catcher({signal});
+    if (!catcher.ready()) {
+        log(RTT::Error) << "signal " << signal << " cannot be caught" << endlog();
+        return false;
+    }
+    (void)catcher.wait();
+    return true;
+}
+
+}  // namespace OCL

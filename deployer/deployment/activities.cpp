@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "activities.hpp"
+
+#include "session.hpp"
+
+#include <rtt/Activity.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/extras/PeriodicActivity.hpp>
+#include <rtt/extras/SequentialActivity.hpp>
+#include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/os/fosi.h>
+#include <rtt/os/threads.hpp>
+
+#include <memory>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::base::ActivityInterface;
+
+std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, ActivityKind kind,
+                                                const ActivityNumbers& n, RTT::TaskContext* master,
+                                                std::string& error) {
+    switch (kind) {
+        case ActivityKind::Activity:
+            return std::make_unique<RTT::Activity>(n.scheduler, n.priority, n.period, n.cpuAffinity, nullptr,
+                                                   component.getName());
+        case ActivityKind::NonPeriodic:
+            return std::make_unique<RTT::Activity>(n.scheduler, n.priority, 0.0, n.cpuAffinity, nullptr,
+                                                   component.getName());
+        case ActivityKind::Periodic:
+            if (n.period > 0)
+                return std::make_unique<RTT::extras::PeriodicActivity>(n.scheduler, n.priority, n.period, n.cpuAffinity,
+                                                                       nullptr);
+            error = "a PeriodicActivity needs a period of more than 0";
+            return nullptr;
+        case ActivityKind::Sequential: return std::make_unique<RTT::extras::SequentialActivity>();
+        case ActivityKind::Slave:
+            if (!master) return std::make_unique<RTT::extras::SlaveActivity>(n.period);
+            if (master->getActivity()) return std::make_unique<RTT::extras::SlaveActivity>(master->getActivity());
+            error = "master '" + master->getName() + "' has no activity";
+            return nullptr;
+    }
+    return nullptr;
+}
+
+/** A slave refers to its master's activity: whoever replaces or deletes that one must care for the slaves. */
+std::vector<Record*> slavesOf(Session& session, const std::string& master) {
+    std::vector<Record*> slaves;
+    for (Record& record : session.records.all)
+        if (record.master == master) slaves.push_back(&record);
+    return slaves;
+}
+
+}  // namespace
+
+ActivityNumbers numbersOf(const ActivityPlan& plan) {
+    ActivityNumbers numbers;
+    numbers.period = plan.period.value_or(0.0);
+    numbers.priority = plan.priority.value_or(RTT::os::LowestPriority);
+    numbers.scheduler = plan.realTime ? ORO_SCHED_RT : ORO_SCHED_OTHER;
+    numbers.cpuAffinity = plan.cpuAffinity.value_or(0);
+    return numbers;
+}
+
+bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityNumbers& numbers,
+                 RTT::TaskContext* master, int waitPolicy, std::string& error) {
+    if (component.isRunning()) {
+        error = "the component is running";
+        return false;
+    }
+    if (numbers.period < 0) {
+        error = "the period is negative";
+        return false;
+    }
+    std::unique_ptr<ActivityInterface> activity = makeActivity(component, kind, numbers, master, error);
+    if (!activity) return false;
+    const bool ownThread = kind == ActivityKind::Activity || kind == ActivityKind::NonPeriodic;
+    if (ownThread && activity->thread()) activity->thread()->setWaitPeriodPolicy(waitPolicy);
+    if (!component.setActivity(activity.get())) {
+        error = "the component does not accept it; it cannot be set from the component's own thread";
+        return false;
+    }
+    (void)activity.release();  // the component owns it now
+    if (master && master != &component && !master->hasPeer(component.getName()))
+        master->addPeer(&component);  // the master's code finds its slaves among its peers
+    return true;
+}
+
+bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind kind, const ActivityNumbers& numbers,
+                    RTT::TaskContext* master, std::string& error) {
+    const std::vector<Record*> slaves = slavesOf(session, component.getName());
+    for (const Record* slave : slaves)
+        if (slave->instance->isRunning()) {
+            error = "its slave '" + slave->name + "' is running";
+            return false;
+        }
+    std::string ignored;
+    for (const Record* slave : slaves)
+        (void)setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, ignored);
+    const bool changed = setActivity(component, kind, numbers, master, session.waitPeriodPolicy, error);
+    for (const Record* slave : slaves)
+        (void)setActivity(*slave->instance, ActivityKind::Slave, ActivityNumbers(), &component, 0, ignored);
+    if (changed) session.recordOf(component).master = master ? master->getName() : std::string();
+    return changed;
+}
+
+void releaseSlaves(Session& session, const RTT::TaskContext& master) {
+    for (Record* slave : slavesOf(session, master.getName())) {
+        std::string error;
+        (void)stopOne(*slave->instance);
+        if (setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, error))
+            RTT::log(RTT::Info) << "component '" << slave->name << "' has lost its master '" << master.getName() << "'"
+                                << RTT::endlog();
+        slave->master.clear();
+    }
+}
+
+}  // namespace OCL::deploy

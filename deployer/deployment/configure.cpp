@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "activities.hpp"
+#include "properties.hpp"
+#include "scripts.hpp"
+#include "session.hpp"
+#include "xml_to_plan.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <vector>
+
+namespace OCL::deploy {
+namespace {
+
+bool isUp(const RTT::TaskContext& component) { return component.getTaskState() > RTT::TaskContext::Stopped; }
+
+/** The components whose options this group gave and that can be changed now, in file order. */
+std::vector<Record*> recordsToConfigure(Session& session, int group) {
+    std::vector<Record*> result;
+    for (Record& record : session.records.all) {
+        if (record.optionsGroup != group) continue;
+        if (isUp(*record.instance))
+            RTT::log(RTT::Warning) << "component '" << record.name << "' is not configured: it is running"
+                                   << RTT::endlog();
+        else
+            result.push_back(&record);
+    }
+    return result;
+}
+
+void setActivityOf(Session& session, Record& record, diag::Sink& sink) {
+    const ActivityPlan& plan = *record.plan.activity;
+    RTT::TaskContext* master = plan.master.empty() ? nullptr : session.component(plan.master.value);
+    std::string error;
+    if (!changeActivity(session, *record.instance, plan.kind, numbersOf(plan), master, error))
+        sink.error(plan.where, "DEP054",
+                   "could not set the " + plan.type + " of component '" + record.name + "': " + error);
+}
+
+bool waitsForMaster(const Record& record, const std::vector<Record*>& pending) {
+    const std::string& master = record.plan.activity->master.value;
+    return !master.empty() && std::any_of(pending.begin(), pending.end(), [&](const Record* other) {
+        return other != &record && other->name == master;
+    });
+}
+
+/** A slave holds its master's activity, so the master's must be in place first, wherever it stands in the file. */
+void setActivities(Session& session, const std::vector<Record*>& records, diag::Sink& sink) {
+    std::vector<Record*> pending;
+    std::copy_if(records.begin(), records.end(), std::back_inserter(pending),
+                 [](const Record* record) { return record->plan.activity.has_value(); });
+    while (!pending.empty()) {
+        const auto next = std::find_if(pending.begin(), pending.end(),
+                                       [&](const Record* record) { return !waitsForMaster(*record, pending); });
+        if (next == pending.end()) {
+            for (const Record* record : pending)
+                sink.error(record->plan.activity->master.where, "DEP017",
+                           "component '" + record->name + "' is, through its masters, its own master");
+            return;
+        }
+        setActivityOf(session, **next, sink);
+        pending.erase(next);
+    }
+}
+
+void runScripts(Record& record, diag::Sink& sink) {
+    for (const ScriptPlan& script : record.plan.scripts) {
+        std::string error;
+        if (!runScript(*record.instance, script.kind, resolveFile(script.file), error))
+            sink.error(script.file.where, "DEP053",
+                       "could not run script '" + script.file.value + "' in component '" + record.name + "': " + error);
+    }
+}
+
+void configureOne(Record& record, diag::Sink& sink) {
+    std::string error = "configure() returned false";
+    try {
+        if (record.instance->configure()) {
+            RTT::log(RTT::Info) << "configured component '" << record.name << "'" << RTT::endlog();
+            return;
+        }
+    } catch (const std::exception& thrown) {
+        error = std::string("configure() threw: ") + thrown.what();
+    }
+    if (record.instance->inException()) error = "configure() threw, see the log";
+    sink.error(record.plan.name.where, "DEP050", "could not configure component '" + record.name + "': " + error);
+}
+
+void startOne(Record& record, diag::Sink& sink) {
+    std::string error = "start() returned false";
+    try {
+        if (record.instance->start()) {
+            RTT::log(RTT::Info) << "started component '" << record.name << "'" << RTT::endlog();
+            return;
+        }
+    } catch (const std::exception& thrown) {
+        error = std::string("start() threw: ") + thrown.what();
+    }
+    if (record.instance->inException()) error = "start() threw, see the log";
+    if (!record.instance->isConfigured()) error = "it is not configured; set AutoConf to have that done";
+    sink.error(record.plan.name.where, "DEP051", "could not start component '" + record.name + "': " + error);
+}
+
+}  // namespace
+
+bool configure(Session& session, int group, diag::Sink& sink) {
+    checkComponents(session, group, false, sink);
+    if (sink.hadErrors()) return false;
+    addPeers(session, group, sink);
+    connectPorts(session, sink);
+    connectSameNames(session, group, sink);
+
+    const std::vector<Record*> records = recordsToConfigure(session, group);
+    setActivities(session, records, sink);
+    for (Record* record : records) applyProperties(*record, sink);
+    if (sink.hadErrors()) return false;
+    for (Record* record : records) {
+        if (!session.records.has(record)) continue;  // a script unloaded it
+        runScripts(*record, sink);
+        if (record->plan.autoConf.value_or(false)) configureOne(*record, sink);
+    }
+    if (sink.hadErrors()) return false;
+
+    // Ports that appeared while components were configured.
+    checkComponents(session, group, true, sink);
+    if (sink.hadErrors()) return false;
+    connectPorts(session, sink);
+    createStreams(session, sink);
+    return !sink.hadErrors();
+}
+
+bool start(Session& session, int group, diag::Sink& sink) {
+    for (Record& record : session.records.all)
+        if (record.optionsGroup == group && record.plan.autoStart.value_or(false) && !isUp(*record.instance))
+            startOne(record, sink);
+    return !sink.hadErrors();
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The operations on single components: life cycle, activities, shutdown.
+#include "activities.hpp"
+#include "deployment_state.hpp"
+#include "lookup.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/OperationCaller.hpp>
+#include <rtt/base/ActivityInterface.hpp>
+#include <rtt/os/ThreadInterface.hpp>
+#include <rtt/os/threads.hpp>
+
+#include <chrono>
+#include <exception>
+#include <thread>
+
+namespace OCL {
+
+using deploy::ActivityKind;
+using deploy::ActivityNumbers;
+using RTT::endlog;
+using RTT::log;
+
+namespace {
+
+bool change(deploy::Session& session, const std::string& name, ActivityKind kind, const ActivityNumbers& numbers,
+            RTT::TaskContext* master = nullptr) {
+    RTT::TaskContext* component = deploy::findComponent(session, name, "set the activity");
+    if (!component) return false;
+    std::string error;
+    const bool changed = deploy::changeActivity(session, *component, kind, numbers, master, error);
+    if (!changed) log(RTT::Error) << "could not set the activity of component '" << name << "': " << error << endlog();
+    return changed;
+}
+
+ActivityNumbers numbers(double period, int priority, int scheduler, unsigned affinity = 0) {
+    ActivityNumbers result;
+    result.period = period;
+    result.priority = priority;
+    result.scheduler = scheduler;
+    result.cpuAffinity = affinity;
+    return result;
+}
+
+}  // namespace
+
+bool DeploymentComponent::loadComponent(const std::string& name, const std::string& type) {
+    if (type == "PropertyBag" || type == "RTT::PropertyBag")
+        return false;  // the struct of a file that only adds options; it is no component type
+    std::string error;
+    if (deploy::create(impl_->session, name, type, 0, error)) return true;
+    log(RTT::Error) << "could not load component '" << name << "': " << error << endlog();
+    return false;
+}
+
+bool DeploymentComponent::unloadComponent(const std::string& name) {
+    const deploy::Record* record = impl_->session.records.find(name);
+    if (record && record->loadedHere) return deploy::unloadOne(impl_->session, *record->instance);
+    log(RTT::Error) << "could not unload component '" << name << "': it was not loaded by " << getName() << endlog();
+    return false;
+}
+
+bool DeploymentComponent::loadService(const std::string& name, const std::string& service) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "load a service");
+    return component && deploy::loadService(*component, service);
+}
+
+bool DeploymentComponent::configureComponent(const std::string& name) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "configure");
+    if (!component) return false;
+    const bool done = component->configure();
+    if (!done) log(RTT::Error) << "could not configure component '" << name << "'" << endlog();
+    return done;
+}
+
+bool DeploymentComponent::startComponent(const std::string& name) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "start");
+    if (!component) return false;
+    const bool done = component->isRunning() || component->start();
+    if (!done) log(RTT::Error) << "could not start component '" << name << "'" << endlog();
+    return done;
+}
+
+bool DeploymentComponent::stopComponent(const std::string& name) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "stop");
+    return component && deploy::stopOne(*component);
+}
+
+bool DeploymentComponent::cleanupComponent(const std::string& name) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "clean up");
+    return component && deploy::cleanupOne(impl_->session, *component);
+}
+
+bool DeploymentComponent::setActivity(const std::string& name, double period, int priority, int scheduler) {
+    return change(impl_->session, name, ActivityKind::Activity, numbers(period, priority, scheduler));
+}
+
+bool DeploymentComponent::setActivityOnCPU(const std::string& name, double period, int priority, int scheduler,
+                                           unsigned int cpu) {
+    if (cpu >= 32) {
+        log(RTT::Error) << "could not set the activity of component '" << name << "': CPU " << cpu
+                        << ", expected 0 to 31" << endlog();
+        return false;
+    }
+    return change(impl_->session, name, ActivityKind::Activity, numbers(period, priority, scheduler, 1u << cpu));
+}
+
+bool DeploymentComponent::setPeriodicActivity(const std::string& name, double period, int priority, int scheduler) {
+    return change(impl_->session, name, ActivityKind::Periodic, numbers(period, priority, scheduler));
+}
+
+bool DeploymentComponent::setSequentialActivity(const std::string& name) {
+    return change(impl_->session, name, ActivityKind::Sequential, ActivityNumbers());
+}
+
+bool DeploymentComponent::setSlaveActivity(const std::string& name, double period) {
+    return change(impl_->session, name, ActivityKind::Slave, numbers(period, 0, 0));
+}
+
+bool DeploymentComponent::setMasterSlaveActivity(const std::string& master, const std::string& slave) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, master, "use as master");
+    return component && change(impl_->session, slave, ActivityKind::Slave, ActivityNumbers(), component);
+}
+
+bool DeploymentComponent::setWaitPeriodPolicy(const std::string& name, int policy) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "set the wait policy");
+    if (!component) return false;
+    if (!component->getActivity() || !component->getActivity()->thread()) {
+        log(RTT::Error) << "could not set the wait policy of component '" << name << "': it has no thread" << endlog();
+        return false;
+    }
+    component->getActivity()->thread()->setWaitPeriodPolicy(policy);
+    return true;
+}
+
+void DeploymentComponent::shutdownDeployment() {
+    RTT::TaskContext* application = getPeer("Application");
+    if (!application || !application->provides()->hasOperation("shutdownDeployment")) return;
+    RTT::OperationCaller<void()> shutdown(application->provides()->getOperation("shutdownDeployment"), engine());
+    if (!shutdown.ready()) return;
+    RTT::SendHandle<void()> handle = shutdown.send();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2000);
+    while (handle.collectIfDone() == RTT::SendNotReady) {
+        if (std::chrono::steady_clock::now() > end) {
+            log(RTT::Error) << "component 'Application' did not end its shutdown within 2000 ms" << endlog();
+            return;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
+
+}  // namespace OCL

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The operations that join components: peers, ports, streams, services.
+#include "deployment_state.hpp"
+#include "lookup.hpp"
+
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/ServiceRequester.hpp>
+
+namespace OCL {
+
+using RTT::endlog;
+using RTT::log;
+using RTT::base::PortInterface;
+
+namespace {
+
+PortInterface* findPort(const deploy::Session& session, const std::string& path, const char* toDo) {
+    std::string error;
+    PortInterface* port = deploy::findPort(session, path, error);
+    if (!port) log(RTT::Error) << "could not " << toDo << ": " << error << endlog();
+    return port;
+}
+
+}  // namespace
+
+bool DeploymentComponent::connectPeers(const std::string& one, const std::string& two) {
+    RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect peers");
+    RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect peers");
+    return first && second && first->connectPeers(second);
+}
+
+bool DeploymentComponent::addPeer(const std::string& from, const std::string& to) {
+    return aliasPeer(from, to, std::string());
+}
+
+bool DeploymentComponent::aliasPeer(const std::string& from, const std::string& to, const std::string& alias) {
+    RTT::TaskContext* component = deploy::findComponent(impl_->session, from, "add a peer");
+    RTT::TaskContext* peer = deploy::findComponent(impl_->session, to, "add a peer");
+    if (!component || !peer) return false;
+    const std::string name = alias.empty() ? peer->getName() : alias;
+    if (component->getPeer(name) == peer) {
+        log(RTT::Info) << "'" << from << "' has peer '" << name << "' already" << endlog();
+        return true;
+    }
+    return component->addPeer(peer, name);
+}
+
+bool DeploymentComponent::connectPorts(const std::string& one, const std::string& two) {
+    RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect ports");
+    RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect ports");
+    return first && second && first->connectPorts(second);
+}
+
+bool DeploymentComponent::connectTwoPorts(const std::string& one, const std::string& portOne, const std::string& two,
+                                          const std::string& portTwo) {
+    return connect(one + "." + portOne, two + "." + portTwo, RTT::ConnPolicy());
+}
+
+bool DeploymentComponent::connect(const std::string& portOne, const std::string& portTwo, RTT::ConnPolicy policy) {
+    PortInterface* first = findPort(impl_->session, portOne, "connect ports");
+    PortInterface* second = findPort(impl_->session, portTwo, "connect ports");
+    if (!first || !second) return false;
+    const bool connected = first->connectTo(second, policy);
+    log(connected ? RTT::Info : RTT::Error)
+        << (connected ? "connected port " : "could not connect port ") << portOne << " to " << portTwo << endlog();
+    return connected;
+}
+
+bool DeploymentComponent::stream(const std::string& port, RTT::ConnPolicy policy) {
+    PortInterface* found = findPort(impl_->session, port, "create a stream");
+    return found && found->createStream(policy);
+}
+
+bool DeploymentComponent::createStream(const std::string& component, const std::string& port, RTT::ConnPolicy policy) {
+    return stream(component + "." + port, policy);
+}
+
+bool DeploymentComponent::connectServices(const std::string& one, const std::string& two) {
+    RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect services");
+    RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect services");
+    return first && second && first->connectServices(second);
+}
+
+}  // namespace OCL

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "properties.hpp"
+#include "session.hpp"
+#include "validate.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::ComponentLoader;
+using RTT::plugin::PluginLoader;
+
+/** Adds directories to the search path and imports what lies directly in them. */
+bool importPath(const std::string& paths, std::string& error) {
+    addSearchPath(paths);
+    try {
+        if (ComponentLoader::Instance()->import(paths)) return true;
+        error = "nothing to import in there";
+    } catch (const std::exception& thrown) {
+        error = thrown.what();
+    }
+    return false;
+}
+
+bool doImport(const ImportPlan& step, std::string& error) {
+    switch (step.kind) {
+        case ImportPlan::Import: return ComponentLoader::Instance()->import(step.what.value, std::string(), error);
+        case ImportPlan::Path: return importPath(step.what.value, error);
+        case ImportPlan::LoadLibrary: return loadLibrary(step.what.value, error);
+    }
+    return false;
+}
+
+void doImports(const Plan& plan, diag::Sink& sink) {
+    for (const ImportPlan& step : plan.imports) {
+        std::string error;
+        if (doImport(step, error)) continue;
+        // A directory of packages has nothing to import itself, yet is a good search path.
+        if (step.kind == ImportPlan::Path)
+            RTT::log(RTT::Info) << "Path '" << step.what.value << "': " << error << RTT::endlog();
+        else
+            sink.error(step.what.where, "DEP030",
+                       "could not " + std::string(step.kind == ImportPlan::Import ? "import" : "load") + " '" +
+                           step.what.value + "': " + error);
+    }
+}
+
+Surroundings surroundingsOf(const Session& session) {
+    Surroundings result;
+    result.deployer = session.deployer->getName();
+    result.components = session.deployer->getPeerList();
+    result.componentTypes = ComponentLoader::Instance()->listComponentTypes();
+    const std::vector<std::string> services = PluginLoader::Instance()->listServices();
+    result.hasScripting = std::find(services.begin(), services.end(), "scripting") != services.end();
+    return result;
+}
+
+/** The record that a struct creates or adds to; null if the component could not be made. */
+Record* recordFor(Session& session, const ComponentPlan& component, int group, diag::Sink& sink) {
+    const std::string name =
+        session.isDeployer(component.name.value) ? session.deployer->getName() : component.name.value;
+    if (RTT::TaskContext* existing = session.component(name)) return &session.recordOf(*existing);
+    std::string error;
+    if (!create(session, name, component.type.value, group, error)) {
+        sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
+        return nullptr;
+    }
+    return &session.records.all.back();
+}
+
+}  // namespace
+
+RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
+                         std::string& error) {
+    if (session.component(name)) {
+        error = "a component of that name is already there";
+        return nullptr;
+    }
+    RTT::TaskContext* component = ComponentLoader::Instance()->loadComponent(name, type, error);
+    if (!component) return nullptr;
+    if (!session.loaded(component)) {
+        error = "this deployer refuses it";
+        ComponentLoader::Instance()->unloadComponent(component);
+        return nullptr;
+    }
+    session.deployer->addPeer(component, name);
+    Record record;
+    record.name = name;
+    record.instance = component;
+    record.loadedHere = true;
+    record.group = record.optionsGroup = group;
+    session.records.all.push_back(record);
+    RTT::log(RTT::Info) << "created component '" << name << "' of type " << type << RTT::endlog();
+    return component;
+}
+
+bool load(Session& session, const Plan& plan, int group, diag::Sink& sink) {
+    doImports(plan, sink);
+    validate(plan, surroundingsOf(session), sink);
+    if (sink.hadErrors()) return false;
+    for (const PolicyPlan& policy : plan.policies) session.records.policies[policy.name.value] = policy;
+    applyGlobals(plan.globals, sink);
+    for (const ComponentPlan& component : plan.components) {
+        Record* record = recordFor(session, component, group, sink);
+        if (!record) continue;
+        record->optionsGroup = group;
+        Records::merge(record->plan, component);
+        for (const Text& service : component.services)
+            if (!loadService(*record->instance, service.value))
+                sink.error(service.where, "DEP033",
+                           "could not load service '" + service.value + "' into component '" + record->name + "'");
+    }
+    return !sink.hadErrors();
+}
+
+bool loadService(RTT::TaskContext& component, const std::string& service) {
+    return component.provides()->hasService(service) || PluginLoader::Instance()->loadService(service, &component);
+}
+
+bool loadLibrary(const std::string& file, std::string& error) {
+    // Where it lies tells what it is.
+    const std::string directory = std::filesystem::absolute(file).parent_path().filename().string();
+    if (directory == "types" || directory == "plugins") return PluginLoader::Instance()->loadLibrary(file, error);
+    return ComponentLoader::Instance()->loadLibrary(file, error);
+}
+
+void addSearchPath(const std::string& paths) {
+    const ComponentLoader::shared_ptr components = ComponentLoader::Instance();
+    const PluginLoader::shared_ptr plugins = PluginLoader::Instance();
+    components->setComponentPath(components->getComponentPath() + ":" + paths);
+    plugins->setPluginPath(plugins->getPluginPath() + ":" + paths);
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "read_value.hpp"
+#include "xml_to_plan.hpp"
+
+#include <diag/nearest_match.hpp>
+
+namespace OCL::deploy {
+namespace {
+
+using Reader = void (*)(const xml::Element&, ComponentPlan&, diag::Sink&);
+
+template <Flag ComponentPlan::*member>
+void flag(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (const auto value = readBoolean(element, sink)) plan.*member = *value;
+}
+
+void service(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (const auto name = readString(element, sink)) plan.services.push_back(*name);
+}
+
+template <PropertyFilePlan::Mode mode>
+void propertyFile(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (const auto file = readString(element, sink)) plan.propertyFiles.push_back(PropertyFilePlan{mode, *file});
+}
+
+template <ScriptPlan::Kind kind>
+void script(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (const auto file = readString(element, sink)) plan.scripts.push_back(ScriptPlan{kind, *file});
+}
+
+void properties(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (requireStruct(element, sink)) plan.properties.push_back(element);
+}
+
+void ports(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (!requireStruct(element, sink)) return;
+    for (const xml::Element& child : element.children) {
+        if (child.name == "description") continue;
+        const Text port = nameOf(child);
+        const auto connection = readString(child, sink);
+        if (port.empty())
+            sink.error(child.where, "DEP003", "an element of 'Ports' has no name, expected that of a port");
+        else if (connection && connection->empty())
+            sink.error(child.where, "DEP003",
+                       "port '" + port.value + "' has an empty <value>, expected the name of a connection");
+        else if (connection)
+            plan.ports.push_back(PortPlan{port, *connection});
+    }
+}
+
+void peers(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (!requireStruct(element, sink)) return;
+    for (const xml::Element& child : element.children)
+        if (child.name != "description")
+            if (const auto peer = readString(child, sink)) plan.peers.push_back(*peer);
+}
+
+void activity(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (!requireStruct(element, sink)) return;
+    if (plan.activity)
+        sink.error(element.where, "DEP013", "a second activity for component '" + plan.name.value + "'")
+            .note(plan.activity->where, "the first is here");
+    plan.activity = readActivity(element, sink);
+}
+
+void server(const xml::Element& element, ComponentPlan&, diag::Sink& sink) {
+    if (readBoolean(element, sink).value_or(false))
+        sink.warning(element.where, "DEP019", "'Server' is ignored: this deployer has no CORBA");
+}
+
+void checkedFlag(const xml::Element& element, ComponentPlan&, diag::Sink& sink) { (void)readBoolean(element, sink); }
+
+void withoutEffect(const xml::Element& element, ComponentPlan&, diag::Sink& sink) {
+    const std::string name = nameOf(element).value;
+    sink.warning(element.where, "DEP019",
+                 "'" + name + "' has no effect here; " +
+                     (name == "Master" ? "it belongs into the Activity struct" : "it is a property of the deployer"));
+}
+
+struct Entry {
+    const char* name;
+    Reader read;
+};
+
+const Entry kEntries[] = {
+    {"Activity", activity},
+    {"AutoConf", flag<&ComponentPlan::autoConf>},
+    {"AutoConnect", flag<&ComponentPlan::autoConnect>},
+    {"AutoSave", flag<&ComponentPlan::autoSave>},
+    {"AutoStart", flag<&ComponentPlan::autoStart>},
+    {"AutoUnload", withoutEffect},
+    {"LoadProperties", propertyFile<PropertyFilePlan::Load>},
+    {"Master", withoutEffect},
+    {"Peers", peers},
+    {"Plugin", service},
+    {"Ports", ports},
+    {"ProgramScript", script<ScriptPlan::Program>},
+    {"Properties", properties},
+    {"PropertyFile", propertyFile<PropertyFilePlan::Strict>},
+    {"Provides", service},
+    {"RunScript", script<ScriptPlan::Run>},
+    {"Server", server},
+    {"Service", service},
+    {"StateMachineScript", script<ScriptPlan::StateMachine>},
+    {"UpdateProperties", propertyFile<PropertyFilePlan::Update>},
+    {"UseNamingService", checkedFlag},
+};
+
+void readElement(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    const Text name = nameOf(element);
+    if (name.value == "PropFile") {
+        sink.error(name.where, "DEP006", "'PropFile' is an old name; please write 'PropertyFile'");
+        return;
+    }
+    std::vector<std::string> known;
+    for (const Entry& entry : kEntries) {
+        if (name.value == entry.name) return entry.read(element, plan, sink);
+        known.push_back(entry.name);
+    }
+    sink.error(name.where, "DEP006",
+               "unknown element '" + name.value + "' in component '" + plan.name.value + "'" +
+                   diag::didYouMean(name.value, known));
+}
+
+}  // namespace
+
+ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink) {
+    ComponentPlan plan;
+    plan.name = nameOf(element);
+    plan.type = typeOf(element);
+    for (const xml::Element& child : element.children)
+        if (child.name != "description") readElement(child, plan, sink);
+    return plan;
+}
+
+}  // namespace OCL::deploy

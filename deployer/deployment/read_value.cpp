@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "read_value.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace OCL::deploy {
+namespace {
+
+using TypeNames = std::initializer_list<const char*>;
+
+constexpr TypeNames kBooleans = {"boolean", "bool"};
+constexpr TypeNames kIntegers = {"short", "long", "ushort", "ulong", "int", "uint", "llong", "ullong"};
+constexpr TypeNames kReals = {"double", "float", "short", "long", "ushort", "ulong", "int", "uint", "llong", "ullong"};
+constexpr TypeNames kStrings = {"string"};
+
+bool contains(TypeNames names, const std::string& name) {
+    return std::any_of(names.begin(), names.end(), [&](const char* candidate) { return name == candidate; });
+}
+
+/** The text of the value if the element is a simple one of one of these types. `expected` names them to the user. */
+std::optional<Text> valueOf(const xml::Element& element, TypeNames types, const char* expected, diag::Sink& sink) {
+    const std::string name = nameOf(element).value;
+    if (element.name != "simple") {
+        sink.error(element.where, "DEP004",
+                   "found <" + element.name + "> '" + name + "', expected <simple> of type " + expected);
+        return std::nullopt;
+    }
+    const xml::Attribute* type = element.requireAttribute("type", sink);
+    if (!type) return std::nullopt;
+    if (!contains(types, type->value)) {
+        sink.error(type->valueWhere, "DEP004", "'" + name + "' is of type '" + type->value + "', expected " + expected);
+        return std::nullopt;
+    }
+    const xml::Element* value = element.child("value");
+    if (!value) {
+        sink.error(element.where, "DEP003", "'" + name + "' has no <value>");
+        return std::nullopt;
+    }
+    return Text{value->text, value->textWhere};
+}
+
+void badValue(const xml::Element& element, const Text& value, const std::string& expected, diag::Sink& sink) {
+    sink.error(value.where, "DEP005",
+               "the value of '" + nameOf(element).value + "' is '" + value.value + "', expected " + expected);
+}
+
+}  // namespace
+
+Text nameOf(const xml::Element& element) {
+    const xml::Attribute* name = element.attribute("name");
+    return name ? Text{name->value, name->valueWhere} : Text{std::string(), element.where};
+}
+
+Text typeOf(const xml::Element& element) {
+    const xml::Attribute* type = element.attribute("type");
+    return type ? Text{type->value, type->valueWhere} : Text{std::string(), element.where};
+}
+
+bool requireStruct(const xml::Element& element, diag::Sink& sink) {
+    if (element.name == "struct" || element.name == "sequence") return true;
+    sink.error(element.where, "DEP004",
+               "found <" + element.name + "> '" + nameOf(element).value + "', expected a <struct>");
+    return false;
+}
+
+std::optional<bool> readBoolean(const xml::Element& element, diag::Sink& sink) {
+    const std::optional<Text> text = valueOf(element, kBooleans, "boolean", sink);
+    if (!text) return std::nullopt;
+    if (text->value == "1" || text->value == "true") return true;
+    if (text->value == "0" || text->value == "false") return false;
+    badValue(element, *text, "0, 1, true or false", sink);
+    return std::nullopt;
+}
+
+std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink) {
+    const std::optional<Text> text = valueOf(element, kIntegers, "short or long", sink);
+    if (!text) return std::nullopt;
+    errno = 0;
+    char* end = nullptr;
+    const long long number = std::strtoll(text->value.c_str(), &end, 0);
+    if (!text->value.empty() && *end == '\0' && errno == 0 && number >= least && number <= most) return number;
+    badValue(element, *text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), sink);
+    return std::nullopt;
+}
+
+std::optional<double> readReal(const xml::Element& element, diag::Sink& sink) {
+    const std::optional<Text> text = valueOf(element, kReals, "double", sink);
+    if (!text) return std::nullopt;
+    char* end = nullptr;
+    const double number = std::strtod(text->value.c_str(), &end);
+    if (!text->value.empty() && *end == '\0') return number;
+    badValue(element, *text, "a number", sink);
+    return std::nullopt;
+}
+
+std::optional<Text> readString(const xml::Element& element, diag::Sink& sink) {
+    return valueOf(element, kStrings, "string", sink);
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "report.hpp"
+
+#include <diag/print.hpp>
+#include <rtt/Logger.hpp>
+
+#include <iostream>
+
+namespace OCL::deploy {
+namespace {
+
+/** Keeps the log off the console, where the same is said better, for the life time of this object. */
+class FileLogOnly {
+public:
+    FileLogOnly() : wasOn_(RTT::Logger::Instance()->mayLogStdOut()) { RTT::Logger::Instance()->mayLogStdOut(false); }
+    ~FileLogOnly() { RTT::Logger::Instance()->mayLogStdOut(wasOn_); }
+
+private:
+    bool wasOn_;
+};
+
+}  // namespace
+
+void report(const oroforge::diag::Sink& sink) {
+    if (sink.empty()) return;
+    oroforge::diag::print(std::cerr, sink);
+    std::cerr.flush();
+    const FileLogOnly quiet;
+    for (const oroforge::diag::Diagnostic& diagnostic : sink.sorted())
+        RTT::log(diagnostic.severity == oroforge::diag::Severity::Error ? RTT::Error : RTT::Warning)
+            << oroforge::diag::toString(diagnostic) << RTT::endlog();
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// One deployer's state and the steps that change it. Each step reports to a sink and goes on as far as it can.
+//
+//     load: imports → validate → create components and load services
+//     configure: check ports → peers → connections → activities → properties → scripts → configure → streams
+//     start
+//     stop → cleanup → unload, in reverse order of creation
+#ifndef OROFORGE_DEPLOYMENT_SESSION_HPP
+#define OROFORGE_DEPLOYMENT_SESSION_HPP
+
+#include "records.hpp"
+
+#include <diag/sink.hpp>
+
+#include <functional>
+#include <string>
+
+namespace OCL::deploy {
+
+struct Session {
+    RTT::TaskContext* deployer = nullptr;
+    Records records;
+    int nextGroup = 1;                              // of the next file; 0: components created one by one
+    int waitPeriodPolicy = 0;                       // for the threads of new activities
+    std::function<bool(RTT::TaskContext*)> loaded;  // false refuses the component
+    std::function<void(RTT::TaskContext*)> unloaded;
+
+    /** The deployer for its own name or "this", else one of its peers; null if there is none. */
+    RTT::TaskContext* component(const std::string& name) const;
+    /** Names that component() accepts, without "this". */
+    std::vector<std::string> componentNames() const;
+    bool isDeployer(const std::string& name) const;
+    /** The record of a component, made if there is none. The reference holds until records change. */
+    Record& recordOf(RTT::TaskContext& component);
+};
+
+// load.cpp
+/** Imports, validates and creates; true if nothing was wrong. What was created stays: see takeDown. */
+bool load(Session& session, const Plan& plan, int group, diag::Sink& sink);
+/** Creates one component and makes it a peer of the deployer; null with the reason. */
+RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
+                         std::string& error);
+bool loadService(RTT::TaskContext& component, const std::string& service);
+bool loadLibrary(const std::string& file, std::string& error);
+/** Adds directories to the search path of components and plugins. */
+void addSearchPath(const std::string& paths);
+
+// check_components.cpp
+/**
+ * Reports connections that cannot be made between the real components, and properties they do not have.
+ * A port that a component may still add while it is configured is not missed before `configured`.
+ */
+void checkComponents(const Session& session, int group, bool configured, diag::Sink& sink);
+
+// connect.cpp
+void addPeers(Session& session, int group, diag::Sink& sink);
+/** Connects every output of a connection with every input of it; again is harmless. */
+void connectPorts(Session& session, diag::Sink& sink);
+void connectSameNames(Session& session, int group, diag::Sink& sink);
+/** Makes streams of the connections that have one port only. */
+void createStreams(Session& session, diag::Sink& sink);
+
+// configure.cpp
+bool configure(Session& session, int group, diag::Sink& sink);
+bool start(Session& session, int group, diag::Sink& sink);
+
+// take_down.cpp
+bool stop(Session& session, int group);
+bool cleanup(Session& session, int group);
+bool unload(Session& session, int group);
+bool stopOne(RTT::TaskContext& component);
+bool cleanupOne(Session& session, RTT::TaskContext& component);
+bool unloadOne(Session& session, RTT::TaskContext& component);
+/** All three, as far as possible, in reverse order of creation; true if nothing of the group is left. */
+bool takeDown(Session& session, int group);
+
+}  // namespace OCL::deploy
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "xml_to_plan.hpp"
+
+#include "read_value.hpp"
+
+#include <diag/nearest_match.hpp>
+#include <xml/document.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace OCL::deploy {
+namespace {
+
+/** Reads a file and, in the place of each Include, the file included. */
+class PlanReader {
+public:
+    PlanReader(Plan& plan, diag::Sink& sink) : plan_(plan), sink_(sink) {}
+
+    void readFile(const std::string& file) {
+        open_.push_back(identity(file));
+        if (const auto document = xml::Document::parseFile(file, sink_)) readRoot(document->root());
+        open_.pop_back();
+    }
+
+    void readRoot(const xml::Element& root) {
+        if (root.name != "properties") {
+            sink_.error(root.where, "DEP001", "found root element <" + root.name + ">, expected <properties>");
+            return;
+        }
+        for (const xml::Element& child : root.children)
+            if (child.name != "description") readTopLevel(child);
+    }
+
+private:
+    static std::string identity(const std::string& file) {
+        std::error_code error;
+        const fs::path real = fs::canonical(file, error);
+        return error ? file : real.string();
+    }
+
+    void readTopLevel(const xml::Element& element) {
+        if (element.name == "simple") return readStatement(element);
+        if (element.name != "struct") {
+            sink_.error(element.where, "DEP002", "found <" + element.name + ">, expected <simple> or <struct>");
+            return;
+        }
+        const xml::Attribute* name = element.requireAttribute("name", sink_);
+        if (!name) return;
+        if (isPolicy(element))
+            plan_.policies.push_back(readPolicy(element, sink_));
+        else if (name->value == "GlobalsRepository")
+            readGlobals(element);
+        else if (element.requireAttribute("type", sink_))
+            plan_.components.push_back(readComponent(element, sink_));
+    }
+
+    void readStatement(const xml::Element& element) {
+        const Text name = nameOf(element);
+        static const std::vector<std::string> known = {"Import", "Path", "LoadLibrary", "Include"};
+        const auto found = std::find(known.begin(), known.end(), name.value);
+        if (found == known.end()) {
+            sink_
+                .error(name.where, "DEP002",
+                       "unknown statement '" + name.value + "'" + diag::didYouMean(name.value, known))
+                .hint("on this level stand the statements " + diag::oneOf(known) +
+                      " and structs for components and connection policies");
+            return;
+        }
+        const auto text = readString(element, sink_);
+        if (!text) return;
+        if (text->empty())
+            sink_.error(element.where, "DEP003", "'" + name.value + "' has an empty <value>");
+        else if (name.value == "Include")
+            include(*text);
+        else
+            plan_.imports.push_back(ImportPlan{kindOf(name.value), *text});
+    }
+
+    static ImportPlan::Kind kindOf(const std::string& name) {
+        return name == "Import" ? ImportPlan::Import : name == "Path" ? ImportPlan::Path : ImportPlan::LoadLibrary;
+    }
+
+    void include(const Text& file) {
+        const std::string path = resolveFile(file);
+        if (!fs::exists(path)) {
+            sink_.error(file.where, "DEP020", "no such file: '" + file.value + "'");
+            return;
+        }
+        if (std::find(open_.begin(), open_.end(), identity(path)) != open_.end()) {
+            sink_.error(file.where, "DEP007",
+                        "'" + file.value + "' includes itself, directly or through the files it includes");
+            return;
+        }
+        readFile(path);
+    }
+
+    void readGlobals(const xml::Element& element) {
+        for (const xml::Element& child : element.children) {
+            if (child.name == "description") continue;
+            if (nameOf(child).value != "Properties")
+                sink_.error(
+                    child.where, "DEP006",
+                    "unknown element '" + nameOf(child).value + "' in GlobalsRepository, expected 'Properties'");
+            else if (requireStruct(child, sink_))
+                plan_.globals.push_back(child);
+        }
+    }
+
+    Plan& plan_;
+    diag::Sink& sink_;
+    std::vector<std::string> open_;  // the file being read and those that include it
+};
+
+/** A file that says nothing is a mistake; one that could not be read has been reported. */
+void checkNotEmpty(const Plan& plan, diag::Sink& sink) {
+    if (plan.imports.empty() && plan.policies.empty() && plan.components.empty() && plan.globals.empty() &&
+        !sink.hadErrors())
+        sink.error({plan.file, 0, 0}, "DEP008", "the file holds no statements");
+}
+
+}  // namespace
+
+Plan readPlanFile(const std::string& file, diag::Sink& sink) {
+    Plan plan;
+    plan.file = file;
+    PlanReader(plan, sink).readFile(file);
+    checkNotEmpty(plan, sink);
+    return plan;
+}
+
+Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& sink) {
+    Plan plan;
+    plan.file = name;
+    if (const auto document = xml::Document::parseText(text, name, sink))
+        PlanReader(plan, sink).readRoot(document->root());
+    checkNotEmpty(plan, sink);
+    return plan;
+}
+
+std::string resolveFile(const Text& file) {
+    const fs::path path = file.value;
+    if (path.is_absolute() || fs::exists(path)) return file.value;
+    const fs::path beside = fs::path(file.where.file).parent_path() / path;
+    return fs::exists(beside) ? beside.string() : file.value;
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/** The component macros, under the name by which older component libraries include them. */
+#ifndef ORO_OCL_COMPONENT_HPP
+#define ORO_OCL_COMPONENT_HPP
+
+#include <rtt/Component.hpp>
+
+namespace OCL {
+using RTT::ComponentFactories;
+using RTT::ComponentLoaderSignature;
+using RTT::FactoryMap;
+}  // namespace OCL
+
+#endif

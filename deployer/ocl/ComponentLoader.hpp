@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/** The component loader, under the name by which older programs include it. */
+#ifndef ORO_OCL_COMPONENT_LOADER_HPP
+#define ORO_OCL_COMPONENT_LOADER_HPP
+
+#include <rtt/deployment/ComponentLoader.hpp>
+
+namespace OCL {
+using RTT::ComponentLoader;
+}
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_DEPLOYMENT_COMPONENT_HPP
+#define ORO_DEPLOYMENT_COMPONENT_HPP
+
+#include <ocl/OCL.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/rtt-config.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class ConnPolicy;
+namespace base {
+class PortInterface;
+}
+}  // namespace RTT
+
+namespace OCL {
+
+/**
+ * A component that imports component libraries, creates components, connects, configures, starts and removes them,
+ * either by single operations or as an XML file describes.
+ *
+ * A component is named by the deployer's own name or "this" (the deployer itself) or by the name of one of its peers.
+ * Ports and services are named by paths, `component[.service…].port`. The functions below are the operations of the
+ * component, of the same names and run in the calling thread. They are not real-time, may block, and report failures in
+ * the log and by returning false; errors in files are also written to standard error with their place.
+ * Do not call them from several threads at once.
+ */
+class OCL_API DeploymentComponent : public RTT::TaskContext {
+public:
+    /**
+     * @param name the name of this component
+     * @param siteFile a file that is deployed at once; empty: `<name>-site.cpf`. If there is none, the component
+     *        library `ocl` is imported instead. Problems are logged; the constructor does not fail.
+     */
+    explicit DeploymentComponent(std::string name = "Deployer", std::string siteFile = std::string());
+    /** With the property AutoUnload set, stops, cleans up and unloads everything this component loaded. */
+    ~DeploymentComponent() override;
+
+    // --- libraries -------------------------------------------------------------------------------------------------
+    /** Imports a package, directory or library file. @throw std::runtime_error if a library in it cannot be loaded. */
+    bool import(const std::string& package);
+    /** Adds directories to the search path and imports what lies directly in them. */
+    void path(const std::string& paths);
+    /** Loads one plugin, typekit or component library file. */
+    bool loadLibrary(const std::string& name);
+    /** Unloads and loads a component library again; there must be no components of it. */
+    bool reloadLibrary(const std::string& filepath);
+    /** Writes the known component types to standard output. */
+    void displayComponentTypes() const;
+    std::vector<std::string> getComponentTypes() const;
+
+    // --- single components -----------------------------------------------------------------------------------------
+    /** Creates a component of an imported type and makes it a peer. */
+    bool loadComponent(const std::string& name, const std::string& type);
+    /** Deletes a component that this deployer loaded and that does not run. */
+    bool unloadComponent(const std::string& name);
+    /** Loads a service into a component; true if it is there already. */
+    bool loadService(const std::string& name, const std::string& service);
+    bool configureComponent(const std::string& name);
+    bool startComponent(const std::string& name);
+    bool stopComponent(const std::string& name);
+    bool cleanupComponent(const std::string& name);
+
+    // --- files -----------------------------------------------------------------------------------------------------
+    /** Reads a file, imports and creates what it says; undoes that if anything in it is wrong. */
+    bool loadComponents(const std::string& file);
+    bool loadConfiguration(const std::string& file) { return loadComponents(file); }
+    /** As loadConfiguration, from a text. */
+    bool loadConfigurationString(const std::string& text);
+    /** Forgets what files said about components and connections; components stay. */
+    void clearConfiguration();
+    /** Connects and configures the components of all files, in order. */
+    bool configureComponents();
+    /** Starts the AutoStart components of all files, in order. */
+    bool startComponents();
+    bool stopComponents();
+    bool cleanupComponents();
+    bool unloadComponents();
+    /** Loads, configures and starts a file; undoes all of it in reverse order if one step fails. */
+    bool kickStart(const std::string& file);
+    /** As kickStart, or without starting anything. */
+    bool kickStart2(const std::string& file, bool start);
+    /** Stops, cleans up and unloads all components loaded by this deployer, the last created first. */
+    bool kickOutAll();
+    bool kickOutComponent(const std::string& name);
+    /** Kicks out the components named in a file. */
+    void kickOut(const std::string& file);
+    /** Runs a script in the deployer; needs the scripting service. */
+    bool runScript(const std::string& file);
+    /** Tells the component "Application" to end, and waits for it; called by programs before they end. */
+    void shutdownDeployment();
+
+    // --- waiting ---------------------------------------------------------------------------------------------------
+    /** Blocks until SIGINT, SIGTERM or SIGHUP. */
+    void waitForInterrupt();
+    /** Blocks until the signal comes. False if it cannot be caught. */
+    bool waitForSignal(int signal);
+
+    // --- peers, ports, services ------------------------------------------------------------------------------------
+    using RTT::TaskContext::addPeer;
+    using RTT::TaskContext::connectPeers;
+    using RTT::TaskContext::connectPorts;
+    using RTT::TaskContext::connectServices;
+    using RTT::TaskContext::loadService;
+    using RTT::TaskContext::setActivity;
+    bool connectPeers(const std::string& one, const std::string& two);
+    bool addPeer(const std::string& from, const std::string& to);
+    bool aliasPeer(const std::string& from, const std::string& to, const std::string& alias);
+    /** Connects all ports of two components that have the same name. */
+    bool connectPorts(const std::string& one, const std::string& two);
+    bool connectTwoPorts(const std::string& one, const std::string& portOne, const std::string& two,
+                         const std::string& portTwo);
+    /** Connects two ports; which of them is the output does not matter. */
+    bool connect(const std::string& portOne, const std::string& portTwo, RTT::ConnPolicy policy);
+    /** Connects a port to a stream of the policy's transport. */
+    bool stream(const std::string& port, RTT::ConnPolicy policy);
+    bool createStream(const std::string& component, const std::string& port, RTT::ConnPolicy policy);
+    bool connectServices(const std::string& one, const std::string& two);
+
+    // --- activities: periods in seconds; the component must not run -------------------------------------------------
+    bool setActivity(const std::string& name, double period, int priority, int scheduler);
+    bool setActivityOnCPU(const std::string& name, double period, int priority, int scheduler, unsigned int cpu);
+    bool setPeriodicActivity(const std::string& name, double period, int priority, int scheduler);
+    bool setSequentialActivity(const std::string& name);
+    bool setSlaveActivity(const std::string& name, double period);
+    bool setMasterSlaveActivity(const std::string& master, const std::string& slave);
+    /** How the component's thread waits for its period: ORO_WAIT_ABS or ORO_WAIT_REL. */
+    bool setWaitPeriodPolicy(const std::string& name, int policy);
+
+    /** Fills or applies the property RTT_COMPONENT_PATH. */
+    bool configureHook() override;
+
+protected:
+    /** Called after a component was created. False refuses it: it is deleted again. */
+    virtual bool componentLoaded(RTT::TaskContext* component);
+    /** Called before a component is deleted. */
+    virtual void componentUnloaded(RTT::TaskContext* component);
+
+private:
+    void addDeploymentInterface();
+
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace OCL
+
+#endif
