@@ -1,0 +1,7 @@
+#include <rtt/RTT.hpp>
+#include <rtt/plugin/ServicePlugin.hpp>
+struct Stamp : RTT::Service {
+    Stamp(RTT::TaskContext* owner) : RTT::Service("stamp", owner) { addOperation("ownerName", &Stamp::ownerName, this); }
+    std::string ownerName() { return getOwner()->getName(); }
+};
+ORO_SERVICE_NAMED_PLUGIN(Stamp, "stamp")

@@ -1,0 +1,2 @@
+#include "support.hpp"
+int classicAnswer() { return 42; }

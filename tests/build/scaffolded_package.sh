@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# What orocreate-pkg scaffolds builds with plain cmake against the moved installation, without a warning.
+source "$(dirname "$0")/package_test.sh"
+cd "$work"
+
+orocreate-pkg mypkg component typekit
+build_package mypkg b1 "$work/inst" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wconversion -Werror"
+expect_file inst/lib/orocos/gnulinux/mypkg/libmypkg-gnulinux.so
+expect_file inst/lib/orocos/gnulinux/mypkg/types/libmypkg-typekit-gnulinux.so
+cat > app.xml <<'TXT'
+<?xml version="1.0" encoding="UTF-8"?>
+<properties>
+  <simple name="Import" type="string"><value>mypkg</value></simple>
+  <struct name="one" type="Mypkg">
+    <simple name="AutoConf" type="boolean"><value>1</value></simple>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+</properties>
+TXT
+export RTT_COMPONENT_PATH=$work/inst/lib/orocos
+deploy_until 'Mypkg' -s app.xml
+
+# A type that cannot be supported stops the build with a located message and leaves nothing half-written.
+printf 'struct Broken { int* pointer; };\n' >> mypkg/include/mypkg/mypkg-types.hpp
+rm -rf b2
+cmake -S mypkg -B b2 -DCMAKE_PREFIX_PATH="$prefix" > b2.log
+! cmake --build b2 > b2.log 2>&1 || fail "a pointer member was accepted"
+grep -qE 'mypkg-types.hpp:[0-9]+:[0-9]+: error: \[TK[0-9]+\]' b2.log || { cat b2.log; fail "no located message"; }
+[ -z "$(find b2/typekit -name '*.cpp' 2> /dev/null)" ] || fail "half a typekit was left behind"

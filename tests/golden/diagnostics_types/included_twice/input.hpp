@@ -1,0 +1,3 @@
+#pragma once
+#include "unguarded.hpp"
+#include "unguarded.hpp"

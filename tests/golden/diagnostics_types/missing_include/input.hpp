@@ -1,0 +1,3 @@
+#pragma once
+#include "not_there.hpp"
+struct After { int x; };

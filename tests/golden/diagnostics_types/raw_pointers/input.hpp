@@ -1,0 +1,11 @@
+#pragma once
+namespace bad {
+struct Node {
+    Node* next;
+    const char* name;
+    void* data;
+    int& reference;
+    int (*function)(int);
+    int Node::*member;
+};
+}

@@ -1,0 +1,2 @@
+#pragma once
+namespace demo { struct Extra { int e; }; }

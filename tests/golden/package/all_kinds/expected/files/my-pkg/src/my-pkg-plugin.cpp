@@ -1,0 +1,20 @@
+#include <string>
+
+#include <rtt/RTT.hpp>
+#include <rtt/plugin/Plugin.hpp>
+
+/// Called once for the process with a null pointer, and once for each component that loads the plugin.
+/// False refuses: the plugin is unloaded.
+bool loadRTTPlugin(RTT::TaskContext* component) {
+    if (component == nullptr) {
+        RTT::log(RTT::Info) << "plugin my-pkg-plugin loaded into the process" << RTT::endlog();
+    } else {
+        RTT::log(RTT::Info) << "plugin my-pkg-plugin loaded into " << component->getName() << RTT::endlog();
+    }
+    return true;
+}
+
+/// The name by which it is loaded; one per process.
+std::string getRTTPluginName() { return "my-pkg-plugin"; }
+
+std::string getRTTTargetName() { return OROCOS_TARGET_NAME; }

@@ -1,0 +1,6 @@
+#pragma once
+namespace empty_types {
+struct Tag {};
+enum class Id : int {};
+struct Holder { Tag tag; Id id; };
+}

@@ -1,0 +1,2 @@
+#pragma once
+namespace two_headers { struct First { int a; }; }

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+#
+# oroforge_add_test(<name>
+#   SOURCES <file>…          test sources, relative to the fragment's folder
+#   [LABELS <label>…]        unit (default), golden, build, slow; add `concurrent` for what TSan should run
+#   [LIBS <target>…]         linked besides GoogleTest
+#   [INCLUDES <dir>…] [DEFINITIONS <def>…] [DEPENDS <target>…]
+#   [ENVIRONMENT <VAR=value>…]
+#   [TIMEOUT <seconds>]      for each test case, default 60
+#   [PREFIX <text>]          before each test name; default "<name>."
+#   [NO_MAIN]                the sources bring their own main()
+#   [SERIAL])                never beside another test (timing, memory limits)
+#
+# oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [SERIAL])
+#   a test that is a command; default label unit, default time limit 120 s.
+#
+# Tests are not part of `all`: target `tests` builds every one of them, `tests-<label>` those with that label,
+# each together with the plugins and libraries that its folder defines.
+include_guard(GLOBAL)
+include(GoogleTest)
+find_package(GTest REQUIRED)
+
+# PRE_TEST: the programs are asked for their cases when ctest starts, so a sanitizer build or a
+# missing plugin cannot break the build itself.
+set(CMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE PRE_TEST)
+
+# Collects what `tests` and `tests-<label>` build.
+add_custom_target(tests)
+function(_oroforge_collect_test labels)
+  foreach(label ${labels})
+    if(NOT TARGET tests-${label})
+      add_custom_target(tests-${label})
+      add_dependencies(tests tests-${label})
+    endif()
+    if(ARGN)
+      add_dependencies(tests-${label} ${ARGN})
+    endif()
+  endforeach()
+endfunction()
+
+function(oroforge_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;SERIAL" "TIMEOUT;PREFIX"
+    "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_SOURCES)
+    message(FATAL_ERROR "oroforge_add_test(${name}): no SOURCES")
+  endif()
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 60)
+  endif()
+  if(NOT DEFINED arg_PREFIX)
+    set(arg_PREFIX "${name}.")
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${arg_INCLUDES})
+  target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
+  if(arg_NO_MAIN)
+    target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock GTest::gtest)
+  else()
+    target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock GTest::gtest GTest::gtest_main)
+  endif()
+  if(arg_DEPENDS)
+    add_dependencies(${name} ${arg_DEPENDS})
+  endif()
+  set_property(GLOBAL APPEND PROPERTY OROFORGE_TEST_PROGRAMS ${name})
+  _oroforge_collect_test("${arg_LABELS}" ${name})
+  gtest_discover_tests(${name} TEST_PREFIX "${arg_PREFIX}" DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL})
+  # gtest_discover_tests breaks lists apart, so what is a list is set when ctest has read the cases.
+  set(extra ${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake)
+  file(CONFIGURE OUTPUT ${extra} @ONLY CONTENT [=[
+if(@name@_TESTS)
+  set_tests_properties(${@name@_TESTS} PROPERTIES LABELS "@arg_LABELS@" ENVIRONMENT "@arg_ENVIRONMENT@")
+endif()
+]=])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${extra})
+endfunction()
+
+function(oroforge_add_script_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "TIMEOUT" "COMMAND;LABELS;ENVIRONMENT;DEPENDS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "oroforge_add_script_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  _oroforge_collect_test("${arg_LABELS}" ${arg_DEPENDS})
+  add_test(NAME ${name} COMMAND ${arg_COMMAND})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
+    ENVIRONMENT "${arg_ENVIRONMENT}")
+  if(arg_SERIAL)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL TRUE)
+  endif()
+endfunction()

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <ocl/DeploymentComponent.hpp>
+#include <rtt/ConnPolicy.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OperationCaller.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/os/fosi.h>
+#include <rtt/os/startstop.h>
+#include <support/temp_dir.hpp>
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+namespace {
+
+using OCL::DeploymentComponent;
+using oroforge::test::TempDir;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+
+const char* const kTwo =
+    "<properties>"
+    "<struct name='p' type='deploytest::Producer'>"
+    "<struct name='Ports' type='PropertyBag'><simple name='numbers' type='string'><value>w</value></simple></struct>"
+    "<simple name='AutoConf' type='boolean'><value>1</value></simple></struct>"
+    "<struct name='c' type='deploytest::Consumer'>"
+    "<struct name='Ports' type='PropertyBag'><simple name='numbers' type='string'><value>w</value></simple></struct>"
+    "<simple name='AutoStart' type='boolean'><value>1</value></simple></struct>"
+    "</properties>";
+
+class Deployment : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        static char name[] = "deployment_test";
+        static char* words[] = {name, nullptr};
+        __os_init(1, words);
+    }
+    static void TearDownTestSuite() { __os_exit(); }
+
+    Deployment() : old_(std::filesystem::current_path()) {
+        std::filesystem::current_path(directory_.path());  // no site file of others, and the log goes away
+        deployer_ = std::make_unique<DeploymentComponent>("Deployer");
+        RTT::ComponentLoader::Instance()->setComponentPath(DEPLOYER_TEST_PATH);
+        EXPECT_TRUE(deployer_->import("deploytest"));
+    }
+    ~Deployment() override {
+        deployer_.reset();
+        std::filesystem::current_path(old_);
+    }
+
+    RTT::TaskContext* peer(const std::string& name) { return deployer_->getPeer(name); }
+
+    TempDir directory_;
+    std::filesystem::path old_;
+    std::unique_ptr<DeploymentComponent> deployer_;
+};
+
+TEST_F(Deployment, ComponentIsLoadedAsPeerAndUnloaded) {
+    EXPECT_THAT(deployer_->getComponentTypes(), Contains("deploytest::Producer"));
+    EXPECT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_NE(nullptr, peer("p"));
+    EXPECT_FALSE(deployer_->loadComponent("p", "deploytest::Producer"));
+    EXPECT_FALSE(deployer_->loadComponent("q", "deploytest::Prodcer"));
+    EXPECT_FALSE(deployer_->loadComponent("Deployer", "deploytest::Producer"));
+    EXPECT_TRUE(deployer_->unloadComponent("p"));
+    EXPECT_EQ(nullptr, peer("p"));
+    EXPECT_FALSE(deployer_->unloadComponent("p"));
+}
+
+TEST_F(Deployment, RunningComponentIsNotUnloaded) {
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->startComponent("c"));
+    EXPECT_TRUE(deployer_->startComponent("c"));
+    EXPECT_FALSE(deployer_->unloadComponent("c"));
+    EXPECT_TRUE(deployer_->stopComponent("c"));
+    EXPECT_TRUE(deployer_->stopComponent("c"));
+    EXPECT_TRUE(deployer_->unloadComponent("c"));
+}
+
+TEST_F(Deployment, UnknownNamesAreRefusedByAll) {
+    EXPECT_FALSE(deployer_->configureComponent("x"));
+    EXPECT_FALSE(deployer_->startComponent("x"));
+    EXPECT_FALSE(deployer_->stopComponent("x"));
+    EXPECT_FALSE(deployer_->loadService("x", "marshalling"));
+    EXPECT_FALSE(deployer_->addPeer("x", "this"));
+    EXPECT_FALSE(deployer_->connectPeers("x", "this"));
+    EXPECT_FALSE(deployer_->connectPorts("x", "this"));
+    EXPECT_FALSE(deployer_->connect("x.p", "this.q", RTT::ConnPolicy()));
+    EXPECT_FALSE(deployer_->setActivity("x", 0.1, 0, ORO_SCHED_OTHER));
+    EXPECT_FALSE(deployer_->kickOutComponent("x"));
+}
+
+TEST_F(Deployment, PortsAreConnectedByPath) {
+    ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->connect("c.numbers", "p.numbers", RTT::ConnPolicy::buffer(10)));
+    EXPECT_TRUE(peer("p")->getPort("numbers")->connected());
+    EXPECT_FALSE(deployer_->connect("c.text", "p.numbers", RTT::ConnPolicy()));
+    EXPECT_FALSE(deployer_->connect("c.none", "p.numbers", RTT::ConnPolicy()));
+    EXPECT_FALSE(deployer_->connectTwoPorts("c", "text", "p", "numbers"));
+}
+
+TEST_F(Deployment, PeersAreAddedAndAliased) {
+    ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->addPeer("p", "c"));
+    EXPECT_TRUE(deployer_->addPeer("p", "c"));
+    EXPECT_EQ(peer("c"), peer("p")->getPeer("c"));
+    EXPECT_TRUE(deployer_->aliasPeer("p", "this", "boss"));
+    EXPECT_EQ(deployer_.get(), peer("p")->getPeer("boss"));
+}
+
+TEST_F(Deployment, ActivitiesAreSetWhileStopped) {
+    ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->setActivity("p", 0.5, 0, ORO_SCHED_OTHER));
+    EXPECT_DOUBLE_EQ(0.5, peer("p")->getPeriod());
+    EXPECT_TRUE(deployer_->setSequentialActivity("p"));
+    EXPECT_TRUE(deployer_->setPeriodicActivity("p", 0.25, 0, ORO_SCHED_OTHER));
+    EXPECT_FALSE(deployer_->setPeriodicActivity("p", 0, 0, ORO_SCHED_OTHER));
+    EXPECT_DOUBLE_EQ(0.25, peer("p")->getPeriod());
+    EXPECT_TRUE(deployer_->startComponent("c"));
+    EXPECT_FALSE(deployer_->setActivity("c", 0.5, 0, ORO_SCHED_OTHER));
+}
+
+TEST_F(Deployment, MasterMayBeUnloadedBeforeItsSlave) {
+    ASSERT_TRUE(deployer_->loadComponent("slave", "deploytest::Consumer"));
+    ASSERT_TRUE(deployer_->loadComponent("master", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->setMasterSlaveActivity("master", "slave"));
+    EXPECT_TRUE(peer("master")->hasPeer("slave"));
+    EXPECT_NE(nullptr, dynamic_cast<RTT::extras::SlaveActivity*>(peer("slave")->getActivity()));
+    EXPECT_TRUE(deployer_->unloadComponent("master"));
+    EXPECT_EQ(nullptr, dynamic_cast<RTT::extras::SlaveActivity*>(peer("slave")->getActivity()));
+    EXPECT_TRUE(deployer_->startComponent("slave"));
+}
+
+TEST_F(Deployment, FileIsLoadedConfiguredAndStartedInSteps) {
+    ASSERT_TRUE(deployer_->loadConfigurationString(kTwo));
+    EXPECT_FALSE(peer("p")->isConfigured());
+    EXPECT_FALSE(peer("p")->getPort("numbers")->connected());
+    ASSERT_TRUE(deployer_->configureComponents());
+    EXPECT_TRUE(peer("p")->isConfigured());
+    EXPECT_TRUE(peer("p")->getPort("numbers")->connected());
+    ASSERT_TRUE(deployer_->startComponents());
+    EXPECT_TRUE(peer("c")->isRunning());
+    EXPECT_FALSE(peer("p")->isRunning());
+    EXPECT_TRUE(deployer_->stopComponents());
+    EXPECT_TRUE(deployer_->cleanupComponents());
+    EXPECT_FALSE(peer("p")->isConfigured());
+    EXPECT_TRUE(deployer_->unloadComponents());
+    EXPECT_THAT(deployer_->getPeerList(), IsEmpty());
+}
+
+TEST_F(Deployment, FailedFileLeavesNothingAndChangesNothing) {
+    ASSERT_TRUE(deployer_->loadComponent("before", "deploytest::Consumer"));
+    directory_.write("bad.xml",
+                     "<properties>"
+                     "<struct name='before' type='PropertyBag'><simple name='AutoStart' "
+                     "type='boolean'><value>1</value></simple></struct>"
+                     "<struct name='p' type='deploytest::Producer'/>"
+                     "<struct name='r' type='deploytest::RefusesToConfigure'><simple name='AutoConf' "
+                     "type='boolean'><value>1</value></simple></struct>"
+                     "</properties>");
+    EXPECT_FALSE(deployer_->kickStart("bad.xml"));
+    EXPECT_THAT(deployer_->getPeerList(), ElementsAre("before"));
+    directory_.write("good.xml", kTwo);
+    EXPECT_TRUE(deployer_->kickStart("good.xml"));
+    EXPECT_FALSE(peer("before")->isRunning());
+}
+
+TEST_F(Deployment, KickOutRemovesTheComponentsOfAFile) {
+    directory_.write("good.xml", kTwo);
+    ASSERT_TRUE(deployer_->loadComponent("other", "deploytest::Consumer"));
+    ASSERT_TRUE(deployer_->kickStart("good.xml"));
+    deployer_->kickOut("good.xml");
+    EXPECT_THAT(deployer_->getPeerList(), ElementsAre("other"));
+    EXPECT_TRUE(deployer_->kickOutAll());
+    EXPECT_THAT(deployer_->getPeerList(), IsEmpty());
+}
+
+TEST_F(Deployment, DeployerItselfTakesOptions) {
+    directory_.write("self.xml",
+                     "<properties><struct name='this' type='PropertyBag'>"
+                     "<struct name='Activity' type='Activity'><simple name='Period' "
+                     "type='double'><value>0.5</value></simple></struct>"
+                     "<struct name='Peers' type='PropertyBag'><simple type='string'><value>c</value></simple></struct>"
+                     "</struct><struct name='c' type='deploytest::Consumer'/></properties>");
+    EXPECT_TRUE(deployer_->kickStart("self.xml"));
+    EXPECT_DOUBLE_EQ(0.5, deployer_->getPeriod());
+}
+
+TEST_F(Deployment, OperationsAreThereForScripts) {
+    RTT::OperationCaller<bool(const std::string&, const std::string&)> load(
+        deployer_->provides()->getOperation("loadComponent"));
+    ASSERT_TRUE(load.ready());
+    EXPECT_TRUE(load("c", "deploytest::Consumer"));
+    for (const char* name :
+         {"import", "path", "kickStart", "connect", "stream", "setActivity", "loadService", "waitForInterrupt"})
+        EXPECT_TRUE(deployer_->provides()->hasOperation(name)) << name;
+    EXPECT_NE(nullptr, deployer_->getProperty("AutoUnload"));
+    EXPECT_NE(nullptr, deployer_->provides()->getAttribute("Target"));
+}
+
+}  // namespace

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The program as a user runs it.
+#include <support/child_process.hpp>
+#include <support/temp_dir.hpp>
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+
+namespace {
+
+using namespace oroforge::test;
+using std::chrono::seconds;
+using testing::HasSubstr;
+using testing::Not;
+
+const char* const kApplication = R"(<?xml version="1.0" encoding="UTF-8"?>
+<!DOCTYPE properties SYSTEM "cpf.dtd">
+<properties>
+  <simple name="Import" type="string"><value>deploytest</value></simple>
+  <struct name="wire" type="ConnPolicy">
+    <simple name="type" type="short"><value>1</value></simple>
+    <simple name="size" type="short"><value>100</value></simple>
+  </struct>
+  <struct name="producer" type="deploytest::Producer">
+    <struct name="Activity" type="Activity">
+      <simple name="Period" type="double"><value>0.01</value></simple>
+      <simple name="Priority" type="short"><value>0</value></simple>
+      <simple name="Scheduler" type="string"><value>ORO_SCHED_OTHER</value></simple>
+    </struct>
+    <struct name="Properties" type="PropertyBag">
+      <simple name="first" type="long"><value>41</value></simple>
+    </struct>
+    <struct name="Ports" type="PropertyBag">
+      <simple name="numbers" type="string"><value>wire</value></simple>
+    </struct>
+    <struct name="Peers" type="PropertyBag">
+      <simple type="string"><value>consumer</value></simple>
+    </struct>
+    <simple name="AutoConf" type="boolean"><value>1</value></simple>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+  <struct name="consumer" type="deploytest::Consumer">
+    <struct name="Ports" type="PropertyBag">
+      <simple name="numbers" type="string"><value>wire</value></simple>
+    </struct>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+</properties>
+)";
+
+class DeployerProgram : public testing::Test {
+protected:
+    Command command(const std::vector<std::string>& arguments) const {
+        Command result;
+        result.program = DEPLOYER_PROGRAM;
+        result.arguments = arguments;
+        result.directory = directory_.path();
+        result.environment = {{"RTT_COMPONENT_PATH", DEPLOYER_TEST_PATH}};
+        result.timeout = seconds(30);
+        return result;
+    }
+
+    /** Runs the application until its consumer is content, ends it with a signal, returns what it said. */
+    Outcome runUntil(int signal) {
+        directory_.write("app.xml", kApplication);
+        ChildProcess deployer(command({"-s", "app.xml"}));
+        EXPECT_TRUE(deployer.waitForOutput("consumer: ten numbers in a row", seconds(20)));
+        deployer.send(signal);
+        return deployer.finish();
+    }
+
+    TempDir directory_;
+};
+
+TEST_F(DeployerProgram, RunsAnApplicationUntilSigtermAndTakesItDownInReverseOrder) {
+    const Outcome outcome = runUntil(SIGTERM);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("consumer: first number 41"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("lost")));
+    EXPECT_THAT(outcome.out, HasSubstr("consumer: stopped\n"
+                                       "producer: stopped\n"
+                                       "consumer: cleaned up\n"
+                                       "producer: cleaned up\n"
+                                       "consumer: deleted\n"
+                                       "producer: deleted\n"));
+}
+
+TEST_F(DeployerProgram, EndsInOrderOnSigint) {
+    const Outcome outcome = runUntil(SIGINT);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("producer: deleted"));
+}
+
+TEST_F(DeployerProgram, CheckConfiguresAndStartsNothing) {
+    directory_.write("app.xml", kApplication);
+    const Outcome outcome = run(command({"--check", "-s", "app.xml"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("producer: configured"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("started")));
+    EXPECT_THAT(outcome.out, HasSubstr("producer: deleted"));
+}
+
+TEST_F(DeployerProgram, LaterFilesUseComponentsOfEarlierOnes) {
+    directory_.write("app.xml", kApplication);
+    directory_.write("more.xml",
+                     "<properties><struct name='second' type='deploytest::Consumer'>"
+                     "<struct name='Ports' type='PropertyBag'><simple name='numbers' "
+                     "type='string'><value>wire</value></simple></struct>"
+                     "<simple name='AutoStart' type='boolean'><value>1</value></simple></struct></properties>");
+    ChildProcess deployer(command({"-s", "app.xml", "more.xml"}));
+    EXPECT_TRUE(deployer.waitForOutput("second: ten numbers in a row", seconds(20)));
+    deployer.send(SIGTERM);
+    EXPECT_EQ(0, deployer.finish().status);
+}
+
+TEST_F(DeployerProgram, SiteFileReplacesTheImportOfTheComponentLibrary) {
+    directory_.write("Robot-site.cpf",
+                     "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
+    directory_.write("app.xml", "<properties><struct name='c' type='deploytest::Consumer'/></properties>");
+    const Outcome outcome = run(command({"--check", "-s", "app.xml", "Robot"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("c: created"));
+}
+
+TEST_F(DeployerProgram, HelpVersionAndBadOptions) {
+    const Outcome help = run(command({"--help"}));
+    EXPECT_EQ(0, help.status);
+    EXPECT_THAT(help.out, HasSubstr("--site-file"));
+    const Outcome version = run(command({"--version"}));
+    EXPECT_EQ(0, version.status);
+    EXPECT_THAT(version.out, HasSubstr("2.10"));
+    const Outcome option = run(command({"--no-such-option"}));
+    EXPECT_EQ(255, option.status);
+    EXPECT_THAT(option.err, HasSubstr("no-such-option"));
+    const Outcome level = run(command({"-l", "loud"}));
+    EXPECT_EQ(255, level.status);
+    EXPECT_THAT(level.err, HasSubstr("unknown log level 'loud'"));
+    const Outcome kind = run(command({"-s", "file.txt"}));
+    EXPECT_EQ(255, kind.status);
+    EXPECT_THAT(kind.err, HasSubstr("unknown kind of file"));
+}
+
+TEST_F(DeployerProgram, LogLevelAndNoConsolelogDecideWhatIsShown) {
+    directory_.write("app.xml", kApplication);
+    const Outcome info = run(command({"-linfo", "--check", "-s", "app.xml"}));
+    EXPECT_THAT(info.err, HasSubstr("created component 'producer'"));
+    const Outcome silent = run(command({"--log-level", "INFO", "--no-consolelog", "--check", "-s", "app.xml"}));
+    EXPECT_EQ("", silent.err);
+    EXPECT_THAT(readFile(directory_ / "orocos.log"), HasSubstr("created component 'producer'"));
+}
+
+TEST_F(DeployerProgram, WrapperNeedsTheTargetAndAddsTheComponentPathOfTheWorkspace) {
+    Command wrapper = command({"--check", "-s", "app.xml"});
+    wrapper.program = DEPLOYER_WRAPPER;
+    wrapper.environment = {{"OROCOS_TARGET", ""}};
+    const Outcome refused = run(wrapper);
+    EXPECT_EQ(1, refused.status);
+    EXPECT_THAT(refused.err, HasSubstr("OROCOS_TARGET is not set"));
+
+    directory_.write("app.xml", kApplication);
+    std::filesystem::create_directory_symlink(DEPLOYER_TEST_PATH, directory_ / "components");
+    directory_.write(".rtt_component_path", "components\n");
+    wrapper.environment = {{"OROCOS_TARGET", OROCOS_TARGET_WORD}, {"RTT_COMPONENT_PATH", ""}};
+    const Outcome accepted = run(wrapper);
+    EXPECT_EQ(0, accepted.status) << accepted.err;
+}
+
+}  // namespace

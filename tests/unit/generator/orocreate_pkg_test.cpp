@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What orocreate-pkg does to a directory; the texts it writes are goldens.
+#include <gtest/gtest.h>
+#include <support/child_process.hpp>
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+namespace fs = std::filesystem;
+
+namespace oroforge {
+namespace {
+
+constexpr const char* kManifest =
+    "<package name=\"tank\"><component class=\"tank::Controller\">"
+    "<port name=\"level\" direction=\"in\" type=\"double\"/></component></package>\n";
+
+class OrocreatePkg : public testing::Test {
+protected:
+    test::Outcome run(std::vector<std::string> arguments) {
+        test::Command command;
+        command.program = OROCREATE_PKG;
+        command.arguments = std::move(arguments);
+        command.directory = dir_.path();
+        return test::run(command);
+    }
+    std::string read(const std::string& name) const { return test::readFile(dir_ / name); }
+
+    test::TempDir dir_;
+};
+
+TEST_F(OrocreatePkg, HelpAndVersionSucceed) {
+    EXPECT_EQ(run({"-h"}).status, 0);
+    EXPECT_NE(run({"--help"}).out.find("--from"), std::string::npos);
+    EXPECT_EQ(run({"--version"}).status, 0);
+}
+
+TEST_F(OrocreatePkg, RefusesAnExistingDirectory) {
+    fs::create_directory(dir_ / "mypkg");
+
+    const auto outcome = run({"mypkg", "component"});
+
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("[OC004]"), std::string::npos);
+    EXPECT_TRUE(fs::is_empty(dir_ / "mypkg"));
+}
+
+TEST_F(OrocreatePkg, ForceKeepsUserFilesAndEarlierKinds) {
+    ASSERT_EQ(run({"mypkg", "component"}).status, 0);
+    dir_.write("mypkg/src/mypkg-component.cpp", "mine");
+
+    const auto outcome = run({"mypkg", "service", "-f"});
+
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(read("mypkg/src/mypkg-component.cpp"), "mine");
+    const std::string cmake = read("mypkg/CMakeLists.txt");
+    EXPECT_NE(cmake.find("orocos_component(mypkg src/mypkg-component.cpp)"), std::string::npos);
+    EXPECT_NE(cmake.find("orocos_service(mypkg-service"), std::string::npos);
+}
+
+TEST_F(OrocreatePkg, EmptyMakesOnlyThePackageFile) {
+    ASSERT_EQ(run({"mypkg", "empty"}).status, 0);
+
+    EXPECT_EQ(test::readTree(dir_ / "mypkg").size(), 1U);
+    EXPECT_TRUE(fs::exists(dir_ / "mypkg/package.xml"));
+}
+
+TEST_F(OrocreatePkg, CmakeMakesNoSources) {
+    ASSERT_EQ(run({"mypkg", "cmake"}).status, 0);
+
+    EXPECT_TRUE(fs::exists(dir_ / "mypkg/CMakeLists.txt"));
+    EXPECT_FALSE(fs::exists(dir_ / "mypkg/src"));
+}
+
+TEST_F(OrocreatePkg, TakesHeadersAlongThatStandBesideTheManifest) {
+    dir_.write("in/include/tank/types.hpp", "// mine\n");
+    dir_.write("in/m.xml", "<package name=\"tank\"><typekit header=\"include/tank/types.hpp\"/></package>");
+
+    ASSERT_EQ(run({"tank", "--from", "in/m.xml"}).status, 0);
+
+    EXPECT_EQ(read("tank/include/tank/types.hpp"), "// mine\n");
+}
+
+TEST_F(OrocreatePkg, GenerateWritesWhatListOutputsSays) {
+    dir_.write("tank.xml", kManifest);
+
+    const auto listed = run({"--generate", "tank.xml", "--output", "gen", "--list-outputs"});
+    EXPECT_FALSE(fs::exists(dir_ / "gen"));
+    const auto made = run({"--generate", "tank.xml", "--output", "gen", "--depfile", "gen.d"});
+
+    EXPECT_EQ(made.status, 0);
+    EXPECT_EQ(made.out + made.err, "");
+    std::string files;
+    for (const auto& file : test::readTree(dir_ / "gen")) files += "gen/" + file.first + "\n";
+    EXPECT_EQ(listed.out, files);
+    EXPECT_NE(read("gen.d").find("gen/tank/ControllerBase.hpp"), std::string::npos);
+    EXPECT_NE(read("gen.d").find((dir_ / "tank.xml").string()), std::string::npos);
+}
+
+TEST_F(OrocreatePkg, SecondGenerationTouchesNothing) {
+    dir_.write("tank.xml", kManifest);
+    ASSERT_EQ(run({"--generate", "tank.xml", "--output", "gen"}).status, 0);
+    const fs::path file = dir_ / "gen/tank/ControllerBase.hpp";
+    const auto old = fs::last_write_time(file) - std::chrono::hours(1);
+    fs::last_write_time(file, old);
+
+    ASSERT_EQ(run({"--generate", "tank.xml", "--output", "gen"}).status, 0);
+
+    EXPECT_EQ(fs::last_write_time(file), old);
+}
+
+TEST_F(OrocreatePkg, TemplateDirReplacesTemplates) {
+    dir_.write("t/package/README.md.mustache", "about {{name}}\n");
+    dir_.write("bad/package/README.md.mustache", "about {{nmae}}\n");
+
+    EXPECT_EQ(run({"a", "cmake", "--template-dir", "t"}).status, 0);
+    EXPECT_EQ(read("a/README.md"), "about a\n");
+    const auto outcome = run({"b", "cmake", "--template-dir", "bad"});
+    EXPECT_EQ(outcome.err, "orocreate-pkg: error: [OC007] template package/README.md: no key 'nmae' in the view\n");
+    EXPECT_FALSE(fs::exists(dir_ / "b"));
+}
+
+TEST_F(OrocreatePkg, UnwritableDirectoryIsReported) {
+    dir_.write("gen", "a file in the way");
+    dir_.write("tank.xml", kManifest);
+
+    const auto outcome = run({"--generate", "tank.xml", "--output", "gen"});
+
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("[EMIT001]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace oroforge

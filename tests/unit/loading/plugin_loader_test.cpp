@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/OperationCaller.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using RTT::plugin::PluginLoader;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string kTarget = LOADING_TEST_PATH "/" OROCOS_TARGET_NAME;
+
+/** The path of a test library in a package's plugins directory. */
+std::string plugin(const std::string& package, const std::string& name) {
+    return kTarget + "/" + package + "/plugins/lib" + name + "-" OROCOS_TARGET_NAME ".so";
+}
+
+class PluginLoading : public testing::Test {
+protected:
+    PluginLoading() {
+        PluginLoader::Release();  // each test begins with nothing loaded
+        loader_ = PluginLoader::Instance();
+    }
+
+    std::string errorOf(const std::string& file) {
+        std::string error;
+        EXPECT_FALSE(loader_->loadLibrary(file, error));
+        return error;
+    }
+
+    PluginLoader::shared_ptr loader_;
+};
+
+TEST_F(PluginLoading, DirectoryOfPluginsIsLoaded) {
+    EXPECT_TRUE(loader_->loadPlugins(kTarget + "/services"));
+    EXPECT_THAT(loader_->listServices(), Contains("counting"));
+    EXPECT_THAT(loader_->listPlugins(), Contains("counting"));
+    EXPECT_THAT(loader_->listTypekits(), IsEmpty());
+}
+
+TEST_F(PluginLoading, LoadedPluginIsKnownByFilePluginAndShortName) {
+    ASSERT_TRUE(loader_->loadLibrary(plugin("services", "loading_service")));
+    EXPECT_TRUE(loader_->isLoaded("counting"));
+    EXPECT_TRUE(loader_->isLoaded("loading_service"));
+    EXPECT_TRUE(loader_->isLoaded(plugin("services", "loading_service")));
+    EXPECT_FALSE(loader_->isLoaded("loading"));
+    EXPECT_TRUE(loader_->loadLibrary(plugin("services", "loading_service")));
+    EXPECT_EQ(1u, loader_->listServices().size());
+}
+
+TEST_F(PluginLoading, PluginIsFoundByName) {
+    EXPECT_TRUE(loader_->loadPlugin("loading_service", kTarget + "/services"));
+    EXPECT_FALSE(loader_->loadPlugin("no_such_plugin", kTarget + "/services"));
+}
+
+TEST_F(PluginLoading, ServiceIsAddedToEachComponentThatAsks) {
+    ASSERT_TRUE(loader_->loadPlugins(kTarget + "/services"));
+    RTT::TaskContext one("one");
+    RTT::TaskContext two("two");
+    EXPECT_TRUE(loader_->loadService("counting", &one));
+    EXPECT_TRUE(loader_->loadService("counting", &two));
+    ASSERT_TRUE(one.provides()->hasService("counting"));
+    RTT::OperationCaller<int()> next(one.provides()->getService("counting")->getOperation("next"));
+    EXPECT_EQ(1, next());
+    EXPECT_EQ(2, next());
+}
+
+TEST_F(PluginLoading, ComponentLoadsServicesThroughTheLoader) {
+    ASSERT_TRUE(loader_->loadPlugins(kTarget + "/services"));
+    RTT::TaskContext component("component");
+    EXPECT_TRUE(component.loadService("counting"));
+    EXPECT_TRUE(component.provides()->hasService("counting"));
+    EXPECT_FALSE(component.loadService("no_such_service"));
+}
+
+TEST_F(PluginLoading, ServiceThatThrowsIsNotLoaded) {
+    ASSERT_TRUE(loader_->loadPlugins(kTarget + "/services"));
+    RTT::TaskContext unlucky("unlucky");
+    EXPECT_FALSE(loader_->loadService("counting", &unlucky));
+    EXPECT_FALSE(loader_->loadService("no_such_service", &unlucky));
+}
+
+TEST_F(PluginLoading, GlobalServiceIsThereAfterLoading) {
+    ASSERT_TRUE(loader_->loadPlugins(kTarget + "/services"));
+    EXPECT_TRUE(RTT::internal::GlobalService::Instance()->hasService("globalcounting"));
+    RTT::TaskContext component("component");
+    EXPECT_FALSE(loader_->loadService("globalcounting", &component));
+}
+
+TEST_F(PluginLoading, ReasonsOfRefusalAreTold) {
+    EXPECT_EQ("plugin 'odd1' refused to load into this process", errorOf(plugin("odd", "loading_refusing")));
+    EXPECT_EQ("plugin 'odd2' threw while loading: no licence for this robot",
+              errorOf(plugin("odd", "loading_throwing")));
+    EXPECT_EQ("plugin 'odd3' is built for target xenomai, this program for " OROCOS_TARGET_NAME,
+              errorOf(plugin("odd", "loading_other_target")));
+    EXPECT_EQ("not a plugin, it does not export loadRTTPlugin", errorOf(plugin("odd", "loading_no_plugin")));
+    EXPECT_THAT(errorOf(plugin("odd", "no_such_file")), HasSubstr("cannot open shared object file"));
+}
+
+TEST_F(PluginLoading, LibraryOutsideOfPluginsAndTypesIsRefused) {
+    EXPECT_EQ("its directory is named 'single', expected 'types' or 'plugins'",
+              errorOf(kTarget + "/single/libloading_single-" OROCOS_TARGET_NAME ".so"));
+}
+
+TEST_F(PluginLoading, FailuresInADirectoryDoNotThrowAndAreReported) {
+    EXPECT_FALSE(loader_->loadPlugins(kTarget + "/odd"));
+    const PluginLoader::Scan scan = loader_->importDirectory(kTarget + "/odd");
+    EXPECT_EQ(4u, scan.found);
+    EXPECT_EQ(4u, scan.errors.size());
+}
+
+TEST_F(PluginLoading, InstalledTypekitIsOnTheDefaultPath) {
+    EXPECT_THAT(loader_->getPluginPath(), HasSubstr("/orocos"));
+    loader_->setPluginPath("/elsewhere");
+    EXPECT_EQ("/elsewhere", loader_->getPluginPath());
+}
+
+}  // namespace

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/ConfigurationInterface.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace RTT;
+using testing::ElementsAre;
+
+namespace {
+
+TEST(Attributes, FollowTheVariable)
+{
+    ConfigurationInterface c;
+    int variable = 1;
+    EXPECT_TRUE(c.addAttribute("a", variable));
+    auto* attribute = Attribute<int>::narrow(c.getAttribute("a"));
+    ASSERT_TRUE(attribute);
+    variable = 2;
+    EXPECT_EQ(attribute->get(), 2);
+    attribute->set(3);
+    EXPECT_EQ(variable, 3);
+}
+
+TEST(Attributes, OfAttributeObjectsShareTheirValue)
+{
+    ConfigurationInterface c;
+    Attribute<int> own("own", 5), empty;
+    EXPECT_TRUE(c.addAttribute(own));
+    EXPECT_TRUE(c.addAttribute("renamed", own));
+    EXPECT_FALSE(c.addAttribute(empty));
+    Attribute<int>(c.getAttribute("own")).set(6);
+    EXPECT_EQ(own.get(), 6);
+}
+
+TEST(Constants, ShowChangesOfTheVariableButCannotChangeIt)
+{
+    ConfigurationInterface c;
+    double variable = 1.0;
+    EXPECT_TRUE(c.addConstant("c", variable));
+    variable = 2.0;
+    base::AttributeBase* constant = c.getConstant("c");
+    ASSERT_TRUE(constant);
+    EXPECT_EQ(internal::DataSource<double>::narrow(constant->getDataSource().get())->get(), 2.0);
+    EXPECT_FALSE(constant->getDataSource()->isAssignable());
+}
+
+TEST(Values, OfEqualNameAreKeptAndTheFirstIsFound)
+{
+    ConfigurationInterface c;
+    int one = 1, two = 2;
+    c.addAttribute("a", one);
+    EXPECT_TRUE(c.addAttribute("a", two));
+    EXPECT_EQ(Attribute<int>(c.getAttribute("a")).get(), 1);
+    EXPECT_TRUE(c.removeAttribute("a"));
+    EXPECT_EQ(Attribute<int>(c.getAttribute("a")).get(), 2);
+    EXPECT_TRUE(c.removeAttribute("a"));
+    EXPECT_FALSE(c.removeAttribute("a"));
+}
+
+TEST(Values, SetValueTakesOwnershipAndRefusesTheIncomplete)
+{
+    ConfigurationInterface c;
+    EXPECT_TRUE(c.setValue(new Attribute<int>("a", 1)));
+    EXPECT_FALSE(c.setValue(new Attribute<int>("", 1)));
+    EXPECT_FALSE(c.setValue(new Attribute<int>()));
+    EXPECT_FALSE(c.setValue(nullptr));
+    EXPECT_THAT(c.getAttributeNames(), ElementsAre("a"));
+}
+
+TEST(Properties, FollowTheVariable)
+{
+    ConfigurationInterface c;
+    double gain = 1.5;
+    Property<double>& property = c.addProperty("gain", gain).doc("the gain");
+    EXPECT_EQ(property.getDescription(), "the gain");
+    property.set(2.5);
+    EXPECT_EQ(gain, 2.5);
+    EXPECT_EQ(c.getProperty("gain"), &property);
+    EXPECT_TRUE(c.properties()->ownsProperty(&property));
+}
+
+TEST(Properties, OfTheUserAreReferredTo)
+{
+    ConfigurationInterface c;
+    Property<int> own("own", "text", 4), same("own", "other", 5), unready;
+    EXPECT_TRUE(c.addProperty(own));
+    EXPECT_FALSE(c.addProperty(same)) << "the name is taken";
+    EXPECT_FALSE(c.addProperty(unready));
+    EXPECT_EQ(c.getProperty("own"), &own);
+    EXPECT_TRUE(c.removeProperty(own));
+    EXPECT_FALSE(c.hasProperty("own"));
+    EXPECT_EQ(own.get(), 4);
+}
+
+}  // namespace

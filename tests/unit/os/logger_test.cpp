@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/Logger.hpp>
+
+#include <support/child_process.hpp>
+#include <support/temp_dir.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+using namespace RTT;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+/** Length of "12.345 " at the beginning of a line, 0 if it does not begin like that. */
+std::size_t stampSize(const std::string& line) {
+    const std::size_t point = line.find_first_not_of("0123456789");
+    if (point == 0 || point == std::string::npos || line[point] != '.') return 0;
+    const std::size_t end = line.find_first_not_of("0123456789", point + 1);
+    return end == point + 4 && line[end] == ' ' ? end + 1 : 0;
+}
+
+class LoggerTest : public testing::Test {
+protected:
+    LoggerTest() {
+        logger.setLogLevel(Logger::Warning);
+        logger.setStdStream(console);
+        logger.in("Logger");
+    }
+    ~LoggerTest() override {
+        logger.setStdStream(std::cerr);
+        logger.mayLogStdOut(true);
+        logger.mayLogFile(true);
+    }
+    /** The console without the time stamps. */
+    std::string lines() const {
+        std::istringstream all(console.str());
+        std::string result;
+        for (std::string line; std::getline(all, line);) result += line.substr(stampSize(line)) + "\n";
+        return result;
+    }
+
+    std::ostringstream console;
+    Logger& logger = *Logger::Instance();
+};
+
+}  // namespace
+
+TEST_F(LoggerTest, EverySpellingWorks) {
+    RTT::log(RTT::Error) << "one " << 1 << RTT::endlog();
+    log(Error) << std::string("two") << endlog();
+    Logger::log(Logger::Error) << "three" << Logger::endl;
+    Logger::log() << Logger::Critical << "four" << Logger::nl;
+    log() << "five" << nlog() << Logger::LogLevel(Logger::Error) << "six" << endlog();
+    log(Warning) << "seven" << endlog(Fatal);
+    EXPECT_EQ(lines(),
+              "[ ERROR  ][Logger] one 1\n[ ERROR  ][Logger] two\n[ ERROR  ][Logger] three\n"
+              "[CRITICAL][Logger] four\n[CRITICAL][Logger] five\n[ ERROR  ][Logger] six\n[ FATAL  ][Logger] seven\n");
+}
+
+TEST_F(LoggerTest, LineBeginsWithTheSecondsSinceTheReferenceTime) {
+    const double before = nsecs_to_Seconds(os::TimeService::Instance()->getTicks(logger.getReferenceTime()));
+    log(Error) << "x" << endlog();
+    const std::string text = console.str();
+    ASSERT_GT(stampSize(text), 0u) << text;
+    EXPECT_EQ(text.substr(stampSize(text)), "[ ERROR  ][Logger] x\n");
+    EXPECT_NEAR(std::stod(text), before, 30.0);
+}
+
+TEST_F(LoggerTest, LevelSelectsWhatTheConsoleShows) {
+    log(Info) << "hidden" << endlog();
+    EXPECT_FALSE(logger.mayLogStdOut());
+    EXPECT_TRUE(logger.mayLog());
+    EXPECT_TRUE(logger.mayLogFile());
+    logger.setLogLevel(Logger::Debug);
+    EXPECT_EQ(logger.getLogLevel(), Logger::Debug);
+    log(Debug) << "shown" << endlog();
+    logger.setLogLevel(Logger::Never);
+    log(Fatal) << "hidden" << endlog();
+    EXPECT_EQ(lines(), "[ Debug  ][Logger] shown\n");
+}
+
+TEST_F(LoggerTest, WhatNobodySeesIsNotFormatted) {
+    static int formatted = 0;
+    // A manipulator counts how often the text is made.
+    const auto count = +[](std::ostream& s) -> std::ostream& {
+        ++formatted;
+        return s;
+    };
+    log(Debug) << count << endlog();
+    EXPECT_EQ(formatted, 0);
+    log(Warning) << count << endlog();
+    EXPECT_EQ(formatted, 1);
+}
+
+TEST_F(LoggerTest, StdEndlDoesNotEndTheRecord) {
+    log(Error) << "a" << std::endl << "b" << endlog();
+    EXPECT_EQ(lines(), "[ ERROR  ][Logger] a\nb\n");
+}
+
+TEST_F(LoggerTest, ManipulatorsLastOneLine) {
+    log(Error) << std::hex << std::setw(4) << std::setfill('0') << 255 << nlog() << 255 << ' ' << std::fixed << 0.5
+               << nlog() << 0.5 << endlog();
+    EXPECT_EQ(lines(), "[ ERROR  ][Logger] 00ff\n[ ERROR  ][Logger] 255 0.500000\n[ ERROR  ][Logger] 0.5\n");
+}
+
+TEST_F(LoggerTest, ModuleIsThatOfTheScope) {
+    {
+        Logger::In outer("outer");
+        {
+            Logger::In inner(std::string("inner"));
+            log(Error) << "1" << endlog();
+        }
+        log(Error) << "2" << endlog();
+        EXPECT_EQ(logger.getLogModule(), "outer");
+    }
+    log(Error) << "3" << endlog();
+    EXPECT_EQ(lines(), "[ ERROR  ][inner] 1\n[ ERROR  ][outer] 2\n[ ERROR  ][Logger] 3\n");
+}
+
+TEST_F(LoggerTest, OutputsCanBeSwitchedOff) {
+    logger.mayLogStdOut(false);
+    log(Error) << "x" << endlog();
+    logger.mayLogFile(false);
+    EXPECT_FALSE(logger.mayLog());
+    EXPECT_EQ(console.str(), "");
+}
+
+TEST_F(LoggerTest, RecentLinesCanBeFetched) {
+    while (!logger.getLogLine().empty()) {
+    }
+    log(Error) << "first" << endlog();
+    log(Error) << "second" << endlog();
+    EXPECT_THAT(logger.getLogLine(), testing::EndsWith("[ ERROR  ][Logger] first"));
+    EXPECT_THAT(logger.getLogLine(), testing::EndsWith("second"));
+    EXPECT_EQ(logger.getLogLine(), "");
+    for (int i = 0; i < 1500; ++i) log(Error) << i << nlog();
+    EXPECT_THAT(logger.getLogLine(), testing::EndsWith("] 500"));
+}
+
+TEST_F(LoggerTest, LogarithmsStayUsable) {
+    EXPECT_EQ(log(1.0), 0.0);
+    EXPECT_EQ(std::log(1.0), 0.0);
+    EXPECT_EQ(log(1.0f), 0.0f);
+    EXPECT_EQ(RTT::log(1), 0.0);
+}
+
+TEST_F(LoggerTest, SwitchOverLevelsCompiles) {
+    switch (logger.getLogLevel()) {
+        case Logger::Warning: break;
+        default: FAIL();
+    }
+    const LoggerLevel& bound = Logger::Error;  // needs an address
+    EXPECT_EQ(bound, RTT::Error);
+}
+
+// Also the case for ThreadSanitizer.
+TEST_F(LoggerTest, LinesOfThreadsDoNotMix) {
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([t] {
+            const std::string name(1, static_cast<char>('a' + t));
+            Logger::In in(name);
+            for (int i = 0; i < 500; ++i) {
+                if (i % 2)
+                    log(Error) << name << name << name << endlog();
+                else
+                    log(Warning) << name << name << nlog();
+                log(Debug) << "unseen " << name << endlog();
+            }
+        });
+    for (int i = 0; i < 100; ++i) {
+        logger.mayLogFile(i % 2);
+        logger.getLogLine();
+    }
+    for (auto& t : threads) t.join();
+    std::istringstream all(lines());
+    std::string line;
+    int count = 0;
+    while (std::getline(all, line)) {
+        ASSERT_GT(line.size(), 12u) << line;
+        const std::string name(1, line[11]);
+        EXPECT_TRUE(line == "[ ERROR  ][" + name + "] " + name + name + name ||
+                    line == "[ Warning][" + name + "] " + name + name)
+            << line;
+        ++count;
+    }
+    EXPECT_EQ(count, 2000);
+}
+
+TEST_F(LoggerTest, UnfinishedLineOfAThreadIsNotLost) {
+    std::thread([] { log(Error) << "last words"; }).join();
+    EXPECT_EQ(lines(), "[ ERROR  ][Logger] last words\n");
+}
+
+namespace {
+
+using Environment = std::map<std::string, std::string>;
+
+struct Probe {
+    oroforge::test::TempDir directory;
+    oroforge::test::Outcome outcome;
+    std::string file;
+
+    explicit Probe(Environment environment, std::vector<std::string> arguments = {}) {
+        oroforge::test::Command command;
+        command.program = LOG_PROBE;
+        command.arguments = std::move(arguments);
+        command.directory = directory.path();
+        command.environment = std::move(environment);
+        outcome = oroforge::test::run(command);
+        file = read("orocos.log");
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream in(directory.path() / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    bool exists(const std::string& name) const { return std::filesystem::exists(directory.path() / name); }
+};
+
+}  // namespace
+
+TEST(LogFile, KeepsInfoAndWorseWithoutFlush) {
+    unsetenv("ORO_LOGLEVEL");
+    unsetenv("ORO_LOGFILE");
+    const Probe p(Environment{});
+    EXPECT_EQ(p.outcome.status, 0);
+    EXPECT_THAT(p.file, HasSubstr("[ Info   ][probe] message 5\n"));
+    EXPECT_THAT(p.file, Not(HasSubstr("message 6")));
+    EXPECT_THAT(p.file, HasSubstr("ORO_LOGLEVEL is not set"));
+    EXPECT_THAT(p.outcome.err, HasSubstr("[ Warning][probe] message 4\n"));
+    EXPECT_THAT(p.outcome.err, Not(HasSubstr("message 5")));
+}
+
+TEST(LogFile, EnvironmentSetsTheLevel) {
+    unsetenv("ORO_LOGFILE");
+    const Probe debug(Environment{{"ORO_LOGLEVEL", "7"}});  // Debug, not RealTime
+    EXPECT_THAT(debug.outcome.err, HasSubstr("message 6"));
+    EXPECT_THAT(debug.outcome.err, Not(HasSubstr("message 7")));
+    EXPECT_THAT(debug.file, HasSubstr("message 6"));
+    const Probe fatal(Environment{{"ORO_LOGLEVEL", "1"}});
+    EXPECT_THAT(fatal.outcome.err, HasSubstr("message 1"));
+    EXPECT_THAT(fatal.outcome.err, Not(HasSubstr("message 2")));
+    EXPECT_THAT(fatal.file, HasSubstr("message 5"));
+    const Probe never(Environment{{"ORO_LOGLEVEL", "0"}});
+    EXPECT_EQ(never.outcome.err, "");
+    EXPECT_THAT(never.file, HasSubstr("message 5"));
+}
+
+TEST(LogFile, NegativeLevelDisablesEverything) {
+    const Probe p(Environment{{"ORO_LOGLEVEL", "-1"}});
+    EXPECT_EQ(p.outcome.err, "");
+    EXPECT_TRUE(p.exists("orocos.log"));
+    EXPECT_EQ(p.file, "");
+}
+
+TEST(LogFile, BadLevelIsAnError) {
+    const Probe p(Environment{{"ORO_LOGLEVEL", "much"}});
+    EXPECT_THAT(p.outcome.err,
+                HasSubstr("[ ERROR  ][Logger] environment variable ORO_LOGLEVEL is 'much', expected a number"));
+    EXPECT_THAT(p.outcome.err, HasSubstr("message 4"));
+}
+
+TEST(LogFile, NameComesFromTheEnvironment) {
+    unsetenv("ORO_LOGLEVEL");
+    const Probe p(Environment{{"ORO_LOGFILE", "other.log"}});
+    EXPECT_FALSE(p.exists("orocos.log"));
+    EXPECT_THAT(p.read("other.log"), HasSubstr("message 5"));
+    const Probe nowhere(Environment{{"ORO_LOGFILE", "no/such/folder.log"}});
+    EXPECT_EQ(nowhere.outcome.status, 0);
+    EXPECT_THAT(nowhere.outcome.err, HasSubstr("message 4"));
+}
+
+TEST(LogFile, RealTimeLevelSilencesUnlessAllowed) {
+    unsetenv("ORO_LOGLEVEL");
+    unsetenv("ORO_LOGFILE");
+    const Probe silent(Environment{}, {"--realtime"});
+    EXPECT_EQ(silent.outcome.err, "");
+    EXPECT_THAT(silent.file, Not(HasSubstr("message")));
+    const Probe allowed(Environment{}, {"--allow", "--realtime"});
+    EXPECT_THAT(allowed.outcome.err, HasSubstr("[RealTime][probe] message 7"));
+    const Probe never(Environment{}, {"--never"});
+    EXPECT_EQ(never.outcome.err, "");
+    EXPECT_THAT(never.file, HasSubstr("message 5"));
+}
+
+TEST(LogFile, SecondStartKeepsWhatTheFirstLogged) {
+    unsetenv("ORO_LOGLEVEL");
+    unsetenv("ORO_LOGFILE");
+    const Probe p(Environment{}, {"--restart"});
+    EXPECT_THAT(p.file, HasSubstr("first session"));
+    EXPECT_THAT(p.file, HasSubstr("message 5"));
+    EXPECT_THAT(p.outcome.err, Not(HasSubstr("between")));
+}

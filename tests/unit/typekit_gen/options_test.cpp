@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <driver/options.hpp>
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+using namespace oroforge;
+using typekit::Options;
+
+namespace {
+
+Options parsed(const std::vector<std::string>& words) {
+    diag::Sink sink;
+    const auto options = typekit::parseOptions(words, sink);
+    EXPECT_TRUE(options) << (sink.empty() ? "" : sink.all()[0].message);
+    return options.value_or(Options{});
+}
+
+std::vector<std::string> errorsOf(const std::vector<std::string>& words) {
+    diag::Sink sink;
+    EXPECT_FALSE(typekit::parseOptions(words, sink));
+    std::vector<std::string> messages;
+    for (const auto& diagnostic : sink.all()) messages.push_back(diagnostic.message);
+    return messages;
+}
+
+}  // namespace
+
+TEST(Options, TakeAllSpellingsOfAValue) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"-o", "out", "n", "h"}, {"-oout", "n", "h"}, {"--output=out", "n", "h"}, {"n", "h", "--output", "out"}}) {
+        EXPECT_EQ(parsed(words).output, "out");
+    }
+    EXPECT_EQ(parsed({"n", "h"}).output, "./n");
+}
+
+TEST(Options, PassOnWhatChangesTheMeaningOfHeaders) {
+    const Options options = parsed({"-Ia", "-I", "b", "-DX=1", "-UY", "-isystem", "c", "-include", "d", "-std=c++20", "n", "h"});
+    EXPECT_EQ(options.flags, (std::vector<std::string>{"-I", "a", "-I", "b", "-D", "X=1", "-U", "Y", "-isystem", "c",
+                                                       "-include", "d", "-std=c++20"}));
+}
+
+TEST(Options, TakeTheTargetFromTheEnvironment) {
+    ::setenv("OROCOS_TARGET", "xenomai", 1);
+    EXPECT_EQ(parsed({"n", "h"}).target, "xenomai");
+    ::unsetenv("OROCOS_TARGET");
+    EXPECT_EQ(parsed({"n", "h"}).target, "gnulinux");
+}
+
+TEST(Options, AllowSwitchingTransportsOff) {
+    EXPECT_EQ(parsed({"--notransports=corba,mqueue", "-t", "", "n", "h"}).name, "n");
+}
+
+TEST(Options, RefuseTransportsThatAreNotInstalled) {
+    EXPECT_EQ(errorsOf({"-t", "corba,nope", "n", "h"}).size(), 2U);
+}
+
+TEST(Options, ReportEveryFault) {
+    const auto errors = errorsOf({"--dmp=view", "--dump=x", "-o", "", "-Wall", "n"});
+    ASSERT_EQ(errors.size(), 5U);
+    EXPECT_NE(errors[0].find("did you mean '--dump'"), std::string::npos) << errors[0];
+}
+
+TEST(Options, RefuseNamesThatAreNoFileNames) {
+    EXPECT_EQ(errorsOf({"a/b", "h"}).size(), 1U);
+    EXPECT_EQ(errorsOf({"..", "h"}).size(), 1U);
+    EXPECT_EQ(parsed({"my-pkg.v2", "h"}).name, "my-pkg.v2");
+}
+
+TEST(Options, NeedAValueWhereOneIsDue) { EXPECT_FALSE(errorsOf({"n", "h", "--depfile"}).empty()); }
+
+TEST(Options, HelpNeedsNothingElse) { EXPECT_TRUE(parsed({"--help"}).help); }
+
+TEST(Options, DoubleDashEndsOptions) {
+    EXPECT_EQ(parsed({"--", "n", "-h.hpp"}).inputs, (std::vector<std::string>{"-h.hpp"}));
+}

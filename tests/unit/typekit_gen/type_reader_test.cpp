@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <clang/type_reader.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <support/temp_dir.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace oroforge;
+using oroforge::test::TempDir;
+
+namespace {
+
+struct Read {
+    TempDir dir;
+    diag::Sink sink;
+    std::optional<model::TypeModel> model;
+
+    explicit Read(const std::string& text, const std::string& name = "types.hpp", std::vector<std::string> flags = {}) {
+        cxx::ParseRequest request;
+        request.headers = {{dir.write(name, text).string(), name}};
+        request.flags = std::move(flags);
+        model = cxx::readTypes(request, sink);
+    }
+    const model::Field& field(const std::string& name) const {
+        for (const auto& type : model.value().structs) {
+            for (const auto& field : type.fields) {
+                if (field.name == name) return field;
+            }
+        }
+        throw std::out_of_range("no field " + name);
+    }
+    std::string onlyCode() const { return sink.all().size() == 1 ? sink.all()[0].code : "not one diagnostic"; }
+};
+
+}  // namespace
+
+TEST(TypeReader, ReadsOffsetsAndSizes) {
+    const Read read("struct A { char c; double d; int i[3]; };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("d").offset, 8U);
+    EXPECT_EQ(read.field("i").offset, 16U);
+    EXPECT_EQ(read.field("i").count, 3U);
+    EXPECT_EQ(read.model->structs[0].size, 32U);
+    EXPECT_EQ(read.model->structs[0].align, 8U);
+}
+
+TEST(TypeReader, LocatesInTheHeaderAsNamed) {
+    const Read read("\n  struct A {\n    int* p; };");
+    ASSERT_EQ(read.sink.all().size(), 1U);
+    EXPECT_EQ(read.sink.all()[0].where, (diag::Location{(read.dir / "types.hpp").string(), 3, 10}));
+}
+
+TEST(TypeReader, TakesHeadersWithByteOrderMarkAndCarriageReturns) {
+    const Read read("\xEF\xBB\xBF#pragma once\r\n/// doc\r\nstruct A { int x; };\r\n");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.model->structs[0].doc, "doc");
+}
+
+TEST(TypeReader, TakesFoldersWithBlanksAndUmlauts) {
+    const Read read("struct A { int x; };", "mit Lücke/ein Typ.hpp");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.model->structs.size(), 1U);
+}
+
+TEST(TypeReader, DefinesTheMacrosOfTheOriginal) {
+    const Read read("#if defined(__orogen) && defined(__orogen2) && defined(OROCOS_TARGET)\nstruct Seen { int x; };\n#endif");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.model->structs.size(), 1U);
+}
+
+TEST(TypeReader, HonoursTheStandard) {
+    const std::string text = "#if __cplusplus == 201703L\nstruct Default { int x; };\n#else\nstruct Other { int x; };\n#endif";
+    EXPECT_EQ(Read(text).model.value().structs[0].name, "/Default");
+    EXPECT_EQ(Read(text, "types.hpp", {"-std=c++20"}).model.value().structs[0].name, "/Other");
+    EXPECT_FALSE(Read(text, "types.hpp", {"-std=klingon"}).model);
+}
+
+TEST(TypeReader, SkipsFunctionBodiesButNotConstantExpressions) {
+    const Read read("constexpr int size() { return 3; }\n"
+                    "struct A { int v[size()]; int bad() { return noSuchFunction(); } };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("v").count, 3U);
+}
+
+TEST(TypeReader, ListsEveryFileThatWasRead) {
+    const TempDir dir;
+    const auto inner = dir.write("inner.hpp", "#pragma once\nstruct Inner { int x; };").string();
+    const auto outer = dir.write("outer.hpp", "#include \"inner.hpp\"\nstruct Outer { Inner i; };").string();
+    cxx::ParseRequest request;
+    request.headers = {{outer, "outer.hpp"}};
+    diag::Sink sink;
+    const auto model = cxx::readTypes(request, sink);
+    ASSERT_TRUE(model);
+    EXPECT_NE(std::find(model->files.begin(), model->files.end(), inner), model->files.end());
+    EXPECT_NE(std::find(model->files.begin(), model->files.end(), outer), model->files.end());
+}
+
+TEST(TypeReader, AcceptsAStandardStringInAnySpelling) {
+    const Read read("#include <string>\nusing Text = std::string;\nstruct A { Text t; std::basic_string<char> s; };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("t").type.cpp, "std::string");
+    EXPECT_EQ(read.field("s").type.kind, model::TypeKind::String);
+}
+
+TEST(TypeReader, RefusesAllocatorsOfOnesOwn) {
+    EXPECT_EQ(Read("#include <vector>\ntemplate <class T> struct A : std::allocator<T> {};\n"
+                   "struct S { std::vector<int, A<int>> v; };").onlyCode(), "TK034");
+}
+
+TEST(TypeReader, MissingCompilerHeadersAreExplained) {
+    ::setenv("TYPEGEN_RESOURCE_DIR", "/no/such/folder", 1);
+    const Read read("struct A { int x; };");
+    ::unsetenv("TYPEGEN_RESOURCE_DIR");
+    EXPECT_EQ(read.onlyCode(), "TK005");
+    ASSERT_FALSE(read.sink.all()[0].notes.empty());
+    EXPECT_NE(read.sink.all()[0].notes[0].message.find("libclang-common-19-dev"), std::string::npos);
+}

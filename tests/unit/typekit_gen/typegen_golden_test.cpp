@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Whole runs of typegen against tests/golden/{model,typekit,diagnostics_types}. A case is a folder with its headers;
+// the file `args`, one word on each line, holds the command line.
+#include <fstream>
+#include <sstream>
+
+#include <driver/typegen.hpp>
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+namespace fs = std::filesystem;
+using namespace oroforge::test;
+
+namespace {
+
+struct Ran {
+    int status;
+    std::string out;
+    std::string err;
+};
+
+/// In the case's folder, as the build of a package does.
+Ran typegen(const fs::path& dir, std::vector<std::string> words) {
+    std::ifstream file(dir / "args");
+    for (std::string line; std::getline(file, line);) words.push_back(line);
+    const fs::path before = fs::current_path();
+    fs::current_path(dir);
+    std::ostringstream out, err;
+    const int status = oroforge::typekit::run(words, out, err);
+    fs::current_path(before);
+    return {status, out.str(), err.str()};
+}
+
+class Model : public testing::TestWithParam<std::string> {};
+class Typekit : public testing::TestWithParam<std::string> {};
+class TypeDiagnostics : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+TEST_P(Model, IsReadFromHeaders) {
+    const fs::path dir = goldenDir("model", GetParam());
+    const Ran ran = typegen(dir, {"--dump=model"});
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err, "");
+    expectGolden(dir / "expected/model.json", ran.out);
+}
+
+TEST_P(Typekit, IsGenerated) {
+    const fs::path dir = goldenDir("typekit", GetParam());
+    const TempDir output;
+    const Ran ran = typegen(dir, {"-o", output.path().string()});
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err, "");
+    EXPECT_EQ(ran.out, "");
+    expectGoldenTree(dir / "expected", readTree(output.path()));
+}
+
+TEST_P(TypeDiagnostics, AreLocatedAndNothingIsWritten) {
+    const fs::path dir = goldenDir("diagnostics_types", GetParam());
+    const TempDir place;
+    const fs::path output = place / "output";
+    const Ran ran = typegen(dir, {"-o", output.string(), "--depfile", (place / "depfile").string()});
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_FALSE(fs::exists(output));
+    EXPECT_FALSE(fs::exists(place / "depfile"));
+    expectGolden(dir / "expected/stderr.txt", ran.err);
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Model, testing::ValuesIn(goldenCases("model")), caseName);
+INSTANTIATE_TEST_SUITE_P(Golden, Typekit, testing::ValuesIn(goldenCases("typekit")), caseName);
+INSTANTIATE_TEST_SUITE_P(Golden, TypeDiagnostics, testing::ValuesIn(goldenCases("diagnostics_types")), caseName);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <driver/typegen.hpp>
+
+#include <filesystem>
+#include <sstream>
+
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fs = std::filesystem;
+using namespace oroforge::test;
+
+namespace {
+
+int typegen(const std::vector<std::string>& words, std::string* output = nullptr) {
+    std::ostringstream out, err;
+    const int status = oroforge::typekit::run(words, out, err);
+    if (output != nullptr) *output = out.str();
+    EXPECT_TRUE(status != 0 || err.str().empty()) << err.str();
+    return status;
+}
+
+const char* const kHeader = "#pragma once\n#include <vector>\nnamespace demo { struct A { std::vector<double> v; }; }\n";
+
+}  // namespace
+
+TEST(Typegen, ListsOutputsWithoutReadingAnything) {
+    std::string listed;
+    EXPECT_EQ(typegen({"--list-outputs", "-o", "/some/where", "demo", "absent.hpp"}, &listed), 0);
+    EXPECT_EQ(listed, "/some/where/Plugin.cpp\n/some/where/types_0.cpp\n/some/where/types_1.cpp\n"
+                      "/some/where/types_2.cpp\n/some/where/types_3.cpp\n/some/where/types/demo/typekit/Types.hpp\n");
+}
+
+TEST(Typegen, WritesExactlyTheListedFiles) {
+    const TempDir dir;
+    const auto header = dir.write("include/demo/types.hpp", kHeader).string();
+    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "demo", header}), 0);
+    std::string listed;
+    typegen({"--list-outputs", "-o", (dir / "out").string(), "demo", header}, &listed);
+    std::istringstream lines(listed);
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_TRUE(fs::exists(line)) << line;
+    EXPECT_EQ(readTree(dir / "out").size(), count);
+}
+
+TEST(Typegen, OutputDoesNotDependOnThePlace) {
+    const TempDir one, two;
+    ASSERT_EQ(typegen({"-o", (one / "out").string(), "-I" + (one / "include").string(), "demo",
+                       one.write("include/demo/types.hpp", kHeader).string()}), 0);
+    const fs::path before = fs::current_path();
+    two.write("include/demo/types.hpp", kHeader);
+    fs::current_path(two.path());
+    const int status = typegen({"-o", "elsewhere", "-Iinclude", "demo", "include/demo/types.hpp"});
+    fs::current_path(before);
+    ASSERT_EQ(status, 0);
+    EXPECT_EQ(readTree(one / "out"), readTree(two / "elsewhere"));
+}
+
+TEST(Typegen, UnchangedFilesKeepTheirTimes) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    const std::vector<std::string> words = {"-o", (dir / "out").string(), "demo", header};
+    ASSERT_EQ(typegen(words), 0);
+    const fs::path file = dir / "out/types_0.cpp";
+    const auto old = fs::last_write_time(file) - std::chrono::hours(1);
+    fs::last_write_time(file, old);
+    ASSERT_EQ(typegen(words), 0);
+    EXPECT_EQ(fs::last_write_time(file), old);
+}
+
+TEST(Typegen, DepfileNamesEveryHeaderAbsolutely) {
+    const TempDir dir;
+    dir.write("inner.hpp", kHeader);
+    const auto header = dir.write("types.hpp", "#include \"inner.hpp\"\n").string();
+    // Nothing is defined in types.hpp itself: a warning, no error.
+    std::ostringstream out, err;
+    EXPECT_EQ(oroforge::typekit::run({"-o", (dir / "out").string(), "--depfile", (dir / "d").string(), "demo", header},
+                                     out, err), 0);
+    EXPECT_NE(err.str().find("warning: [TK061]"), std::string::npos) << err.str();
+    const std::string text = readFile(dir / "d");
+    EXPECT_NE(text.find((dir / "out/Plugin.cpp").string()), std::string::npos);
+    EXPECT_NE(text.find((dir / "inner.hpp").string()), std::string::npos);
+    EXPECT_NE(text.find("/vector"), std::string::npos);
+    EXPECT_EQ(text.find("/../"), std::string::npos);
+}
+
+TEST(Typegen, FailureLeavesEarlierOutputAlone) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    const std::vector<std::string> words = {"-o", (dir / "out").string(), "demo", header};
+    ASSERT_EQ(typegen(words), 0);
+    const auto before = readTree(dir / "out");
+    dir.write("types.hpp", "struct Bad { int* p; };");
+    EXPECT_EQ(typegen(words), 1);
+    EXPECT_EQ(readTree(dir / "out"), before);
+}
+
+TEST(Typegen, TemplatesCanBeReplaced) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    dir.write("templates/typekit/Plugin.cpp.mustache", "// {{name}} of mine\n");
+    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}), 0);
+    EXPECT_EQ(readFile(dir / "out/Plugin.cpp"), "// demo of mine\n");
+    dir.write("templates/typekit/Plugin.cpp.mustache", "{{misspelt}}");
+    EXPECT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}), 1);
+}
+
+TEST(Typegen, DumpsTheView) {
+    const TempDir dir;
+    std::string view;
+    ASSERT_EQ(typegen({"--dump=view", "demo", dir.write("types.hpp", kHeader).string()}, &view), 0);
+    EXPECT_NE(view.find("\"userHeader\": \"types/demo/typekit/Types.hpp\""), std::string::npos);
+}
+
+TEST(Typegen, HelpAndVersionSucceed) {
+    std::string text;
+    EXPECT_EQ(typegen({"--help"}, &text), 0);
+    EXPECT_EQ(text.compare(0, 15, "usage: typegen "), 0);
+    EXPECT_EQ(typegen({"--version"}, &text), 0);
+    EXPECT_EQ(text.compare(0, 8, "typegen "), 0);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <plan/typekit_view.hpp>
+
+#include <gtest/gtest.h>
+
+#include <plan/output_names.hpp>
+
+using namespace oroforge;
+
+TEST(CppString, QuotesWhatCppWouldMisread) {
+    EXPECT_EQ(typekit::cppString("a\"b\\c\nd"), R"("a\"b\\c\nd")");
+    EXPECT_EQ(typekit::cppString(std::string("\x01" "7\t", 3)), R"("\0017\011")");
+    EXPECT_EQ(typekit::cppString("ä"), "\"ä\"");
+}
+
+TEST(CppIdentifier, ReplacesWhatCppForbids) {
+    EXPECT_EQ(typekit::cppIdentifier("my-pkg.v2"), "my_pkg_v2");
+    EXPECT_EQ(typekit::cppIdentifier("1st"), "_1st");
+}
+
+TEST(TypekitView, PutsATypeAndItsInstancesIntoOneBucket) {
+    model::TypeModel model;
+    model::Struct type;
+    type.cpp = "::demo::Point";
+    type.name = "/demo/Point";
+    model.structs = {type};
+    const auto view = typekit::makeView(model, "demo");
+    const auto& bucket = view["buckets"][typekit::bucketOf("/demo/Point")];
+    EXPECT_EQ(bucket["structs"].size(), 1U);
+    EXPECT_EQ(bucket["instances"][0]["cpp"], "::demo::Point");
+    EXPECT_EQ(view["externs"].size(), 1U);
+    EXPECT_FALSE(bucket["structs"][0].contains("hasFields"));
+}
+
+TEST(TypekitView, LeavesSequencesOfNumbersToTheRuntime) {
+    const model::TypeUse number{model::TypeKind::Scalar, "double", "/double", {}};
+    const model::TypeUse point{model::TypeKind::Struct, "::P", "/P", {}};
+    model::TypeModel model;
+    model.sequences = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {number}},
+                       {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {point}}};
+    const auto view = typekit::makeView(model, "demo");
+    ASSERT_EQ(view["externs"].size(), 1U);
+    EXPECT_EQ(view["externs"][0]["cpp"], "std::vector<::P>");
+}
