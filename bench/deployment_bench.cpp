@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Deployment of a chain of components from XML: load, connect, configure, start, and taking all down again.
+#include <ocl/DeploymentComponent.hpp>
+#include <rtt/Component.hpp>
+#include <rtt/Port.hpp>
+#include <rtt/os/startstop.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+namespace deployment_bench {
+
+class Link : public RTT::TaskContext {
+public:
+    explicit Link(const std::string& name) : RTT::TaskContext(name) {
+        addPort("in", in_);
+        addPort("out", out_);
+        addProperty("gain", gain_);
+    }
+
+private:
+    void updateHook() override {
+        double value = 0;
+        if (in_.read(value) == RTT::NewData) out_.write(value * gain_);
+    }
+
+    RTT::InputPort<double> in_;
+    RTT::OutputPort<double> out_;
+    double gain_ = 1;
+};
+
+}  // namespace deployment_bench
+
+ORO_CREATE_COMPONENT(deployment_bench::Link)
+
+namespace {
+
+const char* const kFile = "deployment_bench.xml";
+
+/** A file in which the output of each component feeds the next one. */
+void writeChain(long count, const std::string& activity) {
+    std::ofstream file(kFile);
+    file << "<properties>\n";
+    for (long i = 0; i < count; ++i) {
+        file << "<struct name=\"link" << i << "\" type=\"deployment_bench::Link\">\n"
+             << activity << "<simple name=\"AutoConf\" type=\"boolean\"><value>1</value></simple>\n"
+             << "<simple name=\"AutoStart\" type=\"boolean\"><value>1</value></simple>\n"
+             << "<struct name=\"Properties\" type=\"PropertyBag\"><simple name=\"gain\" "
+                "type=\"double\"><value>1.5</value></simple></struct>\n"
+             << "<struct name=\"Ports\" type=\"PropertyBag\">\n"
+             << "<simple name=\"in\" type=\"string\"><value>wire" << i << "</value></simple>\n"
+             << "<simple name=\"out\" type=\"string\"><value>wire" << i + 1 << "</value></simple>\n"
+             << "</struct></struct>\n";
+    }
+    // The ends of the chain meet, so that no port is left over.
+    file << "<struct name=\"end\" type=\"deployment_bench::Link\">" << activity
+         << "<struct name=\"Ports\" type=\"PropertyBag\">\n"
+         << "<simple name=\"in\" type=\"string\"><value>wire" << count << "</value></simple>\n"
+         << "<simple name=\"out\" type=\"string\"><value>wire0</value></simple></struct></struct>\n"
+         << "</properties>\n";
+}
+
+void deployChain(benchmark::State& state, const std::string& activity) {
+    writeChain(state.range(0), activity);
+    OCL::DeploymentComponent deployer("Deployer", kFile + std::string(".none"));
+    for (auto step : state) {
+        (void)step;
+        if (!deployer.kickStart(kFile)) state.SkipWithError("the file was not deployed");
+        state.PauseTiming();
+        deployer.kickOutAll();
+        state.ResumeTiming();
+    }
+    std::remove(kFile);
+}
+
+void sequential(benchmark::State& state) {
+    deployChain(state, "<struct name=\"Activity\" type=\"SequentialActivity\"/>\n");
+}
+
+void ownThreads(benchmark::State& state) { deployChain(state, ""); }
+
+BENCHMARK(sequential)->Name("deployment/sequential")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(ownThreads)->Name("deployment/own_threads")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+/** Starts and stops the runtime around the benchmarks. */
+struct Runtime {
+    Runtime() {
+        static char name[] = "deployment_bench";
+        static char* words[] = {name, nullptr};
+        __os_init(1, words);
+    }
+    ~Runtime() { __os_exit(); }
+} runtime;
+
+}  // namespace
