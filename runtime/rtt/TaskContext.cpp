@@ -195,7 +195,10 @@ bool TaskContext::dataOnPortHook(base::PortInterface*) { return isRunning(); }
 
 void TaskContext::dataOnPort(base::PortInterface* port)
 {
-    if (!dataOnPortHook(port) || !port_callbacks_.announce(port, isRunning())) return;
+    // The component may be started, and stopped, while the hook decides.
+    const unsigned starts = mStartCounter;
+    const bool running = isRunning();
+    if (!dataOnPortHook(port) || !port_callbacks_.announce(port, running || mStartCounter != starts)) return;
     if (!engine()->process(port)) port_callbacks_.withdraw(port);
 }
 

@@ -85,6 +85,7 @@ bool TaskCore::start()
     mTargetState = Running;
     switch (callHook("start()", Stopped, [this] { return startHook(); })) {
     case Outcome::Accepted:
+        ++mStartCounter;
         setState(Running);
         if (mTriggerOnStart) trigger();
         return true;

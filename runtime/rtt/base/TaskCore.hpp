@@ -113,6 +113,8 @@ protected:
     std::atomic<TaskState> mTaskState;
     std::atomic<TaskState> mTargetState;
     const TaskState mInitialState;
+    /** How often it was started; counted before it is Running. */
+    std::atomic<unsigned> mStartCounter{0};
     bool mTriggerOnStart = true;
     unsigned mCycleCounter = 0, mIOCounter = 0, mTimeOutCounter = 0, mTriggerCounter = 0;
 

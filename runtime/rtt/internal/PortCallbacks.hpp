@@ -32,8 +32,8 @@ public:
     void set(base::PortInterface* port, const Callback& callback);
     void remove(base::PortInterface* port);
 
-    /** Marks the port as waiting for its callback; `running`: the component is running now. True if the caller is to queue
-        it, false if it is queued already or unknown. Any thread; real-time safe. */
+    /** Marks the port as waiting for its callback; `running`: the component was running when it asked for that. True if the
+        caller is to queue it, false if it is queued already or unknown. Any thread; real-time safe. */
     bool announce(base::PortInterface* port, bool running);
     /** Withdraws an announcement that could not be queued. */
     void withdraw(base::PortInterface* port);

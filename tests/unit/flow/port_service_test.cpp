@@ -200,13 +200,55 @@ TEST(EventPort, MayRunItsComponentInTheWritersThreadWhichMayDisconnectThePort)
     EXPECT_FALSE(c.wake.connected());
 }
 
+TEST(EventPort, DropsTheCallbackOfASampleThatStopOvertook)
+{
+    struct Stopping : Component {
+        using Component::Component;
+        bool dataOnPortHook(base::PortInterface* port) override
+        {
+            const bool wanted = Component::dataOnPortHook(port);
+            stop();
+            return wanted;
+        }
+    } c;
+    Component peer("peer");
+    peer.out.connectTo(&c.in);
+    ASSERT_TRUE(c.start());
+    peer.out.write(1);
+    EXPECT_FALSE(c.isRunning());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(c.calls, 0);
+}
+
+TEST(EventPort, CallsBackAComponentThatIsNotRunningIfItsHookWantsThat)
+{
+    struct Always : Component {
+        bool dataOnPortHook(base::PortInterface*) override { return true; }
+    } c;
+    Component peer("peer");
+    peer.out.connectTo(&c.in);
+    peer.out.write(1);
+    EXPECT_TRUE(soon([&] { return c.calls == 1; }));
+}
+
 TEST(EventPort, IsDestroyedSafelyWhileItIsWrittenTo)
 {
     OutputPort<int> out("out");
-    std::atomic<bool> stop{false};
-    std::thread writer([&] {
-        for (int i = 0; !stop; ++i) out.write(i);
-    });
+    struct Writer {
+        explicit Writer(OutputPort<int>& port)
+            : thread([this, &port] {
+                  for (int i = 0; !stop; ++i) port.write(i);
+              })
+        {
+        }
+        ~Writer()
+        {
+            stop = true;
+            thread.join();
+        }
+        std::atomic<bool> stop{false};
+        std::thread thread;
+    } writer(out);
     for (int i = 0; i < 30; ++i) {
         Component c;
         out.connectTo(&c.in);
@@ -214,7 +256,5 @@ TEST(EventPort, IsDestroyedSafelyWhileItIsWrittenTo)
         ASSERT_TRUE(soon([&] { return c.calls > 0; }));
         c.stop();
     }
-    stop = true;
-    writer.join();
     EXPECT_FALSE(out.connected());
 }
