@@ -22,8 +22,7 @@ using namespace RTT;
 
 class Server : public TaskContext {
 public:
-    explicit Server(const std::string& name) : TaskContext(name)
-    {
+    explicit Server(const std::string& name) : TaskContext(name) {
         addOperation("client", &Server::plus, this, ClientThread);
         addOperation("own", &Server::plus, this, OwnThread);
     }
@@ -35,28 +34,29 @@ private:
 };
 
 /** A component with a thread of its own, to call from. Its work is done in an operation of its own. */
-template <class Work> void inComponent(TaskContext& component, Work work)
-{
+template <class Work>
+void inComponent(TaskContext& component, Work work) {
     std::atomic<bool> done{false};
-    component.addOperation("work", [&] {
-        work();
-        done = true;
-    }, OwnThread);
+    component.addOperation(
+        "work",
+        [&] {
+            work();
+            done = true;
+        },
+        OwnThread);
     OperationCaller<void()>(component.getOperation("work")).send();
     while (!done) usleep(1000);
     component.provides()->removeOperation("work");
 }
 
-void directCall(benchmark::State& state)
-{
+void directCall(benchmark::State& state) {
     Server server("server");
     OperationCaller<int(int)> plus(server.getOperation("client"), server.engine());
     for (auto _ : state) benchmark::DoNotOptimize(plus(1));
 }
 BENCHMARK(directCall)->Name("operation/ClientThread call");
 
-void callBetweenThreads(benchmark::State& state)
-{
+void callBetweenThreads(benchmark::State& state) {
     Server server("server"), client("client");
     OperationCaller<int(int)> plus(server.getOperation("own"), client.engine());
     inComponent(client, [&] {
@@ -65,8 +65,7 @@ void callBetweenThreads(benchmark::State& state)
 }
 BENCHMARK(callBetweenThreads)->Name("operation/OwnThread call")->UseRealTime();
 
-void sendAndCollect(benchmark::State& state)
-{
+void sendAndCollect(benchmark::State& state) {
     Server server("server"), client("client");
     OperationCaller<int(int)> plus(server.getOperation("own"), client.engine());
     inComponent(client, [&] {
@@ -85,8 +84,7 @@ void sendAndCollect(benchmark::State& state)
 BENCHMARK(sendAndCollect)->Name("operation/16 sends, 16 collects")->UseRealTime();
 
 /** The floor of a call between threads: two threads that wake each other by nothing but a futex. */
-void futexPingPong(benchmark::State& state)
-{
+void futexPingPong(benchmark::State& state) {
     std::atomic<std::uint32_t> turn{0};
     const auto wait = [&](std::uint32_t while_) {
         while (turn.load(std::memory_order_acquire) == while_)
@@ -112,8 +110,7 @@ void futexPingPong(benchmark::State& state)
 }
 BENCHMARK(futexPingPong)->Name("operation/floor: futex ping-pong")->UseRealTime();
 
-void emptyStep(benchmark::State& state)
-{
+void emptyStep(benchmark::State& state) {
     Server server("server");
     server.setActivity(new extras::SlaveActivity());
     server.start();

@@ -17,13 +17,16 @@ struct Bytes64 {
 };
 
 template <class T>
-T sampleOf() { return T(); }
+T sampleOf() {
+    return T();
+}
 template <>
-std::vector<double> sampleOf() { return std::vector<double>(1000, 1.0); }
+std::vector<double> sampleOf() {
+    return std::vector<double>(1000, 1.0);
+}
 
 template <class T>
-void roundTrip(benchmark::State& state, const ConnPolicy& policy, bool keepLast)
-{
+void roundTrip(benchmark::State& state, const ConnPolicy& policy, bool keepLast) {
     OutputPort<T> out("out", keepLast);
     InputPort<T> in("in");
     T sample = sampleOf<T>(), got = sample;
@@ -36,8 +39,7 @@ void roundTrip(benchmark::State& state, const ConnPolicy& policy, bool keepLast)
     }
 }
 
-void oneToEight(benchmark::State& state)
-{
+void oneToEight(benchmark::State& state) {
     OutputPort<double> out("out", false);
     std::vector<std::unique_ptr<InputPort<double>>> readers;
     for (int i = 0; i < 8; ++i) {
@@ -53,8 +55,7 @@ void oneToEight(benchmark::State& state)
     }
 }
 
-void connectAndDisconnect(benchmark::State& state)
-{
+void connectAndDisconnect(benchmark::State& state) {
     OutputPort<double> out("out");
     InputPort<double> in("in");
     for (auto _ : state) {

@@ -15,16 +15,20 @@ namespace {
 /// Members of RTT::TaskContext: an operation of that name would hide or override them.
 bool isTaskContextMember(const std::string& name) {
     static const std::set<std::string> members = {
-        "activate", "addAttribute", "addConstant", "addEventPort", "addLocalPort", "addOperation", "addPeer", "addPort",
-        "addProperty", "attributes", "cleanup", "cleanupHook", "clear", "configure", "configureHook", "connectPeers",
-        "connectPorts", "connectServices", "dataOnPort", "dataOnPortCallback", "dataOnPortHook", "disconnect",
-        "disconnectPeers", "engine", "error", "errorHook", "exception", "exceptionHook", "fatal", "forceActivity",
-        "getActivity", "getAttribute", "getCpuAffinity", "getName", "getOperation", "getPeer", "getPeerList",
-        "getPeriod", "getPort", "getProperty", "getProvider", "getTargetState", "getTaskState", "hasPeer",
-        "inException", "inFatalError", "inRunTimeError", "isActive", "isConfigured", "isRunning", "loadService",
-        "operations", "ports", "properties", "provides", "ready", "recover", "removePeer", "requires",
-        "resetException", "setActivity", "setCpuAffinity", "setPeriod", "start", "startHook", "stop", "stopHook",
-        "trigger", "update", "updateHook"};
+        "activate",       "addAttribute",   "addConstant",     "addEventPort", "addLocalPort",
+        "addOperation",   "addPeer",        "addPort",         "addProperty",  "attributes",
+        "cleanup",        "cleanupHook",    "clear",           "configure",    "configureHook",
+        "connectPeers",   "connectPorts",   "connectServices", "dataOnPort",   "dataOnPortCallback",
+        "dataOnPortHook", "disconnect",     "disconnectPeers", "engine",       "error",
+        "errorHook",      "exception",      "exceptionHook",   "fatal",        "forceActivity",
+        "getActivity",    "getAttribute",   "getCpuAffinity",  "getName",      "getOperation",
+        "getPeer",        "getPeerList",    "getPeriod",       "getPort",      "getProperty",
+        "getProvider",    "getTargetState", "getTaskState",    "hasPeer",      "inException",
+        "inFatalError",   "inRunTimeError", "isActive",        "isConfigured", "isRunning",
+        "loadService",    "operations",     "ports",           "properties",   "provides",
+        "ready",          "recover",        "removePeer",      "requires",     "resetException",
+        "setActivity",    "setCpuAffinity", "setPeriod",       "start",        "startHook",
+        "stop",           "stopHook",       "trigger",         "update",       "updateHook"};
     return members.count(name) != 0;
 }
 
@@ -39,7 +43,8 @@ bool checkIdentifier(const std::string& what, const model::Text& name, diag::Sin
     if (!name.given()) return false;
     if (!model::isIdentifier(name.value)) {
         sink.error(name.where, "OM010",
-                   what + " name '" + name.value + "' is not an identifier: expected letters, digits and '_', not a digit first");
+                   what + " name '" + name.value +
+                       "' is not an identifier: expected letters, digits and '_', not a digit first");
         return false;
     }
     if (model::isKeyword(name.value)) {
@@ -61,7 +66,8 @@ void checkClassName(const model::Text& name, diag::Sink& sink) {
     for (const std::string& part : model::splitQualified(name.value)) {
         if (model::isIdentifier(part) && !model::isKeyword(part)) continue;
         sink.error(name.where, "OM014",
-                   "'" + name.value + "' is not a class name: expected identifiers joined by '::', such as 'tank::Controller'");
+                   "'" + name.value +
+                       "' is not a class name: expected identifiers joined by '::', such as 'tank::Controller'");
         return;
     }
 }
@@ -96,11 +102,13 @@ bool isVersion(const std::string& text) {
 
 void checkHeader(const model::Text& header, diag::Sink& sink) {
     if (!header.given()) return;
-    const bool relative = !header.value.empty() && header.value[0] != '/' && header.value.find("..") == std::string::npos;
+    const bool relative =
+        !header.value.empty() && header.value[0] != '/' && header.value.find("..") == std::string::npos;
     const bool plain = header.value.find_first_of(" \t\"<>\\;$") == std::string::npos;
     if (relative && plain) return;
     sink.error(header.where, "OM017",
-               "'" + header.value + "' is not a header of this package: expected a path such as 'include/tank/tank-types.hpp'");
+               "'" + header.value +
+                   "' is not a header of this package: expected a path such as 'include/tank/tank-types.hpp'");
 }
 
 }  // namespace
@@ -120,7 +128,8 @@ std::string packageNameFault(const std::string& name) {
 void names(const model::Package& package, diag::Sink& sink) {
     if (package.name.given()) {
         const std::string fault = packageNameFault(package.name.value);
-        if (!fault.empty()) sink.error(package.name.where, "OM013", "package name '" + package.name.value + "' " + fault);
+        if (!fault.empty())
+            sink.error(package.name.where, "OM013", "package name '" + package.name.value + "' " + fault);
     }
     if (package.version.given() && !isVersion(package.version.value)) {
         sink.error(package.version.where, "OM016",

@@ -9,16 +9,19 @@ namespace {
 void checkPolicy(const model::Port& port, diag::Sink& sink) {
     const model::Policy& policy = *port.policy;
     if (port.direction == model::Direction::Out) {
-        sink.error(policy.where, "OM053", "port '" + port.name.value + "' is an output; a policy belongs to the input port");
+        sink.error(policy.where, "OM053",
+                   "port '" + port.name.value + "' is an output; a policy belongs to the input port");
     }
     if (policy.type == "data" && policy.size) {
-        sink.error(policy.size->where, "OM052", "a 'data' connection has no size; expected type 'buffer' or 'circular_buffer'");
+        sink.error(policy.size->where, "OM052",
+                   "a 'data' connection has no size; expected type 'buffer' or 'circular_buffer'");
     }
     if (policy.type == "data") return;
     if (!policy.size) {
         sink.error(policy.where, "OM051", "a '" + policy.type + "' connection needs the attribute 'size', in samples");
     } else if (policy.size->value < 1 || policy.size->value > 1e9) {
-        sink.error(policy.size->where, "OM051", "size '" + policy.size->text + "' is not a number of samples from 1 to 1000000000");
+        sink.error(policy.size->where, "OM051",
+                   "size '" + policy.size->text + "' is not a number of samples from 1 to 1000000000");
     }
 }
 

@@ -24,7 +24,8 @@ std::string spellingFault(const std::string& type) {
         if (c == ':') {
             if (i + 1 >= type.size() || type[i + 1] != ':') return "has a single ':', expected '::'";
             ++i;
-        } else if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string("_<>(), *&\t").find(c) == std::string::npos) {
+        } else if (std::isalnum(static_cast<unsigned char>(c)) == 0 &&
+                   std::string("_<>(), *&\t").find(c) == std::string::npos) {
             return std::string("contains '") + c + "', which no type name does";
         }
     }

@@ -34,8 +34,7 @@ bool fitsInteger(const std::string& text, TypeClass kind, unsigned bits) {
 std::string valueFault(const std::string& text, const std::string& type) {
     const TypeClass kind = model::classify(type);
     switch (kind) {
-        case TypeClass::Boolean:
-            return model::isBooleanText(text) ? "" : "is not 'true' or 'false'";
+        case TypeClass::Boolean: return model::isBooleanText(text) ? "" : "is not 'true' or 'false'";
         case TypeClass::Signed:
         case TypeClass::Unsigned:
             if (!model::isIntegerText(text)) return "is not a whole number";
@@ -60,10 +59,12 @@ void checkDefault(const model::Text& value, const model::Text& type, diag::Sink&
     if (!fault.empty()) sink.error(value.where, "OM030", "default '" + value.value + "' " + fault);
 }
 
-bool checkLimit(const char* what, const std::optional<model::Number>& limit, const model::Text& type, diag::Sink& sink) {
+bool checkLimit(const char* what, const std::optional<model::Number>& limit, const model::Text& type,
+                diag::Sink& sink) {
     if (!limit) return false;
     if (!model::isNumber(model::classify(type.value))) {
-        sink.error(limit->where, "OM032", "'" + std::string(what) + "' needs a number type, found '" + type.value + "'");
+        sink.error(limit->where, "OM032",
+                   "'" + std::string(what) + "' needs a number type, found '" + type.value + "'");
         return false;
     }
     const std::string fault = valueFault(limit->text, type.value);
@@ -84,7 +85,8 @@ void checkRange(const model::Property& property, diag::Sink& sink) {
     if (property.defaultValue.given() && !valueFault(property.defaultValue.value, property.type.value).empty()) return;
     // Without a default the property starts as zero, and that must be in the range as well.
     const bool given = property.defaultValue.given();
-    const std::string shown = given ? "default '" + property.defaultValue.value + "'" : "the property has no default, and 0";
+    const std::string shown =
+        given ? "default '" + property.defaultValue.value + "'" : "the property has no default, and 0";
     const double value = given ? std::strtod(property.defaultValue.value.c_str(), nullptr) : 0.0;
     const diag::Location& where = given ? property.defaultValue.where : property.where;
     if (hasMinimum && value < property.minimum->value) {

@@ -66,9 +66,9 @@ std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, cla
     if (!isOpen(construct)) {
         found.push_back(aboutType(Reason::NoDefaultConstructor, type, placeOf(construct, type)));
     }
-    const clang::FunctionDecl* needed[] = {
-        sema.LookupCopyingConstructor(record, clang::Qualifiers::Const),
-        sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0), sema.LookupDestructor(record)};
+    const clang::FunctionDecl* needed[] = {sema.LookupCopyingConstructor(record, clang::Qualifiers::Const),
+                                           sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0),
+                                           sema.LookupDestructor(record)};
     for (const clang::FunctionDecl* function : needed) {
         if (isOpen(function)) continue;
         found.push_back(aboutType(Reason::NotCopyable, type, placeOf(function, type)));

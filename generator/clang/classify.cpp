@@ -58,9 +58,11 @@ Classified classifyArray(clang::QualType array, clang::QualType element, std::ui
 
 Classified classifyValue(clang::QualType type, const clang::ASTContext& context) {
     const clang::Type& bare = *type.getCanonicalType().getUnqualifiedType();
-    if (const auto* builtin = llvm::dyn_cast<clang::BuiltinType>(&bare)) return classifyBuiltin(type, *builtin, context);
+    if (const auto* builtin = llvm::dyn_cast<clang::BuiltinType>(&bare))
+        return classifyBuiltin(type, *builtin, context);
     if (bare.isFunctionPointerType() || bare.isMemberPointerType()) return reject(Reason::Callable, type);
-    if (bare.isPointerType()) return reject(bare.getPointeeType()->isCharType() ? Reason::CString : Reason::RawPointer, type);
+    if (bare.isPointerType())
+        return reject(bare.getPointeeType()->isCharType() ? Reason::CString : Reason::RawPointer, type);
     if (bare.isReferenceType()) return reject(Reason::Reference, type);
     if (bare.isArrayType()) return reject(Reason::ArrayElement, type);
     if (const auto* tag = llvm::dyn_cast<clang::EnumType>(&bare)) return classifyEnum(type, *tag->getDecl());

@@ -14,12 +14,12 @@
 namespace oroforge::cxx {
 
 struct Classified {
-    std::optional<model::TypeUse> use;       ///< set: the type is fine as far as it can be seen from here
-    std::uint64_t count = 0;                 ///< elements, if it is an array
+    std::optional<model::TypeUse> use;             ///< set: the type is fine as far as it can be seen from here
+    std::uint64_t count = 0;                       ///< elements, if it is an array
     const clang::CXXRecordDecl* record = nullptr;  ///< user struct at the bottom, still to be described
     const clang::EnumDecl* enumeration = nullptr;  ///< user enum at the bottom, still to be described
-    Reason reason = Reason::OtherType;       ///< if use is not set …
-    clang::QualType culprit;                 ///< … and the type it is about: the whole, or an element
+    Reason reason = Reason::OtherType;             ///< if use is not set …
+    clang::QualType culprit;                       ///< … and the type it is about: the whole, or an element
 };
 
 /// Type of a data member: values and one-dimensional arrays of values.

@@ -69,8 +69,8 @@ bool isStandardArgument(const clang::TemplateArgument& argument, const char* nam
 }
 
 Classified classifyString(clang::QualType type, const clang::TemplateArgumentList& arguments) {
-    const bool ofChar = isBuiltin(arguments[0], clang::BuiltinType::Char_S) ||
-                        isBuiltin(arguments[0], clang::BuiltinType::Char_U);
+    const bool ofChar =
+        isBuiltin(arguments[0], clang::BuiltinType::Char_S) || isBuiltin(arguments[0], clang::BuiltinType::Char_U);
     if (!ofChar || !isStandardArgument(arguments[1], "char_traits")) return reject(Reason::OtherString, type);
     if (!isStandardArgument(arguments[2], "allocator")) return reject(Reason::CustomAllocator, type);
     Classified result;
@@ -85,8 +85,8 @@ Classified classifyVector(clang::QualType type, const clang::TemplateArgumentLis
     Classified result = classifyValue(arguments[0].getAsType(), context);
     if (!result.use) return result;
     const model::TypeUse element = *result.use;
-    result.use = model::TypeUse{model::TypeKind::Sequence, "std::vector<" + element.cpp + ">",
-                                "/std/vector<" + element.name + ">", {element}};
+    result.use = model::TypeUse{
+        model::TypeKind::Sequence, "std::vector<" + element.cpp + ">", "/std/vector<" + element.name + ">", {element}};
     return result;
 }
 

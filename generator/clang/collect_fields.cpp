@@ -66,13 +66,13 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
 }
 
 void FieldCollector::reject(const clang::FieldDecl& field, Reason reason) {
-    rejections_.push_back(makeRejection(reason, subjectOf(field), shownName(field.getType(), types_.context()),
-                                        field.getLocation()));
+    rejections_.push_back(
+        makeRejection(reason, subjectOf(field), shownName(field.getType(), types_.context()), field.getLocation()));
 }
 
 void FieldCollector::rejectName(const clang::FieldDecl& field) {
-    clashes_.push_back(makeRejection(Reason::SameName, subjectOf(field), "",
-                                     base_.empty() ? field.getLocation() : baseAt_));
+    clashes_.push_back(
+        makeRejection(Reason::SameName, subjectOf(field), "", base_.empty() ? field.getLocation() : baseAt_));
 }
 
 std::vector<Rejection> FieldCollector::rejections() const {
@@ -115,7 +115,8 @@ void FieldCollector::addClassified(const clang::FieldDecl& field, const Classifi
 bool FieldCollector::usable(const clang::FieldDecl& field, const Classified& type) {
     const clang::ASTContext& context = types_.context();
     if (!type.use) {
-        const bool isElement = !context.hasSameType(type.culprit.getUnqualifiedType(), field.getType().getUnqualifiedType());
+        const bool isElement =
+            !context.hasSameType(type.culprit.getUnqualifiedType(), field.getType().getUnqualifiedType());
         rejections_.push_back(makeRejection(type.reason, (isElement ? "element of " : "") + subjectOf(field),
                                             shownName(type.culprit, context), field.getLocation()));
         return false;

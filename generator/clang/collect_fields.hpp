@@ -39,8 +39,8 @@ private:
     std::vector<Rejection> rejections_;
     std::vector<Rejection> clashes_;  // faults of the whole, even if the field is a base class's
     std::set<std::string> names_;
-    std::string base_;                // C++ name of the base class being walked …
-    clang::SourceLocation baseAt_;    // … and where the struct itself names its base class
+    std::string base_;              // C++ name of the base class being walked …
+    clang::SourceLocation baseAt_;  // … and where the struct itself names its base class
     bool broken_ = false;
 };
 

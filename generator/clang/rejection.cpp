@@ -12,11 +12,12 @@ namespace {
 constexpr Rule kRules[] = {
     {Reason::RawPointer, "TK010", "is a raw pointer '{}', which has no value to copy between components",
      "store the value itself, or a std::vector of values"},
-    {Reason::CString, "TK010", "is a raw pointer '{}', which has no value to copy between components", "use std::string"},
+    {Reason::CString, "TK010", "is a raw pointer '{}', which has no value to copy between components",
+     "use std::string"},
     {Reason::Reference, "TK011", "is a reference '{}', which has no value of its own", "store the value itself"},
-    {Reason::Callable, "TK012", "is a callable '{}', which is not data",
-     "offer an operation of a component instead"},
-    {Reason::PrivateMember, "TK013", "is not public", "make the data members public, or keep the class out of typegen "
+    {Reason::Callable, "TK012", "is a callable '{}', which is not data", "offer an operation of a component instead"},
+    {Reason::PrivateMember, "TK013", "is not public",
+     "make the data members public, or keep the class out of typegen "
      "(#ifndef __orogen) and write its typekit by hand"},
     {Reason::Union, "TK014", "is a union; which of its members is meant cannot be known",
      "use a struct, or std::uint8_t bytes[N] for raw storage"},
@@ -49,8 +50,10 @@ constexpr Rule kRules[] = {
     {Reason::HiddenType, "TK030", "has the type '{}', whose name is not public", "make the nested type public"},
     {Reason::WideScalar, "TK031", "is of type '{}', which has no portable width",
      "use double, float or a sized integer such as std::int64_t"},
-    {Reason::CharacterType, "TK032", "is of the wide character type '{}'", "use char, or std::uint32_t for code points"},
-    {Reason::VectorOfBool, "TK033", "is '{}', whose elements are bits without address", "use std::vector<std::uint8_t>"},
+    {Reason::CharacterType, "TK032", "is of the wide character type '{}'",
+     "use char, or std::uint32_t for code points"},
+    {Reason::VectorOfBool, "TK033", "is '{}', whose elements are bits without address",
+     "use std::vector<std::uint8_t>"},
     {Reason::CustomAllocator, "TK034", "is '{}' with an allocator of its own", "use the standard allocator"},
     {Reason::ArrayElement, "TK035", "is '{}', a sequence of arrays", "wrap the array in a struct"},
     {Reason::View, "TK036", "is a non-owning view '{}'; what it looks at may be gone when a sample is read",
@@ -74,7 +77,8 @@ constexpr Rule kRules[] = {
      "include the header that defines it"},
     {Reason::TemplateArgument, "TK049", "has the type '{}', a template instance that cannot be named",
      "use types and integers as template arguments"},
-    {Reason::OtherType, "TK050", "has the type '{}', expected a number, enum, string, struct, std::vector or array", ""},
+    {Reason::OtherType, "TK050", "has the type '{}', expected a number, enum, string, struct, std::vector or array",
+     ""},
 };
 
 }  // namespace

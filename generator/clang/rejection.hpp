@@ -12,18 +12,55 @@
 namespace oroforge::cxx {
 
 enum class Reason {
-    RawPointer, CString, Reference, Callable, PrivateMember, Union, BitField, ConstMember, VolatileMember,
-    MultiDimArray, UnboundedArray, Polymorphic, HiddenBase, VirtualBase, SameName, NoDefaultConstructor,
-    NotCopyable, Misaligned, Overlapping, Unnamed, InternalLinkage, HiddenType, WideScalar, CharacterType,
-    VectorOfBool, CustomAllocator, ArrayElement, View, OtherString, SmartPointer, Synchronisation, Map, Set,
-    OtherSequence, Optional, Variant, Tuple, Time, OtherStandard, NeverDefined, TemplateArgument, OtherType,
+    RawPointer,
+    CString,
+    Reference,
+    Callable,
+    PrivateMember,
+    Union,
+    BitField,
+    ConstMember,
+    VolatileMember,
+    MultiDimArray,
+    UnboundedArray,
+    Polymorphic,
+    HiddenBase,
+    VirtualBase,
+    SameName,
+    NoDefaultConstructor,
+    NotCopyable,
+    Misaligned,
+    Overlapping,
+    Unnamed,
+    InternalLinkage,
+    HiddenType,
+    WideScalar,
+    CharacterType,
+    VectorOfBool,
+    CustomAllocator,
+    ArrayElement,
+    View,
+    OtherString,
+    SmartPointer,
+    Synchronisation,
+    Map,
+    Set,
+    OtherSequence,
+    Optional,
+    Variant,
+    Tuple,
+    Time,
+    OtherStandard,
+    NeverDefined,
+    TemplateArgument,
+    OtherType,
 };
 
 struct Rule {
     Reason reason;
     const char* code;
-    const char* words;  ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
-    const char* advice; ///< empty if there is none
+    const char* words;   ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
+    const char* advice;  ///< empty if there is none
 };
 
 const Rule& ruleOf(Reason reason);

@@ -27,8 +27,9 @@ std::optional<std::string> findResourceDir(const std::string& wanted, diag::Sink
     }
     const std::string missing = choice.empty() ? OROFORGE_CLANG_RESOURCE_DIR : choice;
     sink.error({"typegen"}, "TK005", "no compiler headers (include/stddef.h) in " + missing)
-        .hint("install the package libclang-common-19-dev, or set TYPEGEN_RESOURCE_DIR to what "
-              "'clang-19 -print-resource-dir' prints");
+        .hint(
+            "install the package libclang-common-19-dev, or set TYPEGEN_RESOURCE_DIR to what "
+            "'clang-19 -print-resource-dir' prints");
     return std::nullopt;
 }
 

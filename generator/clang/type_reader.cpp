@@ -55,9 +55,10 @@ public:
 };
 
 std::vector<std::string> makeArguments(const ParseRequest& request, const std::string& resourceDir) {
-    std::vector<std::string> arguments = {"typegen", "--driver-mode=g++", "-xc++", "-std=c++17", "-fsyntax-only",
-                                          "-w", "-ferror-limit=0", "-resource-dir", resourceDir,
-                                          "-D__orogen", "-D__orogen2", "-DOROCOS_TARGET=" + request.target};
+    std::vector<std::string> arguments = {"typegen",         "--driver-mode=g++", "-xc++",
+                                          "-std=c++17",      "-fsyntax-only",     "-w",
+                                          "-ferror-limit=0", "-resource-dir",     resourceDir,
+                                          "-D__orogen",      "-D__orogen2",       "-DOROCOS_TARGET=" + request.target};
     arguments.insert(arguments.end(), request.flags.begin(), request.flags.end());
     arguments.push_back(kMainFile);
     return arguments;
@@ -79,7 +80,7 @@ std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& re
     std::shared_ptr<clang::CompilerInvocation> invocation = clang::createInvocation(words, options);
     if (!invocation) return nullptr;
     invocation->getFrontendOpts().SkipFunctionBodies = true;
-    invocation->getFrontendOpts().DisableFree = false;     // one process may read many times, as the tests do
+    invocation->getFrontendOpts().DisableFree = false;   // one process may read many times, as the tests do
     invocation->getDiagnosticOpts().ShowCarets = false;  // else it counts errors on stderr by itself
     invocation->getPreprocessorOpts().addRemappedFile(
         kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(request.headers)).release());

@@ -18,9 +18,9 @@ namespace oroforge::cxx {
 
 struct ParseRequest {
     std::vector<model::Header> headers;
-    std::vector<std::string> flags;  ///< -I -isystem -D -U -include -std, each word one element
-    std::string target = "gnulinux"; ///< value of the macro OROCOS_TARGET
-    std::string resourceDir;         ///< clang's own headers; empty = look for them
+    std::vector<std::string> flags;   ///< -I -isystem -D -U -include -std, each word one element
+    std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
+    std::string resourceDir;          ///< clang's own headers; empty = look for them
 };
 
 /// Structs and enums that are defined in the listed headers, and whatever they use, in no particular order;

@@ -44,7 +44,9 @@ model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
     if (!fault.empty()) sink.error(kHere, "OC002", "package name '" + name + "' " + fault);
     for (const std::string& kind : kinds) {
         if (std::find(knownKinds().begin(), knownKinds().end(), kind) != knownKinds().end()) continue;
-        sink.error(kHere, "OC003", "unknown kind '" + kind + "', expected " + diag::oneOf(knownKinds()) + diag::didYouMean(kind, knownKinds()));
+        sink.error(kHere, "OC003",
+                   "unknown kind '" + kind + "', expected " + diag::oneOf(knownKinds()) +
+                       diag::didYouMean(kind, knownKinds()));
     }
     const auto has = [&](const char* kind, const std::string& file) {
         const bool all = kinds.empty() || std::find(kinds.begin(), kinds.end(), "all") != kinds.end();
@@ -56,7 +58,8 @@ model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
     package.skeletons.plugin = has("plugin", "src/" + name + "-plugin.cpp");
     package.skeletons.service = has("service", "src/" + name + "-service.cpp");
     package.skeletons.support = has("support", "src/" + name + "-support.cpp");
-    if (has("typekit", typekitHeader(name))) package.typekitHeaders.push_back({typekitHeader(name), {kHere.file, 1, 1}});
+    if (has("typekit", typekitHeader(name)))
+        package.typekitHeaders.push_back({typekitHeader(name), {kHere.file, 1, 1}});
     return package;
 }
 
@@ -69,7 +72,8 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
     const auto& headers = package.typekitHeaders;
     if (std::none_of(headers.begin(), headers.end(), stands)) {
         if (headers.size() > 1) {
-            sink.error(headers[1].where, "OC006", "none of the typekit headers stands beside the manifest; only one can be made");
+            sink.error(headers[1].where, "OC006",
+                       "none of the typekit headers stands beside the manifest; only one can be made");
         }
         return;
     }
@@ -92,7 +96,8 @@ emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::ve
     return outputs;
 }
 
-void writePackage(const Scaffold& files, const std::string& name, const Options& options, std::ostream& out, diag::Sink& sink) {
+void writePackage(const Scaffold& files, const std::string& name, const Options& options, std::ostream& out,
+                  diag::Sink& sink) {
     if (fs::exists(name) && !options.force) {
         sink.error(kHere, "OC004", "'" + name + "' already exists; nothing was written. Use -f to write into it");
     }
@@ -110,8 +115,9 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     if (sink.hadErrors()) return;
     const std::string& name = package->name.value;
     if (!options.words.empty() && options.words.front() != name) {
-        sink.error(package->name.where, "OC005",
-                   "the manifest is of package '" + name + "', the command line asks for '" + options.words.front() + "'");
+        sink.error(
+            package->name.where, "OC005",
+            "the manifest is of package '" + name + "', the command line asks for '" + options.words.front() + "'");
         return;
     }
     const std::string manifest = name + ".xml";

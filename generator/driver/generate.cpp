@@ -42,9 +42,11 @@ void generateComponents(const Options& options, const render::Renderer& renderer
         dumpViews(*package, manifest, out);
     } else if (options.listOutputs) {
         emit::listOutputs(out, generatedFileNames(*package), options.output);
-    } else if (emit::write(generatedFiles(*package, manifest, renderer), options.output, sink) && !options.depfile.empty()) {
+    } else if (emit::write(generatedFiles(*package, manifest, renderer), options.output, sink) &&
+               !options.depfile.empty()) {
         std::vector<std::string> targets;
-        for (const std::string& name : generatedFileNames(*package)) targets.push_back((fs::path(options.output) / name).string());
+        for (const std::string& name : generatedFileNames(*package))
+            targets.push_back((fs::path(options.output) / name).string());
         emit::writeDepfile(options.depfile, targets, {fs::absolute(options.generate).string()}, sink);
     }
 }

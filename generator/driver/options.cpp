@@ -28,11 +28,13 @@ constexpr const char* kHelpHint = "orocreate-pkg --help explains the command lin
 void declare(CLI::App& app, Options& options) {
     app.add_option("words", options.words, "Name of the package, then its kinds")->type_name("NAME [KIND...]");
     app.add_option("--from", options.from, "Component manifest (XML) of the new package")->type_name("MANIFEST");
-    app.add_option("--generate", options.generate, "Component manifest to generate base classes from")->type_name("MANIFEST");
+    app.add_option("--generate", options.generate, "Component manifest to generate base classes from")
+        ->type_name("MANIFEST");
     app.add_option("-o,--output", options.output, "Directory for generated files")->type_name("DIR");
     app.add_flag("--list-outputs", options.listOutputs, "Print the files that --generate would write, and stop");
     app.add_option("--depfile", options.depfile, "Also write dependencies for make or ninja")->type_name("FILE");
-    app.add_option("--template-dir", options.templateDir, "Templates here replace the built-in ones of the same name")->type_name("DIR");
+    app.add_option("--template-dir", options.templateDir, "Templates here replace the built-in ones of the same name")
+        ->type_name("DIR");
     app.add_option("--dump", options.dump, "Print an intermediate step of --generate as JSON: model or view")
         ->check(CLI::IsMember({"model", "view"}));
     app.add_flag("-f,--force", options.force, "Write into an existing directory; your sources there are kept");
@@ -70,7 +72,8 @@ void checkCombination(const Options& options, diag::Sink& sink) {
         if (wrong) sink.error(here, "OC001", text).hint(kHelpHint);
     };
     if (options.generate.empty()) {
-        complain(options.words.empty() && options.from.empty(), "no package name given, expected orocreate-pkg NAME [KIND...]");
+        complain(options.words.empty() && options.from.empty(),
+                 "no package name given, expected orocreate-pkg NAME [KIND...]");
         complain(options.listOutputs, "--list-outputs needs --generate MANIFEST");
         complain(!options.depfile.empty(), "--depfile needs --generate MANIFEST");
         complain(!options.output.empty(), "--output needs --generate MANIFEST");
@@ -97,7 +100,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sin
             status = app.exit(error);
             return std::nullopt;
         }
-        for (const std::string& text : wordings(app, error)) sink.error({"orocreate-pkg", 0, 0}, "OC001", text).hint(kHelpHint);
+        for (const std::string& text : wordings(app, error))
+            sink.error({"orocreate-pkg", 0, 0}, "OC001", text).hint(kHelpHint);
     }
     if (!sink.hadErrors()) checkCombination(options, sink);
     if (!sink.hadErrors()) return options;

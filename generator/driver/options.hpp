@@ -19,7 +19,7 @@ struct Options {
     std::string output;              ///< where generated files go
     std::string depfile;
     std::string templateDir;
-    std::string dump;                ///< "model" or "view": print that step instead of writing files
+    std::string dump;  ///< "model" or "view": print that step instead of writing files
     bool listOutputs = false;
     bool force = false;
 };

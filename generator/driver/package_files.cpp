@@ -26,7 +26,8 @@ void addComponentFiles(const model::Package& package, const std::string& manifes
     }
 }
 
-void addSkeletonFiles(const model::Package& package, const json& view, const render::Renderer& renderer, Scaffold& files) {
+void addSkeletonFiles(const model::Package& package, const json& view, const render::Renderer& renderer,
+                      Scaffold& files) {
     const std::string& name = package.name.value;
     const auto add = [&](bool wanted, const std::string& path, const char* what) {
         if (wanted) files.user[path] = renderer.render(what, view);
@@ -43,7 +44,8 @@ void addSkeletonFiles(const model::Package& package, const json& view, const ren
 
 }  // namespace
 
-emit::Outputs generatedFiles(const model::Package& package, const std::string& manifest, const render::Renderer& renderer) {
+emit::Outputs generatedFiles(const model::Package& package, const std::string& manifest,
+                             const render::Renderer& renderer) {
     emit::Outputs files;
     const std::string directory = package.name.value + "/";
     for (const auto& component : package.components) {

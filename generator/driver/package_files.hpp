@@ -14,7 +14,8 @@
 namespace oroforge::driver {
 
 /// Files that are made anew at each build, below the output directory: base classes and registration.
-emit::Outputs generatedFiles(const model::Package& package, const std::string& manifest, const render::Renderer& renderer);
+emit::Outputs generatedFiles(const model::Package& package, const std::string& manifest,
+                             const render::Renderer& renderer);
 
 /// Their names alone: a function of the class names, nothing is rendered.
 std::vector<std::string> generatedFileNames(const model::Package& package);

@@ -123,7 +123,7 @@ std::optional<model::Activity> readActivity(const Element& element) {
 model::Hooks readHooks(const Element& component) {
     const Element* element = component.child("hooks");
     if (element == nullptr) return {};
-    return {flag(*element, "configure", false), flag(*element, "start", false), flag(*element, "update", false),
+    return {flag(*element, "configure", false), flag(*element, "start", false),   flag(*element, "update", false),
             flag(*element, "stop", false),      flag(*element, "cleanup", false), flag(*element, "error", false),
             flag(*element, "exception", false)};
 }

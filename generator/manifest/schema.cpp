@@ -46,8 +46,8 @@ std::vector<ElementRule> makeRules() {
           optional("pull", ValueKind::Boolean)},
          {}},
         {"property",
-         {required("name"), required("type"), optional("default"), optional("unit"),
-          optional("min", ValueKind::Number), optional("max", ValueKind::Number), doc},
+         {required("name"), required("type"), optional("default"), optional("unit"), optional("min", ValueKind::Number),
+          optional("max", ValueKind::Number), doc},
          {once("doc")}},
         {"attribute", {required("name"), required("type"), optional("default"), doc}, {once("doc")}},
         {"operation",
@@ -69,7 +69,8 @@ std::vector<ElementRule> makeRules() {
 
 const ElementRule* ruleFor(const std::string& element) {
     static const std::vector<ElementRule> rules = makeRules();
-    const auto found = std::find_if(rules.begin(), rules.end(), [&](const ElementRule& rule) { return rule.name == element; });
+    const auto found =
+        std::find_if(rules.begin(), rules.end(), [&](const ElementRule& rule) { return rule.name == element; });
     return found == rules.end() ? nullptr : &*found;
 }
 

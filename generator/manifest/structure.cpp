@@ -38,7 +38,8 @@ void checkValue(const AttributeRule& rule, const xml::Attribute& attribute, diag
     const std::string found = "attribute '" + attribute.name + "' has the value '" + attribute.value + "', ";
     if (rule.kind == ValueKind::Choice) {
         if (std::find(rule.choices.begin(), rule.choices.end(), attribute.value) != rule.choices.end()) return;
-        sink.error(attribute.valueWhere, "OM004", found + expected(rule) + diag::didYouMean(attribute.value, rule.choices));
+        sink.error(attribute.valueWhere, "OM004",
+                   found + expected(rule) + diag::didYouMean(attribute.value, rule.choices));
     } else if (!isWellFormed(rule.kind, attribute.value)) {
         sink.error(attribute.valueWhere, "OM005", found + expected(rule));
     }
@@ -99,7 +100,8 @@ void checkStructure(const xml::Element& element, diag::Sink& sink) {
     checkAttributes(element, *rule, sink);
     checkChildren(element, *rule, sink);
     if (!rule->hasText && !element.text.empty()) {
-        sink.error(element.textWhere, "OM007", "<" + element.name + "> contains text; its content goes into attributes and child elements");
+        sink.error(element.textWhere, "OM007",
+                   "<" + element.name + "> contains text; its content goes into attributes and child elements");
     }
     if (element.name != "doc" && element.hasAttribute("doc") && element.child("doc") != nullptr) {
         sink.error(element.child("doc")->where, "OM008", "<" + element.name + "> has its documentation twice")

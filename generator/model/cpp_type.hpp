@@ -13,11 +13,11 @@ enum class TypeClass {
     Boolean,
     Signed,
     Unsigned,
-    Float,     ///< float
-    Double,    ///< double
-    Character, ///< char
-    String,    ///< std::string
-    Other      ///< only the compiler knows
+    Float,      ///< float
+    Double,     ///< double
+    Character,  ///< char
+    String,     ///< std::string
+    Other       ///< only the compiler knows
 };
 
 /// "unsigned int" → Unsigned, "std::uint8_t" → Unsigned, "tank::Mode" → Other. Blanks do not matter.

@@ -122,7 +122,7 @@ Json toJson(const Activity& activity) {
 Json toJson(const Hooks& hooks) {
     Json json = Json::array();
     const std::pair<const char*, bool> all[] = {
-        {"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update}, {"stop", hooks.stop},
+        {"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update},      {"stop", hooks.stop},
         {"cleanup", hooks.cleanup},     {"error", hooks.error}, {"exception", hooks.exception}};
     for (const auto& [name, wanted] : all) {
         if (wanted) json.push_back(name);

@@ -8,7 +8,9 @@ namespace oroforge::model {
 
 namespace {
 
-bool isSign(const std::string& text, std::size_t at) { return at < text.size() && (text[at] == '-' || text[at] == '+'); }
+bool isSign(const std::string& text, std::size_t at) {
+    return at < text.size() && (text[at] == '-' || text[at] == '+');
+}
 
 std::size_t countDigits(const std::string& text, std::size_t& at) {
     const std::size_t begin = at;

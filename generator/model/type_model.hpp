@@ -24,12 +24,12 @@ struct TypeUse {
 
 struct Field {
     std::string name;
-    TypeUse type;                 ///< of one element, if the field is an array
-    std::uint64_t count = 0;      ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
-    std::uint64_t offset = 0;     ///< bytes from the start of the outermost struct
-    std::string doc;              ///< comment above or behind the field, without its marks
-    std::string unit;             ///< from "@unit m/s" in the comment
-    std::string base;             ///< C++ name of the base class it comes from; empty = own field
+    TypeUse type;              ///< of one element, if the field is an array
+    std::uint64_t count = 0;   ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
+    std::uint64_t offset = 0;  ///< bytes from the start of the outermost struct
+    std::string doc;           ///< comment above or behind the field, without its marks
+    std::string unit;          ///< from "@unit m/s" in the comment
+    std::string base;          ///< C++ name of the base class it comes from; empty = own field
     diag::Location where;
 };
 

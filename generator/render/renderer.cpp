@@ -63,7 +63,8 @@ std::string markVariables(const std::string& text) {
         const std::size_t close = text.find(end, begin);
         if (close == std::string::npos) return result + text.substr(open);
         const std::string content = trimmed(text.substr(begin, close - begin));
-        const bool special = !triple && !content.empty() && std::string("#^/!>=&").find(content[0]) != std::string::npos;
+        const bool special =
+            !triple && !content.empty() && std::string("#^/!>=&").find(content[0]) != std::string::npos;
         result += "{{" + (special ? content : std::string("&") + kVariableMark + content) + "}}";
         at = close + end.size();
     }

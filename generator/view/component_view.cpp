@@ -62,8 +62,8 @@ json limitsOf(const model::Property& property) {
     const model::TypeClass kind = model::classify(property.type.value);
     json list = json::array();
     const auto add = [&](const char* comparison, const char* words, const model::Number& limit) {
-        list.push_back({{"condition", property.name.value + "_ " + comparison + " " +
-                                          valueLiteral(limit.text, property.type.value)},
+        list.push_back({{"condition",
+                         property.name.value + "_ " + comparison + " " + valueLiteral(limit.text, property.type.value)},
                         {"expected", stringLiteral(", expected " + std::string(words) + " " + limit.text)}});
     };
     const bool alwaysTrue = kind == model::TypeClass::Unsigned && property.minimum && property.minimum->value <= 0;
@@ -176,7 +176,7 @@ json servicesOf(const model::Component& component, model::ServiceRole role) {
 }
 
 json hooksOf(const model::Hooks& hooks) {
-    return {{"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update}, {"stop", hooks.stop},
+    return {{"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update},      {"stop", hooks.stop},
             {"cleanup", hooks.cleanup},     {"error", hooks.error}, {"exception", hooks.exception}};
 }
 

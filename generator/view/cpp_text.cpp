@@ -88,13 +88,11 @@ std::string includeName(const std::string& header) {
 
 std::vector<std::string> standardHeaders(const std::vector<std::string>& types) {
     static const std::pair<const char*, const char*> known[] = {
-        {"std::array", "array"},     {"std::deque", "deque"},   {"std::list", "list"},
-        {"std::map", "map"},         {"std::optional", "optional"}, {"std::pair", "utility"},
-        {"std::set", "set"},         {"std::string", "string"}, {"std::vector", "vector"},
-        {"std::complex", "complex"}, {"size_t", "cstddef"},     {"int8_t", "cstdint"},
-        {"uint8_t", "cstdint"},      {"int16_t", "cstdint"},    {"uint16_t", "cstdint"},
-        {"int32_t", "cstdint"},      {"uint32_t", "cstdint"},   {"int64_t", "cstdint"},
-        {"uint64_t", "cstdint"}};
+        {"std::array", "array"},       {"std::deque", "deque"},     {"std::list", "list"},   {"std::map", "map"},
+        {"std::optional", "optional"}, {"std::pair", "utility"},    {"std::set", "set"},     {"std::string", "string"},
+        {"std::vector", "vector"},     {"std::complex", "complex"}, {"size_t", "cstddef"},   {"int8_t", "cstdint"},
+        {"uint8_t", "cstdint"},        {"int16_t", "cstdint"},      {"uint16_t", "cstdint"}, {"int32_t", "cstdint"},
+        {"uint32_t", "cstdint"},       {"int64_t", "cstdint"},      {"uint64_t", "cstdint"}};
     std::set<std::string> headers;
     for (const std::string& type : types) {
         for (const auto& [name, header] : known) {

@@ -29,7 +29,8 @@ std::string instanceName(const std::string& className) {
 json maintainersOf(const model::Package& package) {
     json list = json::array();
     for (const model::Person& person : package.maintainers) {
-        list.push_back({{"name", xml::escapeText(person.name.value)}, {"email", xml::escapeAttribute(person.email.value)}});
+        list.push_back(
+            {{"name", xml::escapeText(person.name.value)}, {"email", xml::escapeAttribute(person.email.value)}});
     }
     // The format of package.xml demands one.
     if (list.empty()) list.push_back({{"name", "Unknown"}, {"email", "unknown@example.org"}});
@@ -76,10 +77,13 @@ std::map<std::string, Connection> connectionsOf(const model::Package& package) {
     for (const auto& component : package.components) {
         for (const auto& port : component.ports) {
             const std::string type = model::normalised(port.type.value);
-            Connection& connection = connections.emplace(port.name.value, Connection{type, nullptr, false}).first->second;
+            Connection& connection =
+                connections.emplace(port.name.value, Connection{type, nullptr, false}).first->second;
             if (connection.type != type) continue;
-            if (port.direction == model::Direction::Out) connection.hasOutput = true;
-            else if (connection.input == nullptr || port.policy) connection.input = &port;
+            if (port.direction == model::Direction::Out)
+                connection.hasOutput = true;
+            else if (connection.input == nullptr || port.policy)
+                connection.input = &port;
         }
     }
     return connections;
@@ -140,7 +144,8 @@ std::vector<std::string> typekitHeaders(const model::Package& package) {
 /// Everything other packages may include.
 std::vector<std::string> installedHeaders(const model::Package& package) {
     std::vector<std::string> headers = typekitHeaders(package);
-    for (const auto& component : package.components) headers.push_back("src/" + lastName(component.className.value) + ".hpp");
+    for (const auto& component : package.components)
+        headers.push_back("src/" + lastName(component.className.value) + ".hpp");
     const std::string& name = package.name.value;
     if (package.skeletons.component) headers.push_back("src/" + name + "-component.hpp");
     if (package.skeletons.support) headers.push_back("include/" + name + "/" + name + "-support.hpp");

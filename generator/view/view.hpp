@@ -14,7 +14,8 @@
 namespace oroforge::view {
 
 /// `manifest` is the file name shown in generated files.
-nlohmann::json componentView(const model::Package& package, const model::Component& component, const std::string& manifest);
+nlohmann::json componentView(const model::Package& package, const model::Component& component,
+                             const std::string& manifest);
 
 /// The registration of all components of the package.
 nlohmann::json registrationView(const model::Package& package, const std::string& manifest);

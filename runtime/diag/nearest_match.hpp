@@ -17,8 +17,7 @@ std::size_t editDistance(const std::string& a, const std::string& b);
 
 /// The candidate closest to `name`, if one is close enough to be a likely slip of the pen
 /// (about one error in three letters). The first of equally close ones wins.
-std::optional<std::string> nearestMatch(const std::string& name,
-                                        const std::vector<std::string>& candidates);
+std::optional<std::string> nearestMatch(const std::string& name, const std::vector<std::string>& candidates);
 
 /// "; did you mean 'x'?" or nothing: appended to a message.
 std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates);

@@ -41,9 +41,8 @@ Diagnostic& Sink::add(Diagnostic diagnostic) {
 std::vector<Diagnostic> Sink::sorted() const {
     std::vector<Diagnostic> result;
     for (const Diagnostic& candidate : all_) {
-        const bool known = std::any_of(result.begin(), result.end(), [&](const Diagnostic& other) {
-            return sameReport(candidate, other);
-        });
+        const bool known = std::any_of(result.begin(), result.end(),
+                                       [&](const Diagnostic& other) { return sameReport(candidate, other); });
         if (!known) result.push_back(candidate);
     }
     std::stable_sort(result.begin(), result.end(),

@@ -16,4 +16,4 @@ Alias* Alias::copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&
     return new Alias(mname, data->copy(replacements));
 }
 
-} // namespace RTT
+}  // namespace RTT

@@ -24,8 +24,7 @@ public:
     explicit Attribute(const std::string& name) : AttributeBase(name), data(new internal::ValueDataSource<T>()) {}
     Attribute(const std::string& name, T value)
         : AttributeBase(name), data(new internal::ValueDataSource<T>(std::move(value))) {}
-    Attribute(const std::string& name, internal::AssignableDataSource<T>* source)
-        : AttributeBase(name), data(source) {}
+    Attribute(const std::string& name, internal::AssignableDataSource<T>* source) : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
     Attribute(base::AttributeBase* other)
         : AttributeBase(other ? other->getName() : std::string()),
@@ -97,6 +96,6 @@ private:
     base::DataSourceBase::shared_ptr data;
 };
 
-} // namespace RTT
+}  // namespace RTT
 
 #endif

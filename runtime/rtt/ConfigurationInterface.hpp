@@ -27,12 +27,12 @@ public:
     ConfigurationInterface& operator=(const ConfigurationInterface&) = delete;
 
     /** Names a variable. */
-    template <class T> bool addAttribute(const std::string& name, T& variable)
-    {
+    template <class T>
+    bool addAttribute(const std::string& name, T& variable) {
         return setValue(new Attribute<T>(name, new internal::ReferenceDataSource<T>(variable)));
     }
-    template <class T> bool addAttribute(const std::string& name, Attribute<T>& attribute)
-    {
+    template <class T>
+    bool addAttribute(const std::string& name, Attribute<T>& attribute) {
         attribute.setName(name);
         return addAttribute(attribute);
     }
@@ -40,26 +40,26 @@ public:
     bool addAttribute(base::AttributeBase& attribute);
 
     /** Names a variable that cannot be changed through this name. */
-    template <class T> bool addConstant(const std::string& name, const T& variable)
-    {
+    template <class T>
+    bool addConstant(const std::string& name, const T& variable) {
         return setValue(new Constant<T>(name, new internal::ConstReferenceDataSource<T>(variable)));
     }
-    template <class T> bool addConstant(const std::string& name, Constant<T>& constant)
-    {
+    template <class T>
+    bool addConstant(const std::string& name, Constant<T>& constant) {
         constant.setName(name);
         return addConstant(constant);
     }
     bool addConstant(base::AttributeBase& constant);
 
     /** Names a variable that is saved to and loaded from property files. */
-    template <class T> Property<T>& addProperty(const std::string& name, T& variable)
-    {
+    template <class T>
+    Property<T>& addProperty(const std::string& name, T& variable) {
         auto* made = new Property<T>(name, "", new internal::ReferenceDataSource<T>(variable));
         ownProperty(made);
         return *made;
     }
-    template <class T> Property<T>& addProperty(const std::string& name, Property<T>& property)
-    {
+    template <class T>
+    Property<T>& addProperty(const std::string& name, Property<T>& property) {
         property.setName(name);
         addProperty(property);
         return property;

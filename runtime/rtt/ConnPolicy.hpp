@@ -54,16 +54,16 @@ public:
     explicit ConnPolicy(int type);
     ConnPolicy(int type, int lock_policy);
 
-    int type;               ///< DATA, BUFFER, CIRCULAR_BUFFER or UNBUFFERED
-    int size;               ///< samples a buffer holds; with 0 every write to it fails
-    int lock_policy;        ///< UNSYNC, LOCKED or LOCK_FREE
-    bool init;              ///< on connect, write the last written value into the connection
-    bool pull;              ///< PULL: storage at the writer's side; same behaviour inside one process
-    int buffer_policy;      ///< a BufferPolicy
-    int max_threads;        ///< threads that use a lock-free storage at once; 0: chosen from buffer_policy
-    bool mandatory;         ///< a failure of this connection makes OutputPort::write() report failure
-    int transport;          ///< 0: local, or the peer's default protocol
-    mutable int data_size;  ///< bytes per sample, a hint for transports
+    int type;                     ///< DATA, BUFFER, CIRCULAR_BUFFER or UNBUFFERED
+    int size;                     ///< samples a buffer holds; with 0 every write to it fails
+    int lock_policy;              ///< UNSYNC, LOCKED or LOCK_FREE
+    bool init;                    ///< on connect, write the last written value into the connection
+    bool pull;                    ///< PULL: storage at the writer's side; same behaviour inside one process
+    int buffer_policy;            ///< a BufferPolicy
+    int max_threads;              ///< threads that use a lock-free storage at once; 0: chosen from buffer_policy
+    bool mandatory;               ///< a failure of this connection makes OutputPort::write() report failure
+    int transport;                ///< 0: local, or the peer's default protocol
+    mutable int data_size;        ///< bytes per sample, a hint for transports
     mutable std::string name_id;  ///< name of a stream, topic or shared connection
 
 private:

@@ -15,25 +15,19 @@ using base::PortInterface;
 
 DataFlowInterface::DataFlowInterface(Service* parent) : service_(parent) {}
 
-DataFlowInterface::~DataFlowInterface()
-{
+DataFlowInterface::~DataFlowInterface() {
     service_ = nullptr;  // our derived part is gone already; whoever owns callbacks calls clear() before
     clear();
 }
 
-TaskContext* DataFlowInterface::getOwner() const
-{
-    return service_ ? service_->getOwner() : nullptr;
-}
+TaskContext* DataFlowInterface::getOwner() const { return service_ ? service_->getOwner() : nullptr; }
 
-PortInterface& DataFlowInterface::addPort(const std::string& name, PortInterface& port)
-{
+PortInterface& DataFlowInterface::addPort(const std::string& name, PortInterface& port) {
     port.setName(name);
     return addPort(port);
 }
 
-PortInterface& DataFlowInterface::addPort(PortInterface& port)
-{
+PortInterface& DataFlowInterface::addPort(PortInterface& port) {
     addLocalPort(port);
     if (service_) {
         if (service_->hasService(port.getName())) {
@@ -47,21 +41,18 @@ PortInterface& DataFlowInterface::addPort(PortInterface& port)
 }
 
 InputPortInterface& DataFlowInterface::addEventPort(const std::string& name, InputPortInterface& port,
-                                                    const SlotFunction& callback)
-{
+                                                    const SlotFunction& callback) {
     port.setName(name);
     return addEventPort(port, callback);
 }
 
-InputPortInterface& DataFlowInterface::addEventPort(InputPortInterface& port, const SlotFunction& callback)
-{
+InputPortInterface& DataFlowInterface::addEventPort(InputPortInterface& port, const SlotFunction& callback) {
     addPort(port);
     setupCallback(port, callback);
     return port;
 }
 
-PortInterface& DataFlowInterface::addLocalPort(PortInterface& port)
-{
+PortInterface& DataFlowInterface::addLocalPort(PortInterface& port) {
     replacePort(port.getName());
     if (DataFlowInterface* other = port.getInterface()) other->forgetPort(port);
     ports_.push_back(&port);
@@ -69,23 +60,20 @@ PortInterface& DataFlowInterface::addLocalPort(PortInterface& port)
     return port;
 }
 
-InputPortInterface& DataFlowInterface::addLocalEventPort(InputPortInterface& port, const SlotFunction& callback)
-{
+InputPortInterface& DataFlowInterface::addLocalEventPort(InputPortInterface& port, const SlotFunction& callback) {
     addLocalPort(port);
     setupCallback(port, callback);
     return port;
 }
 
-void DataFlowInterface::replacePort(const std::string& name)
-{
+void DataFlowInterface::replacePort(const std::string& name) {
     if (!getPort(name)) return;
     log(Warning) << "'" << (service_ ? service_->getName() : std::string("(no service)")) << "': port name '" << name
                  << "' is in use already; the previous port is disconnected and replaced" << endlog();
     removePort(name);
 }
 
-void DataFlowInterface::setupCallback(InputPortInterface& port, const SlotFunction& callback)
-{
+void DataFlowInterface::setupCallback(InputPortInterface& port, const SlotFunction& callback) {
     TaskContext* owner = getOwner();
     if (!owner) {
         log(Error) << "port " << port.getFullName()
@@ -96,21 +84,16 @@ void DataFlowInterface::setupCallback(InputPortInterface& port, const SlotFuncti
     port.signalInterface(true);
 }
 
-void DataFlowInterface::removePort(const std::string& name)
-{
+void DataFlowInterface::removePort(const std::string& name) {
     PortInterface* port = getPort(name);
     if (!port) return;
     port->disconnect();
     forgetPort(*port);
 }
 
-void DataFlowInterface::removeLocalPort(const std::string& name)
-{
-    removePort(name);
-}
+void DataFlowInterface::removeLocalPort(const std::string& name) { removePort(name); }
 
-void DataFlowInterface::forgetPort(PortInterface& port)
-{
+void DataFlowInterface::forgetPort(PortInterface& port) {
     const auto found = std::find(ports_.begin(), ports_.end(), &port);
     if (found == ports_.end()) return;
     ports_.erase(found);
@@ -118,16 +101,14 @@ void DataFlowInterface::forgetPort(PortInterface& port)
     if (service_ && service_->hasService(port.getName())) service_->removeService(port.getName());
 }
 
-void DataFlowInterface::clear()
-{
+void DataFlowInterface::clear() {
     Ports ports;
     ports.swap(ports_);
     for (PortInterface* port : ports) takeOut(*port);
 }
 
 /** The port no longer knows us, and nobody is telling us of its samples any more. */
-void DataFlowInterface::takeOut(PortInterface& port)
-{
+void DataFlowInterface::takeOut(PortInterface& port) {
     port.setInterface(nullptr);
     InputPortInterface* input = dynamic_cast<InputPortInterface*>(&port);
     if (!input) return;
@@ -136,35 +117,30 @@ void DataFlowInterface::takeOut(PortInterface& port)
     if (TaskContext* owner = getOwner()) owner->dataOnPortRemoved(input);
 }
 
-DataFlowInterface::PortNames DataFlowInterface::getPortNames() const
-{
+DataFlowInterface::PortNames DataFlowInterface::getPortNames() const {
     PortNames names;
     for (const PortInterface* port : ports_) names.push_back(port->getName());
     return names;
 }
 
-PortInterface* DataFlowInterface::getPort(const std::string& name) const
-{
+PortInterface* DataFlowInterface::getPort(const std::string& name) const {
     for (PortInterface* port : ports_)
         if (port->getName() == name) return port;
     return nullptr;
 }
 
-std::string DataFlowInterface::getPortDescription(const std::string& name) const
-{
+std::string DataFlowInterface::getPortDescription(const std::string& name) const {
     const PortInterface* port = getPort(name);
     return port ? port->getDescription() : std::string();
 }
 
-bool DataFlowInterface::setPortDescription(const std::string& name, const std::string& description)
-{
+bool DataFlowInterface::setPortDescription(const std::string& name, const std::string& description) {
     PortInterface* port = getPort(name);
     if (port) port->doc(description);
     return port != nullptr;
 }
 
-void DataFlowInterface::dataOnPort(PortInterface* port)
-{
+void DataFlowInterface::dataOnPort(PortInterface* port) {
     if (TaskContext* owner = getOwner()) owner->dataOnPort(port);
 }
 

@@ -63,8 +63,7 @@ public:
     /** Null if there is none. */
     base::PortInterface* getPort(const std::string& name) const;
     template <class Type>
-    Type* getPortType(const std::string& name) const
-    {
+    Type* getPortType(const std::string& name) const {
         return dynamic_cast<Type*>(getPort(name));
     }
     std::string getPortDescription(const std::string& name) const;

@@ -20,17 +20,13 @@ class RemoveMessage : public base::DisposableInterface {
 public:
     RemoveMessage(std::vector<base::ExecutableInterface*>& functions, base::ExecutableInterface* function,
                   std::shared_ptr<internal::WaitPoint> waitPoint)
-        : functions_(functions), function_(function), wait_point_(std::move(waitPoint))
-    {
-    }
-    void executeAndDispose() override
-    {
+        : functions_(functions), function_(function), wait_point_(std::move(waitPoint)) {}
+    void executeAndDispose() override {
         // Leaves a hole, because the engine may be walking the list: it closes holes after the walk.
         std::replace(functions_.begin(), functions_.end(), function_, static_cast<base::ExecutableInterface*>(nullptr));
         dispose();
     }
-    void dispose() override
-    {
+    void dispose() override {
         const auto waitPoint = wait_point_;  // `this` is gone as soon as done_ is seen
         done_.store(true);
         waitPoint->notify();
@@ -58,21 +54,19 @@ std::string nameOf(const base::TaskCore* task) { return task ? task->getName() :
 
 }  // namespace
 
-ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : task_(owner), wait_point_(std::make_shared<internal::WaitPoint>())
-{
+ExecutionEngine::ExecutionEngine(base::TaskCore* owner)
+    : task_(owner), wait_point_(std::make_shared<internal::WaitPoint>()) {
     functions_.reserve(16);
     deferred_ports_.reserve(16);
 }
 
-ExecutionEngine::~ExecutionEngine()
-{
+ExecutionEngine::~ExecutionEngine() {
     disposeQueued();
     for (base::ExecutableInterface* function : functions_)
         if (function) function->unloaded();
 }
 
-void ExecutionEngine::disposeQueued()
-{
+void ExecutionEngine::disposeQueued() {
     Mailbox::Item item;
     while (mailbox_.take(item)) {
         if (item.kind == Mailbox::Kind::Message)
@@ -87,8 +81,7 @@ bool ExecutionEngine::accepts() const { return getActivity() && !(task_ && task_
 // The component may enter FatalError between our look at its state and put(). Its thread then enters the new state,
 // notifies and disposes of what is queued, in this order; we put, notify and look at the state again. notify() changes one
 // word in both, so one of the two comes second and sees what the other did before: the message is disposed of.
-bool ExecutionEngine::enqueue(Mailbox::Item item)
-{
+bool ExecutionEngine::enqueue(Mailbox::Item item) {
     if (!item.what || !accepts() || !mailbox_.put(item)) return false;
     wait_point_->notify();  // this engine's thread may be inside waitForMessages()
     if (!accepts()) {
@@ -103,8 +96,7 @@ bool ExecutionEngine::process(base::DisposableInterface* message) { return enque
 
 bool ExecutionEngine::process(base::PortInterface* port) { return enqueue({Mailbox::Kind::Port, port}); }
 
-bool ExecutionEngine::runFunction(base::ExecutableInterface* function)
-{
+bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
     if (!function || !accepts()) return false;
     function->loaded(this);
     if (enqueue({Mailbox::Kind::AddFunction, function})) return true;
@@ -112,8 +104,7 @@ bool ExecutionEngine::runFunction(base::ExecutableInterface* function)
     return false;
 }
 
-bool ExecutionEngine::removeFunction(base::ExecutableInterface* function)
-{
+bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     if (!function || !function->isLoaded() || function->getEngine() != this) return true;
     RemoveMessage message(functions_, function, wait_point_);
     base::ActivityInterface* activity = getActivity();
@@ -129,8 +120,7 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function)
     return true;
 }
 
-void ExecutionEngine::waitForMessages(const boost::function<bool()>& done)
-{
+void ExecutionEngine::waitForMessages(const boost::function<bool()>& done) {
     const bool self = isSelf();
     while (!done()) {
         const std::uint32_t ticket = wait_point_->prepare();
@@ -146,29 +136,25 @@ void ExecutionEngine::waitForMessages(const boost::function<bool()>& done)
 
 bool ExecutionEngine::isSelf() const { return getActivity() && getActivity()->isSelf(); }
 
-bool ExecutionEngine::isStepping() const
-{
+bool ExecutionEngine::isStepping() const {
     for (const Stepping* step = Stepping::innermost; step; step = step->outer)
         if (step->engine == this) return true;
     return false;
 }
 
-void ExecutionEngine::setExceptionTask()
-{
+void ExecutionEngine::setExceptionTask() {
     log(Error) << "in " << nameOf(task_) << ": a sent operation threw an exception" << endlog();
     if (task_) task_->exception();
 }
 
-void ExecutionEngine::setFatalTask()
-{
+void ExecutionEngine::setFatalTask() {
     wait_point_->notify();  // see enqueue()
     base::ActivityInterface* activity = getActivity();
     // If it does not stop, its thread executes what is queued; else nobody will, and those who wait must learn that.
     if (!activity || !activity->isActive() || activity->stop()) disposeQueued();
 }
 
-bool ExecutionEngine::stopTask()
-{
+bool ExecutionEngine::stopTask() {
     base::ActivityInterface* activity = getActivity();
     if (!activity || !activity->isActive()) return true;
     if (!activity->stop()) return false;
@@ -183,8 +169,7 @@ bool ExecutionEngine::breakLoop() { return task_ ? task_->breakUpdateHook() : tr
 void ExecutionEngine::finalize() {}
 bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_; }
 
-void ExecutionEngine::work(WorkReason reason)
-{
+void ExecutionEngine::work(WorkReason reason) {
     const Stepping here(this);
     if (task_) {
         ++task_->mCycleCounter;
@@ -197,8 +182,8 @@ void ExecutionEngine::work(WorkReason reason)
 }
 
 // Calls what others wrote. False if it threw; the component is in Exception then.
-template <class Action> bool ExecutionEngine::guarded(const char* what, Action&& action)
-{
+template <class Action>
+bool ExecutionEngine::guarded(const char* what, Action&& action) {
     try {
         action();
         return true;
@@ -212,8 +197,7 @@ template <class Action> bool ExecutionEngine::guarded(const char* what, Action&&
     return false;
 }
 
-void ExecutionEngine::processMailbox(Depth depth)
-{
+void ExecutionEngine::processMailbox(Depth depth) {
     if (depth == Depth::Step) callDeferredPorts();
     Mailbox::Item item;
     while (mailbox_.take(item)) execute(item, depth);
@@ -221,24 +205,24 @@ void ExecutionEngine::processMailbox(Depth depth)
     if (depth == Depth::Step) callDeferredPorts();
 }
 
-void ExecutionEngine::execute(Mailbox::Item item, Depth depth)
-{
+void ExecutionEngine::execute(Mailbox::Item item, Depth depth) {
     switch (item.kind) {
-    case Mailbox::Kind::Message:
-        guarded("a message", [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
-        break;
-    case Mailbox::Kind::Port:
-        // A component in the middle of its updateHook() does not expect its callbacks because it calls somebody.
-        deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
-        deferred_ = true;
-        if (depth == Depth::Step) callDeferredPorts();
-        break;
-    case Mailbox::Kind::AddFunction: functions_.push_back(static_cast<base::ExecutableInterface*>(item.what)); break;
+        case Mailbox::Kind::Message:
+            guarded("a message", [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
+            break;
+        case Mailbox::Kind::Port:
+            // A component in the middle of its updateHook() does not expect its callbacks because it calls somebody.
+            deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
+            deferred_ = true;
+            if (depth == Depth::Step) callDeferredPorts();
+            break;
+        case Mailbox::Kind::AddFunction:
+            functions_.push_back(static_cast<base::ExecutableInterface*>(item.what));
+            break;
     }
 }
 
-void ExecutionEngine::callDeferredPorts()
-{
+void ExecutionEngine::callDeferredPorts() {
     if (!deferred_) return;
     // By index: a callback that waits for something may add to the list.
     for (std::size_t i = 0; i != deferred_ports_.size(); ++i)
@@ -247,8 +231,7 @@ void ExecutionEngine::callDeferredPorts()
     deferred_ = false;
 }
 
-void ExecutionEngine::processFunctions()
-{
+void ExecutionEngine::processFunctions() {
     // Functions added or removed by those that run here take effect in the next step.
     for (std::size_t i = 0, count = functions_.size(); i != count; ++i) {
         base::ExecutableInterface* function = functions_[i];
@@ -262,8 +245,7 @@ void ExecutionEngine::processFunctions()
     functions_.erase(std::remove(functions_.begin(), functions_.end(), nullptr), functions_.end());
 }
 
-void ExecutionEngine::processHooks()
-{
+void ExecutionEngine::processHooks() {
     if (!task_) return;
     using Core = base::TaskCore;
     if (task_->getTaskState() == Core::Running && task_->getTargetState() == Core::Running)

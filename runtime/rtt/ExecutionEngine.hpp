@@ -18,7 +18,7 @@ namespace RTT {
 namespace base {
 class PortInterface;
 class TaskCore;
-}
+}  // namespace base
 
 /**
  * Executes what a component has to do, in the thread of its activity: sent operations, callbacks of event ports,
@@ -90,7 +90,8 @@ private:
     void callDeferredPorts();
     void processFunctions();
     void processHooks();
-    template <class Action> bool guarded(const char* what, Action&& action);
+    template <class Action>
+    bool guarded(const char* what, Action&& action);
 
     base::TaskCore* task_;
     internal::Mailbox mailbox_;

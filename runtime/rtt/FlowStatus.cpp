@@ -8,36 +8,32 @@
 
 namespace RTT {
 
-std::ostream& operator<<(std::ostream& os, FlowStatus status)
-{
+std::ostream& operator<<(std::ostream& os, FlowStatus status) {
     switch (status) {
-    case NoData: return os << "NoData";
-    case OldData: return os << "OldData";
-    case NewData: return os << "NewData";
+        case NoData: return os << "NoData";
+        case OldData: return os << "OldData";
+        case NewData: return os << "NewData";
     }
     return os << "(unknown flow status)";
 }
 
-std::ostream& operator<<(std::ostream& os, WriteStatus status)
-{
+std::ostream& operator<<(std::ostream& os, WriteStatus status) {
     switch (status) {
-    case WriteSuccess: return os << "WriteSuccess";
-    case WriteFailure: return os << "WriteFailure";
-    case NotConnected: return os << "NotConnected";
+        case WriteSuccess: return os << "WriteSuccess";
+        case WriteFailure: return os << "WriteFailure";
+        case NotConnected: return os << "NotConnected";
     }
     return os << "(unknown write status)";
 }
 
-std::istream& operator>>(std::istream& is, FlowStatus& status)
-{
+std::istream& operator>>(std::istream& is, FlowStatus& status) {
     std::string word;
     is >> word;
     status = word == "NewData" ? NewData : word == "OldData" ? OldData : NoData;
     return is;
 }
 
-std::istream& operator>>(std::istream& is, WriteStatus& status)
-{
+std::istream& operator>>(std::istream& is, WriteStatus& status) {
     std::string word;
     is >> word;
     status = word == "NotConnected" ? NotConnected : word == "WriteFailure" ? WriteFailure : WriteSuccess;

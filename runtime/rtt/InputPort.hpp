@@ -10,7 +10,8 @@
 #include <rtt/types/TypeOps.hpp>
 
 namespace RTT {
-template <typename T> class OutputPort;
+template <typename T>
+class OutputPort;
 
 /** Reading is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does, and never
     blocks. It is meant for the component's own thread, but several threads may read: each new sample is then new for one
@@ -22,17 +23,14 @@ public:
     typedef T& reference_t;
 
     InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy())
-        : base::InputPortInterface(name, default_policy, &types::typeOps<T>())
-    {
-    }
+        : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {}
 
     /** NewData: a sample never read before. OldData: none is new, `sample` is the last one again unless copy_old_data is
         false. NoData: nothing was written yet; `sample` is untouched. */
     FlowStatus read(reference_t sample, bool copy_old_data = true) { return readSample(&sample, copy_old_data); }
     using base::InputPortInterface::read;
     /** Reads until nothing is new; NewData if anything was. */
-    FlowStatus readNewest(reference_t sample, bool copy_old_data = true)
-    {
+    FlowStatus readNewest(reference_t sample, bool copy_old_data = true) {
         return readNewestSample(&sample, copy_old_data);
     }
     /** A sample of the size the writer announced with setDataSample(); untouched if there is none. */

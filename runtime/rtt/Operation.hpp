@@ -11,113 +11,100 @@
 
 namespace RTT {
 
-template <class Signature> class Operation;
+template <class Signature>
+class Operation;
 
 /**
  * A function that a component offers to others, with a name and documentation. Belongs to the component; the function is
  * set before addOperation(), callers made before a later calls() keep the old one. Not thread safe.
  */
-template <class R, class... Args> class Operation<R(Args...)> : public base::OperationBase {
+template <class R, class... Args>
+class Operation<R(Args...)> : public base::OperationBase {
 public:
     typedef R Signature(Args...);
     typedef boost::shared_ptr<Operation> shared_ptr;
 
     /** Without a function: calls() comes later. */
     explicit Operation(const std::string& name)
-        : OperationBase(name, new internal::LocalOperationCaller<Signature>(), internal::OperationTableOf<Signature>::table)
-    {
-    }
+        : OperationBase(name, new internal::LocalOperationCaller<Signature>(),
+                        internal::OperationTableOf<Signature>::table) {}
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
     Operation(const std::string& name, Function function, ExecutionThread et = ClientThread,
               ExecutionEngine* ownerEngine = nullptr)
-        : Operation(name)
-    {
+        : Operation(name) {
         calls(std::move(function), et, ownerEngine);
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
     Operation(const std::string& name, Function function, Object object, ExecutionThread et = ClientThread,
               ExecutionEngine* ownerEngine = nullptr)
-        : Operation(name)
-    {
+        : Operation(name) {
         calls(function, object, et, ownerEngine);
     }
 
-    Operation& doc(const std::string& description)
-    {
+    Operation& doc(const std::string& description) {
         this->setDoc(description);
         return *this;
     }
     /** Documents the next argument. */
-    Operation& arg(const std::string& name, const std::string& description)
-    {
+    Operation& arg(const std::string& name, const std::string& description) {
         this->addArgument(name, description);
         return *this;
     }
 
     /** Sets the function; in OwnThread it is executed by `ownerEngine`, which addOperation() sets too. */
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
-    Operation& calls(Function function, ExecutionThread et = ClientThread, ExecutionEngine* ownerEngine = nullptr)
-    {
-        if (!internal::isEmptyFunction(function)) setCallee(new internal::BoundCallee<Signature, Function>(std::move(function)));
+    Operation& calls(Function function, ExecutionThread et = ClientThread, ExecutionEngine* ownerEngine = nullptr) {
+        if (!internal::isEmptyFunction(function))
+            setCallee(new internal::BoundCallee<Signature, Function>(std::move(function)));
         caller()->setThread(et, ownerEngine ? ownerEngine : caller()->getOwner());
         return *this;
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
     Operation& calls(Function function, Object object, ExecutionThread et = ClientThread,
-                     ExecutionEngine* ownerEngine = nullptr)
-    {
+                     ExecutionEngine* ownerEngine = nullptr) {
         return calls(internal::BoundMember<Function, Object>{function, object}, et, ownerEngine);
     }
 
     /** Makes this a signal too: functions connected to it are called, with the arguments, before the operation is. */
-    Operation& signals()
-    {
+    Operation& signals() {
         signal();
         return *this;
     }
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
-    Handle signals(Function function)
-    {
+    Handle signals(Function function) {
         return signal().connect(function);
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
-    Handle signals(Function function, Object object)
-    {
+    Handle signals(Function function, Object object) {
         return signal().connect(internal::BoundMember<Function, Object>{function, object});
     }
 
-    boost::shared_ptr<internal::LocalOperationCaller<Signature>> getOperationCaller() const
-    {
+    boost::shared_ptr<internal::LocalOperationCaller<Signature>> getOperationCaller() const {
         return boost::shared_ptr<internal::LocalOperationCaller<Signature>>(this->implementation(), caller());
     }
 
 private:
     typedef internal::Signal<void(Args...)> OperationSignal;
 
-    internal::LocalOperationCaller<Signature>* caller() const
-    {
+    internal::LocalOperationCaller<Signature>* caller() const {
         return static_cast<internal::LocalOperationCaller<Signature>*>(this->implementation().get());
     }
-    void setCallee(internal::Callee<Signature>* callee)
-    {
+    void setCallee(internal::Callee<Signature>* callee) {
         callee->listenLike(caller()->function().get());
         caller()->setFunction(callee);
     }
-    OperationSignal& signal()
-    {
+    OperationSignal& signal() {
         // An operation that is only a signal.
         if (!ready()) calls([](Args...) -> R { return internal::NA<R>::na(); });
         internal::CalleeBase& callee = *caller()->function();
         if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>(), &emit);
         return static_cast<OperationSignal&>(*callee.signal());
     }
-    static void emit(const internal::SignalBase& signal, void* const* arguments)
-    {
+    static void emit(const internal::SignalBase& signal, void* const* arguments) {
         emitWith(static_cast<const OperationSignal&>(signal), arguments, std::index_sequence_for<Args...>());
     }
     template <std::size_t... I>
-    static void emitWith(const OperationSignal& signal, void* const* arguments, std::index_sequence<I...>)
-    {
+    static void emitWith(const OperationSignal& signal, void* const* arguments, std::index_sequence<I...>) {
         (void)arguments;
         signal.emit(static_cast<Args>(*static_cast<std::remove_cv_t<std::remove_reference_t<Args>>*>(arguments[I]))...);
     }

@@ -14,19 +14,21 @@ base::OperationCallerBaseInvoker::~OperationCallerBaseInvoker() = default;
 
 namespace internal {
 
-base::OperationCallerInterface::shared_ptr localOperation(OperationInterfacePart* part) { return part->getLocalOperation(); }
+base::OperationCallerInterface::shared_ptr localOperation(OperationInterfacePart* part) {
+    return part->getLocalOperation();
+}
 
-OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name)
-{
+OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name) {
     return service ? service->getOperation(name) : nullptr;
 }
 
 std::string operationName(OperationInterfacePart* part) { return part ? part->getName() : std::string(); }
 
-void hold(base::OperationCallerInterface::shared_ptr& holder, base::OperationCallerInterface* held) { holder.reset(held); }
+void hold(base::OperationCallerInterface::shared_ptr& holder, base::OperationCallerInterface* held) {
+    holder.reset(held);
+}
 
-void logWrongSignature(const std::string& name, const char* wanted)
-{
+void logWrongSignature(const std::string& name, const char* wanted) {
     log(Error) << "operation '" << name << "' cannot be called as " << boost::core::demangle(wanted)
                << ": its result or arguments are of other types" << endlog();
 }

@@ -25,21 +25,23 @@ RTT_API std::string operationName(OperationInterfacePart* part);
 RTT_API void hold(base::OperationCallerInterface::shared_ptr& holder, base::OperationCallerInterface* held);
 /** Logs that a caller with another signature was bound to an operation. */
 RTT_API void logWrongSignature(const std::string& name, const char* wanted);
-}
+}  // namespace internal
 
 namespace base {
 /** A caller without its signature, as requesters hold it. */
 class RTT_API OperationCallerBaseInvoker {
 public:
     OperationCallerBaseInvoker() = default;
-    explicit OperationCallerBaseInvoker(const std::string& name, ExecutionEngine* caller = nullptr) : name_(name), caller_(caller) {}
+    explicit OperationCallerBaseInvoker(const std::string& name, ExecutionEngine* caller = nullptr)
+        : name_(name), caller_(caller) {}
     virtual ~OperationCallerBaseInvoker();
 
     const std::string& getName() const { return name_; }
     virtual bool ready() const = 0;
     /** Binds to an operation; null unbinds. False if its signature differs. */
     virtual bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) = 0;
-    virtual bool setImplementation(OperationCallerInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) = 0;
+    virtual bool setImplementation(OperationCallerInterface::shared_ptr implementation,
+                                   ExecutionEngine* caller = nullptr) = 0;
     virtual void disconnect() = 0;
     virtual void setCaller(ExecutionEngine* caller) = 0;
 
@@ -47,7 +49,7 @@ protected:
     std::string name_;
     ExecutionEngine* caller_ = nullptr;
 };
-}
+}  // namespace base
 
 /**
  * Calls an operation of this or another component. The caller's engine is needed to call operations that execute in
@@ -58,57 +60,54 @@ protected:
  * in another; SendError if its component takes no calls. If not ready(), call() returns a default value.
  * send(): never waits.
  */
-template <class Signature> class OperationCaller;
+template <class Signature>
+class OperationCaller;
 
-template <class R, class... Args> class OperationCaller<R(Args...)> : public base::OperationCallerBaseInvoker {
+template <class R, class... Args>
+class OperationCaller<R(Args...)> : public base::OperationCallerBaseInvoker {
 public:
     typedef R Signature(Args...);
     typedef R result_type;
     typedef boost::shared_ptr<base::OperationCallerBase<Signature>> OperationCallerBasePtr;
 
     OperationCaller() = default;
-    explicit OperationCaller(const std::string& name, ExecutionEngine* caller = nullptr) : OperationCallerBaseInvoker(name, caller) {}
-    explicit OperationCaller(const char* name, ExecutionEngine* caller = nullptr) : OperationCallerBaseInvoker(name, caller) {}
+    explicit OperationCaller(const std::string& name, ExecutionEngine* caller = nullptr)
+        : OperationCallerBaseInvoker(name, caller) {}
+    explicit OperationCaller(const char* name, ExecutionEngine* caller = nullptr)
+        : OperationCallerBaseInvoker(name, caller) {}
     /** Idiom: `OperationCaller<bool(int)> f = peer->getOperation("f");` */
-    OperationCaller(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) : OperationCallerBaseInvoker(internal::operationName(part), caller)
-    {
+    OperationCaller(OperationInterfacePart* part, ExecutionEngine* caller = nullptr)
+        : OperationCallerBaseInvoker(internal::operationName(part), caller) {
         setImplementationPart(part, caller);
     }
     OperationCaller(const std::string& name, boost::shared_ptr<Service> service, ExecutionEngine* caller = nullptr)
-        : OperationCallerBaseInvoker(name, caller)
-    {
+        : OperationCallerBaseInvoker(name, caller) {
         setImplementationPart(internal::findOperation(service, name), caller);
     }
     /** From what Service::getLocalOperation() gives. */
-    OperationCaller(base::OperationCallerInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr)
-    {
+    OperationCaller(base::OperationCallerInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) {
         setImplementation(implementation, caller);
     }
-    OperationCaller(const OperationCaller& other) : OperationCallerBaseInvoker(other.name_, other.caller_)
-    {
+    OperationCaller(const OperationCaller& other) : OperationCallerBaseInvoker(other.name_, other.caller_) {
         setImplementation(other.holder_, other.caller_);
     }
-    OperationCaller& operator=(const OperationCaller& other)
-    {
+    OperationCaller& operator=(const OperationCaller& other) {
         if (this == &other) return *this;
         name_ = other.name_;
         setImplementation(other.holder_, other.caller_ ? other.caller_ : caller_);
         return *this;
     }
-    OperationCaller& operator=(OperationInterfacePart* part)
-    {
+    OperationCaller& operator=(OperationInterfacePart* part) {
         if (part && name_.empty()) name_ = internal::operationName(part);
         setImplementationPart(part, caller_);
         return *this;
     }
     /** Looks its own name up in the service. */
-    OperationCaller& operator=(boost::shared_ptr<Service> service)
-    {
+    OperationCaller& operator=(boost::shared_ptr<Service> service) {
         setImplementationPart(internal::findOperation(service, name_), caller_);
         return *this;
     }
-    OperationCaller& operator=(base::OperationCallerInterface::shared_ptr implementation)
-    {
+    OperationCaller& operator=(base::OperationCallerInterface::shared_ptr implementation) {
         setImplementation(implementation, caller_);
         return *this;
     }
@@ -118,22 +117,22 @@ public:
     bool operator!() const { return !ready(); }
 
     R call(Args... args) const { return ready() ? impl_->call(std::forward<Args>(args)...) : internal::NA<R>::na(); }
-    R operator()(Args... args) const { return ready() ? impl_->call(std::forward<Args>(args)...) : internal::NA<R>::na(); }
-    SendHandle<Signature> send(Args... args) const
-    {
+    R operator()(Args... args) const {
+        return ready() ? impl_->call(std::forward<Args>(args)...) : internal::NA<R>::na();
+    }
+    SendHandle<Signature> send(Args... args) const {
         return ready() ? impl_->send(std::forward<Args>(args)...) : SendHandle<Signature>();
     }
 
-    bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) override
-    {
+    bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) override {
         if (!part) {
             disconnect();
             return false;
         }
         return setImplementation(internal::localOperation(part), caller);
     }
-    bool setImplementation(base::OperationCallerInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) override
-    {
+    bool setImplementation(base::OperationCallerInterface::shared_ptr implementation,
+                           ExecutionEngine* caller = nullptr) override {
         if (caller) caller_ = caller;
         auto* typed = dynamic_cast<base::OperationCallerBase<Signature>*>(implementation.get());
         if (implementation && !typed) internal::logWrongSignature(name_, typeid(Signature).name());
@@ -142,13 +141,11 @@ public:
         return ready();
     }
     const OperationCallerBasePtr getOperationCallerImpl() const { return OperationCallerBasePtr(holder_, impl_); }
-    void disconnect() override
-    {
+    void disconnect() override {
         impl_ = nullptr;
         holder_.reset();
     }
-    void setCaller(ExecutionEngine* caller) override
-    {
+    void setCaller(ExecutionEngine* caller) override {
         caller_ = caller;
         if (impl_) impl_->setCaller(caller);
     }

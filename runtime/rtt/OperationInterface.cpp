@@ -11,8 +11,7 @@ OperationInterfacePart::~OperationInterfacePart() = default;
 OperationInterface::OperationInterface() = default;
 OperationInterface::~OperationInterface() = default;
 
-std::vector<std::string> OperationInterface::getNames() const
-{
+std::vector<std::string> OperationInterface::getNames() const {
     std::vector<std::string> names;
     for (const auto& entry : parts_) names.push_back(entry.first);
     return names;
@@ -20,47 +19,39 @@ std::vector<std::string> OperationInterface::getNames() const
 
 bool OperationInterface::hasMember(const std::string& name) const { return parts_.count(name) != 0; }
 
-OperationInterfacePart* OperationInterface::getPart(const std::string& name) const
-{
+OperationInterfacePart* OperationInterface::getPart(const std::string& name) const {
     const auto found = parts_.find(name);
     return found == parts_.end() ? nullptr : found->second.get();
 }
 
-OperationInterfacePart& OperationInterface::part(const std::string& name) const
-{
+OperationInterfacePart& OperationInterface::part(const std::string& name) const {
     OperationInterfacePart* found = getPart(name);
     if (!found) throw name_not_found_exception(name);
     return *found;
 }
 
 base::DataSourceBase::shared_ptr OperationInterface::produce(const std::string& name, const Args& args,
-                                                             ExecutionEngine* caller) const
-{
+                                                             ExecutionEngine* caller) const {
     return part(name).produce(args, caller);
 }
 base::DataSourceBase::shared_ptr OperationInterface::produceSend(const std::string& name, const Args& args,
-                                                                 ExecutionEngine* caller) const
-{
+                                                                 ExecutionEngine* caller) const {
     return part(name).produceSend(args, caller);
 }
-base::DataSourceBase::shared_ptr OperationInterface::produceHandle(const std::string& name) const
-{
+base::DataSourceBase::shared_ptr OperationInterface::produceHandle(const std::string& name) const {
     return part(name).produceHandle();
 }
-base::DataSourceBase::shared_ptr OperationInterface::produceCollect(const std::string& name, const Args& args,
-                                                                    internal::DataSource<bool>::shared_ptr blocking) const
-{
+base::DataSourceBase::shared_ptr OperationInterface::produceCollect(
+    const std::string& name, const Args& args, internal::DataSource<bool>::shared_ptr blocking) const {
     return part(name).produceCollect(args, blocking);
 }
-OperationInterface::Descriptions OperationInterface::getArgumentList(const std::string& name) const
-{
+OperationInterface::Descriptions OperationInterface::getArgumentList(const std::string& name) const {
     return part(name).getArgumentList();
 }
 std::string OperationInterface::getResultType(const std::string& name) const { return part(name).resultType(); }
 std::string OperationInterface::getDescription(const std::string& name) const { return part(name).description(); }
 int OperationInterface::getArity(const std::string& name) const { return static_cast<int>(part(name).arity()); }
-int OperationInterface::getCollectArity(const std::string& name) const
-{
+int OperationInterface::getCollectArity(const std::string& name) const {
     return static_cast<int>(part(name).collectArity());
 }
 bool OperationInterface::isSynchronous(const std::string& name) const { return part(name).isSynchronous(); }

@@ -33,7 +33,8 @@ public:
 
     // All of these throw name_not_found_exception; the first four also what OperationInterfacePart throws.
     base::DataSourceBase::shared_ptr produce(const std::string& name, const Args& args, ExecutionEngine* caller) const;
-    base::DataSourceBase::shared_ptr produceSend(const std::string& name, const Args& args, ExecutionEngine* caller) const;
+    base::DataSourceBase::shared_ptr produceSend(const std::string& name, const Args& args,
+                                                 ExecutionEngine* caller) const;
     base::DataSourceBase::shared_ptr produceHandle(const std::string& name) const;
     base::DataSourceBase::shared_ptr produceCollect(const std::string& name, const Args& args,
                                                     boost::intrusive_ptr<internal::DataSource<bool>> blocking) const;

@@ -12,13 +12,19 @@
 namespace RTT {
 
 class ExecutionEngine;
-namespace types { class TypeInfo; }
-namespace internal { template <typename T> class DataSource; }
+namespace types {
+class TypeInfo;
+}
+namespace internal {
+template <typename T>
+class DataSource;
+}
 
 /** What users are told of an argument. */
 struct ArgumentDescription {
     typedef std::vector<ArgumentDescription> Descriptions;
-    ArgumentDescription(const std::string& n, const std::string& d, const std::string& t) : name(n), description(d), type(t) {}
+    ArgumentDescription(const std::string& n, const std::string& d, const std::string& t)
+        : name(n), description(d), type(t) {}
     std::string name, description, type;
 };
 
@@ -51,8 +57,8 @@ public:
     virtual base::DataSourceBase::shared_ptr produceHandle() const = 0;
     /** A source whose evaluation collects. The first argument is the handle, then the values to fill; `blocking` decides
         whether it waits. Its value is the SendStatus. */
-    virtual base::DataSourceBase::shared_ptr produceCollect(const Args& args,
-                                                            boost::intrusive_ptr<internal::DataSource<bool>> blocking) const = 0;
+    virtual base::DataSourceBase::shared_ptr produceCollect(
+        const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const = 0;
     /** The operation itself, to be narrowed to OperationCallerBase<Signature>; null if it is remote. */
     virtual base::OperationCallerInterface::shared_ptr getLocalOperation() const { return nullptr; }
     /** False for operations that can only be called. */

@@ -10,7 +10,8 @@
 #include <rtt/types/TypeOps.hpp>
 
 namespace RTT {
-template <typename T> class InputPort;
+template <typename T>
+class InputPort;
 
 /** Writing is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does (avoid it
     by setDataSample()), and never blocks. Several threads may write. */
@@ -22,9 +23,7 @@ public:
     typedef T& reference_t;
 
     OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true)
-        : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value)
-    {
-    }
+        : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {}
 
     /** NotConnected if there is no connection, WriteFailure if a mandatory one could not take the sample, else WriteSuccess. */
     WriteStatus write(param_t sample) { return writeSample(&sample); }

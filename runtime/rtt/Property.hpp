@@ -10,13 +10,15 @@ namespace RTT {
 
 class PropertyBag;
 
-namespace internal { namespace detail {
+namespace internal {
+namespace detail {
 /** Logs that a property of type `source` cannot stand behind a Property of type `destination`. */
 RTT_API void logPropertyMismatch(const base::PropertyBase& from, const std::string& destination);
 /** The property is null: returns an empty string instead of its name or description. */
 RTT_API const std::string& nameOf(const base::PropertyBase* property);
 RTT_API const std::string& descriptionOf(const base::PropertyBase* property);
-}}
+}  // namespace detail
+}  // namespace internal
 
 /**
  * A property of type T. get() and set() are real-time safe if copying T is.
@@ -63,9 +65,12 @@ public:
     Property<T>& operator=(const Property<T>& other) {
         if (this == &other) return *this;
         PropertyBase::operator=(other);
-        if (!other._value) _value = nullptr;
-        else if (_value) set(other.rvalue());
-        else _value = new internal::ValueDataSource<T>(other.rvalue());
+        if (!other._value)
+            _value = nullptr;
+        else if (_value)
+            set(other.rvalue());
+        else
+            _value = new internal::ValueDataSource<T>(other.rvalue());
         return *this;
     }
     Property<T>& operator=(param_t value) {
@@ -120,14 +125,15 @@ protected:
     typename SourceType::shared_ptr _value;
 };
 
-} // namespace RTT
+}  // namespace RTT
 
 #include "PropertyBag.hpp"
 
 namespace RTT {
-template <typename T> bool Property<T>::compose(const PropertyBag& bag) {
+template <typename T>
+bool Property<T>::compose(const PropertyBag& bag) {
     return _value && internal::detail::composeFromBag(bag, _value);
 }
-}
+}  // namespace RTT
 
 #endif

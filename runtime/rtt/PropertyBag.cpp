@@ -18,8 +18,10 @@ PropertyBag::PropertyBag(const std::string& t) : type(t) {}
 
 PropertyBag::PropertyBag(const PropertyBag& other) : type(other.type) {
     for (auto* property : other.mproperties) {
-        if (other.ownsProperty(property)) ownProperty(property->clone());
-        else add(property);
+        if (other.ownsProperty(property))
+            ownProperty(property->clone());
+        else
+            add(property);
     }
 }
 
@@ -112,11 +114,13 @@ std::ostream& operator<<(std::ostream& os, const PropertyBag& bag) {
     return os << "]]";
 }
 
-namespace internal { namespace detail {
+namespace internal {
+namespace detail {
 bool composeFromBag(const PropertyBag& bag, base::DataSourceBase::shared_ptr target) {
     const base::DataSourceBase::shared_ptr source(new ConstReferenceDataSource<PropertyBag>(bag));
     return types::detail::updateByAnyMeans(target, source);
 }
-}}
+}  // namespace detail
+}  // namespace internal
 
-} // namespace RTT
+}  // namespace RTT

@@ -9,7 +9,8 @@
 
 namespace RTT {
 
-template <typename T> class Property;
+template <typename T>
+class Property;
 
 /**
  * Ordered container of properties, itself usable as the value of a property. Properties added are referred to,
@@ -36,7 +37,8 @@ public:
     /** Refers to `property`, which must outlive the bag or be removed; false if it is not ready. */
     bool addProperty(base::PropertyBase& property);
     /** Adds a property on the variable `attr`, which must outlive the bag. */
-    template <class T> Property<T>& addProperty(const std::string& name, T& attr);
+    template <class T>
+    Property<T>& addProperty(const std::string& name, T& attr);
     /** Takes ownership, also of a property that was only referred to; false if it is null or not ready. */
     bool ownProperty(base::PropertyBase* property);
     bool ownsProperty(const base::PropertyBase* property) const;
@@ -50,11 +52,13 @@ public:
     base::PropertyBase* find(const std::string& name) const;
     base::PropertyBase* getProperty(const std::string& name) const { return find(name); }
     /** The same as a property of type T; null if it has another type. */
-    template <class T> Property<T>* getPropertyType(const std::string& name) const {
+    template <class T>
+    Property<T>* getPropertyType(const std::string& name) const {
         return dynamic_cast<Property<T>*>(find(name));
     }
     /** The first property whose value equals `value`, or null. */
-    template <class T> base::PropertyBase* findValue(const T& value) const;
+    template <class T>
+    base::PropertyBase* findValue(const T& value) const;
 
     /** Names, in order. */
     Names list() const;
@@ -122,23 +126,27 @@ RTT_API void deletePropertyBag(PropertyBag& bag);
 /** Moves what is in bags inside up into `bag`, under the name "outer.inner"; empty bags stay. */
 RTT_API void flattenPropertyBag(PropertyBag& bag, const std::string& separator = ".");
 
-namespace internal { namespace detail {
+namespace internal {
+namespace detail {
 RTT_API bool composeFromBag(const PropertyBag& bag, base::DataSourceBase::shared_ptr target);
-}}
+}
+}  // namespace internal
 
-} // namespace RTT
+}  // namespace RTT
 
 #include "Property.hpp"
 
 namespace RTT {
 
-template <class T> Property<T>& PropertyBag::addProperty(const std::string& name, T& attr) {
+template <class T>
+Property<T>& PropertyBag::addProperty(const std::string& name, T& attr) {
     auto* made = new Property<T>(name, "", new internal::ReferenceDataSource<T>(attr));
     ownProperty(made);
     return *made;
 }
 
-template <class T> base::PropertyBase* PropertyBag::findValue(const T& value) const {
+template <class T>
+base::PropertyBase* PropertyBag::findValue(const T& value) const {
     for (auto* property : mproperties) {
         auto* typed = dynamic_cast<Property<T>*>(property);
         if (typed && typed->rvalue() == value) return property;
@@ -146,6 +154,6 @@ template <class T> base::PropertyBase* PropertyBag::findValue(const T& value) co
     return nullptr;
 }
 
-} // namespace RTT
+}  // namespace RTT
 
 #endif

@@ -10,7 +10,8 @@
 
 namespace RTT {
 
-template <class Signature> class SendHandle;
+template <class Signature>
+class SendHandle;
 
 /**
  * The result of OperationCaller::send(), now or later. Copies refer to the same call; without any copy the operation
@@ -19,7 +20,8 @@ template <class Signature> class SendHandle;
  * collect() waits (and blocks), collectIfDone() does not. Both take the result, if the operation has one, and then the
  * arguments it takes by non-const reference; or nothing. They throw std::runtime_error if the operation threw.
  */
-template <class R, class... Args> class SendHandle<R(Args...)> {
+template <class R, class... Args>
+class SendHandle<R(Args...)> {
 public:
     typedef internal::TypedCall<R(Args...)> Call;
 
@@ -31,32 +33,30 @@ public:
     bool ready() const { return call_ != nullptr; }
     operator bool() const { return ready(); }
 
-    template <class... Outs> SendStatus collect(Outs&... outs) const
-    {
+    template <class... Outs>
+    SendStatus collect(Outs&... outs) const {
         return fetch(call_ ? call_->collect() : SendFailure, outs...);
     }
-    template <class... Outs> SendStatus collectIfDone(Outs&... outs) const
-    {
+    template <class... Outs>
+    SendStatus collectIfDone(Outs&... outs) const {
         return fetch(call_ ? call_->collectIfDone() : SendFailure, outs...);
     }
     /** The result; a default value while the operation is not done. */
-    R ret() const
-    {
+    R ret() const {
         if (call_ && call_->collectIfDone() == SendSuccess) return call_->result.get();
         return internal::NA<R>::na();
     }
     /** The result, and the arguments changed by the operation. */
     template <class... All, std::enable_if_t<(sizeof...(All) == sizeof...(Args)) && (sizeof...(All) > 0), int> = 0>
-    R ret(All&&... all) const
-    {
+    R ret(All&&... all) const {
         if (call_ && call_->collectIfDone() == SendSuccess) copyOut(std::index_sequence_for<Args...>(), all...);
         return ret();
     }
     const typename Call::shared_ptr& call() const { return call_; }
 
 private:
-    template <class... Outs> SendStatus fetch(SendStatus status, Outs&... outs) const
-    {
+    template <class... Outs>
+    SendStatus fetch(SendStatus status, Outs&... outs) const {
         constexpr std::size_t results = std::is_void_v<R> ? 0 : 1;
         constexpr std::size_t references = (std::size_t(internal::isOutput<Args>) + ... + 0);
         static_assert(sizeof...(Outs) == 0 || sizeof...(Outs) == results + references,
@@ -70,8 +70,8 @@ private:
         }
         return status;
     }
-    template <std::size_t Out, std::size_t In, class Outputs> void collectOut(Outputs& outputs) const
-    {
+    template <std::size_t Out, std::size_t In, class Outputs>
+    void collectOut(Outputs& outputs) const {
         if constexpr (In < sizeof...(Args) && Out < std::tuple_size_v<Outputs>) {
             if constexpr (internal::isOutput<std::tuple_element_t<In, std::tuple<Args...>>>) {
                 std::get<Out>(outputs) = internal::argumentAt<In>(call_->arguments);
@@ -81,12 +81,12 @@ private:
             }
         }
     }
-    template <std::size_t... I, class... All> void copyOut(std::index_sequence<I...>, All&... all) const
-    {
+    template <std::size_t... I, class... All>
+    void copyOut(std::index_sequence<I...>, All&... all) const {
         (copyOne<Args>(all, internal::argumentAt<I>(call_->arguments)), ...);
     }
-    template <class Arg, class To, class From> static void copyOne(To& to, const From& from)
-    {
+    template <class Arg, class To, class From>
+    static void copyOne(To& to, const From& from) {
         if constexpr (internal::isOutput<Arg>) to = from;
         (void)to;
         (void)from;

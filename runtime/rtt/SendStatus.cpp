@@ -8,25 +8,23 @@
 
 namespace RTT {
 
-std::ostream& operator<<(std::ostream& os, SendStatus status)
-{
+std::ostream& operator<<(std::ostream& os, SendStatus status) {
     switch (status) {
-    case CollectFailure: return os << "CollectFailure";
-    case SendFailure: return os << "SendFailure";
-    case SendNotReady: return os << "SendNotReady";
-    case SendSuccess: return os << "SendSuccess";
+        case CollectFailure: return os << "CollectFailure";
+        case SendFailure: return os << "SendFailure";
+        case SendNotReady: return os << "SendNotReady";
+        case SendSuccess: return os << "SendSuccess";
     }
     return os << "(unknown send status)";
 }
 
-std::istream& operator>>(std::istream& is, SendStatus& status)
-{
+std::istream& operator>>(std::istream& is, SendStatus& status) {
     std::string name;
     is >> name;
     status = SendFailure;
     for (SendStatus known : {CollectFailure, SendNotReady, SendSuccess}) {
-        if ((known == CollectFailure && name == "CollectFailure") || (known == SendNotReady && name == "SendNotReady") ||
-            (known == SendSuccess && name == "SendSuccess"))
+        if ((known == CollectFailure && name == "CollectFailure") ||
+            (known == SendNotReady && name == "SendNotReady") || (known == SendSuccess && name == "SendSuccess"))
             status = known;
     }
     return is;

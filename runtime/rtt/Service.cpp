@@ -9,8 +9,7 @@
 
 namespace RTT {
 
-Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner)
-{
+Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner) {
     shared_ptr made(new Service(name, owner));
     if (owner && owner->provides() != nullptr) owner->provides()->addService(made);
     return made;
@@ -20,8 +19,7 @@ Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterfac
 
 Service::~Service() { clear(); }
 
-void Service::setOwner(TaskContext* owner)
-{
+void Service::setOwner(TaskContext* owner) {
     owner_ = owner;
     for (auto& entry : implementations_) entry.second->setThread(entry.second->getThread(), getOwnerExecutionEngine());
     for (auto& entry : services_) entry.second->setOwner(owner);
@@ -31,23 +29,20 @@ ExecutionEngine* Service::getOwnerExecutionEngine() const { return owner_ ? owne
 
 void Service::setParent(shared_ptr parent) { parent_ = parent; }
 
-Service::shared_ptr Service::provides()
-{
+Service::shared_ptr Service::provides() {
     // In the constructor of a sub-class nobody owns this yet; the pointer then does not either.
     shared_ptr self = weak_from_this().lock();
     return self ? self : shared_ptr(this, [](Service*) {});
 }
 
-Service::shared_ptr Service::provides(const std::string& name)
-{
+Service::shared_ptr Service::provides(const std::string& name) {
     if (shared_ptr found = getService(name)) return found;
     shared_ptr made = boost::make_shared<Service>(name);
     addService(made);
     return made;
 }
 
-Service::shared_ptr Service::getService(const std::string& name)
-{
+Service::shared_ptr Service::getService(const std::string& name) {
     if (name == "this") return provides();
     const auto found = services_.find(name);
     return found == services_.end() ? nullptr : found->second;
@@ -55,20 +50,19 @@ Service::shared_ptr Service::getService(const std::string& name)
 
 bool Service::hasService(const std::string& name) const { return name == "this" || services_.count(name) != 0; }
 
-Service::ProviderNames Service::getProviderNames() const
-{
+Service::ProviderNames Service::getProviderNames() const {
     ProviderNames names;
     for (const auto& entry : services_) names.push_back(entry.first);
     return names;
 }
 
-bool Service::addService(shared_ptr service)
-{
+bool Service::addService(shared_ptr service) {
     if (!service) return false;
     const auto present = services_.find(service->getName());
     if (present != services_.end()) {
         if (present->second == service) return true;
-        log(Error) << "service '" << service->getName() << "' was not added to '" << name_ << "': the name is in use" << endlog();
+        log(Error) << "service '" << service->getName() << "' was not added to '" << name_ << "': the name is in use"
+                   << endlog();
         return false;
     }
     services_[service->getName()] = service;
@@ -77,8 +71,7 @@ bool Service::addService(shared_ptr service)
     return true;
 }
 
-void Service::removeService(const std::string& name)
-{
+void Service::removeService(const std::string& name) {
     const auto found = services_.find(name);
     if (found == services_.end()) return;
     const shared_ptr removed = found->second;  // may be held by others
@@ -87,8 +80,7 @@ void Service::removeService(const std::string& name)
     removed->setOwner(nullptr);
 }
 
-void Service::clear()
-{
+void Service::clear() {
     DataFlowInterface::clear();
     ConfigurationInterface::clear();
     OperationInterface::clear();
@@ -97,29 +89,25 @@ void Service::clear()
     while (!services_.empty()) removeService(services_.begin()->first);
 }
 
-OperationInterfacePart* Service::getOperation(const std::string& name)
-{
+OperationInterfacePart* Service::getOperation(const std::string& name) {
     OperationInterfacePart* found = getPart(name);
     if (!found) log(Warning) << "service '" << name_ << "' has no operation '" << name << "'" << endlog();
     return found;
 }
 
-base::OperationCallerInterface::shared_ptr Service::getLocalOperation(const std::string& name)
-{
+base::OperationCallerInterface::shared_ptr Service::getLocalOperation(const std::string& name) {
     OperationInterfacePart* found = getPart(name);
     return found ? found->getLocalOperation() : nullptr;
 }
 
-bool Service::setOperationThread(const std::string& name, ExecutionThread et)
-{
+bool Service::setOperationThread(const std::string& name, ExecutionThread et) {
     const auto found = implementations_.find(name);
     if (found == implementations_.end()) return false;
     found->second->setThread(et, found->second->getOwner());
     return true;
 }
 
-void Service::removeOperation(const std::string& name)
-{
+void Service::removeOperation(const std::string& name) {
     OperationInterface::remove(name);
     const auto found = implementations_.find(name);
     if (found == implementations_.end()) return;
@@ -132,8 +120,7 @@ void Service::removeOperation(const std::string& name)
 
 void Service::keep(base::OperationBase* operation) { owned_.emplace_back(operation); }
 
-bool Service::registerOperation(base::OperationBase& operation, bool callOnly)
-{
+bool Service::registerOperation(base::OperationBase& operation, bool callOnly) {
     const std::string& name = operation.getName();
     if (name.empty()) {
         log(Error) << "an operation was not added to '" << name_ << "': it has no name" << endlog();
@@ -145,7 +132,8 @@ bool Service::registerOperation(base::OperationBase& operation, bool callOnly)
     }
     const auto present = implementations_.find(name);
     if (hasMember(name) && (present == implementations_.end() || present->second != operation.implementation())) {
-        log(Warning) << "operation '" << name << "' of '" << name_ << "' replaces an earlier one of that name" << endlog();
+        log(Warning) << "operation '" << name << "' of '" << name_ << "' replaces an earlier one of that name"
+                     << endlog();
         removeOperation(name);
     }
     operation.setOwner(getOwnerExecutionEngine());

@@ -26,7 +26,9 @@ class TaskContext;
  * A named group of operations, ports, attributes, properties and further services, in a component or process-wide.
  * Not thread safe, except calling operations; not real-time safe.
  */
-class RTT_API Service : public OperationInterface, public ConfigurationInterface, public DataFlowInterface,
+class RTT_API Service : public OperationInterface,
+                        public ConfigurationInterface,
+                        public DataFlowInterface,
                         public boost::enable_shared_from_this<Service> {
 public:
     typedef boost::shared_ptr<Service> shared_ptr;
@@ -76,60 +78,56 @@ public:
     DataFlowInterface* ports() { return this; }
 
     /** Registers an operation that belongs to the caller. */
-    template <class Signature> Operation<Signature>& addOperation(Operation<Signature>& operation)
-    {
+    template <class Signature>
+    Operation<Signature>& addOperation(Operation<Signature>& operation) {
         registerOperation(operation, false);
         return operation;
     }
     /** Registers a member function of an object, given by pointer or smart pointer. */
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
     Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
-                                                                            Object object, ExecutionThread et = ClientThread)
-    {
-        return make<typename internal::SignatureOf<Function>::type>(name, internal::BoundMember<Function, Object>{function, object},
-                                                                    et, false);
+                                                                            Object object,
+                                                                            ExecutionThread et = ClientThread) {
+        return make<typename internal::SignatureOf<Function>::type>(
+            name, internal::BoundMember<Function, Object>{function, object}, et, false);
     }
     /** Registers anything that can be called and has one signature: functions, lambdas, boost::function. */
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
     Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
-                                                                            ExecutionThread et = ClientThread)
-    {
+                                                                            ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, false);
     }
     /** Can be called, in the caller's thread, but not sent. */
-    template <class Signature> Operation<Signature>& addSynchronousOperation(Operation<Signature>& operation)
-    {
+    template <class Signature>
+    Operation<Signature>& addSynchronousOperation(Operation<Signature>& operation) {
         registerOperation(operation, true);
         return operation;
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
     Operation<typename internal::SignatureOf<Function>::type>& addSynchronousOperation(
-        const std::string& name, Function function, Object object, ExecutionThread et = ClientThread)
-    {
-        return make<typename internal::SignatureOf<Function>::type>(name, internal::BoundMember<Function, Object>{function, object},
-                                                                    et, true);
+        const std::string& name, Function function, Object object, ExecutionThread et = ClientThread) {
+        return make<typename internal::SignatureOf<Function>::type>(
+            name, internal::BoundMember<Function, Object>{function, object}, et, true);
     }
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
-    Operation<typename internal::SignatureOf<Function>::type>& addSynchronousOperation(const std::string& name, Function function,
-                                                                                       ExecutionThread et = ClientThread)
-    {
+    Operation<typename internal::SignatureOf<Function>::type>& addSynchronousOperation(
+        const std::string& name, Function function, ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, true);
     }
     /** An operation whose calls others can listen to. */
-    template <class Signature> Operation<Signature>& addEventOperation(Operation<Signature>& operation)
-    {
+    template <class Signature>
+    Operation<Signature>& addEventOperation(Operation<Signature>& operation) {
         operation.signals();
         return addOperation(operation);
     }
-    template <class... Arguments> auto& addEventOperation(const std::string& name, Arguments... arguments)
-    {
+    template <class... Arguments>
+    auto& addEventOperation(const std::string& name, Arguments... arguments) {
         return addOperation(name, arguments...).signals();
     }
 
 private:
     template <class Signature, class Function>
-    Operation<Signature>& make(const std::string& name, Function function, ExecutionThread et, bool callOnly)
-    {
+    Operation<Signature>& make(const std::string& name, Function function, ExecutionThread et, bool callOnly) {
         auto* made = new Operation<Signature>(name, std::move(function), et);
         keep(made);
         registerOperation(*made, callOnly);

@@ -9,39 +9,35 @@
 
 namespace RTT {
 
-ServiceRequester::shared_ptr ServiceRequester::Create(const std::string& name, TaskContext* owner)
-{
+ServiceRequester::shared_ptr ServiceRequester::Create(const std::string& name, TaskContext* owner) {
     return shared_ptr(new ServiceRequester(name, owner));
 }
 
 ServiceRequester::ServiceRequester(const std::string& name, TaskContext* owner) : name_(name), owner_(owner) {}
 ServiceRequester::~ServiceRequester() = default;
 
-bool ServiceRequester::addOperationCaller(base::OperationCallerBaseInvoker& caller)
-{
+bool ServiceRequester::addOperationCaller(base::OperationCallerBaseInvoker& caller) {
     if (!callers_.emplace(caller.getName(), &caller).second) {
-        log(Error) << "requester '" << name_ << "' has a caller of operation '" << caller.getName() << "' already" << endlog();
+        log(Error) << "requester '" << name_ << "' has a caller of operation '" << caller.getName() << "' already"
+                   << endlog();
         return false;
     }
     if (owner_) caller.setCaller(owner_->engine());
     return true;
 }
 
-ServiceRequester::OperationCallerNames ServiceRequester::getOperationCallerNames() const
-{
+ServiceRequester::OperationCallerNames ServiceRequester::getOperationCallerNames() const {
     OperationCallerNames names;
     for (const auto& entry : callers_) names.push_back(entry.first);
     return names;
 }
 
-base::OperationCallerBaseInvoker* ServiceRequester::getOperationCaller(const std::string& name) const
-{
+base::OperationCallerBaseInvoker* ServiceRequester::getOperationCaller(const std::string& name) const {
     const auto found = callers_.find(name);
     return found == callers_.end() ? nullptr : found->second;
 }
 
-void ServiceRequester::setOwner(TaskContext* owner)
-{
+void ServiceRequester::setOwner(TaskContext* owner) {
     owner_ = owner;
     // Without owner the callers are left alone: they are members of a component whose destructor is under way, and gone.
     if (owner)
@@ -49,41 +45,36 @@ void ServiceRequester::setOwner(TaskContext* owner)
     for (auto& entry : requesters_) entry.second->setOwner(owner);
 }
 
-ServiceRequester::shared_ptr ServiceRequester::requires_()
-{
+ServiceRequester::shared_ptr ServiceRequester::requires_() {
     shared_ptr self = weak_from_this().lock();
     return self ? self : shared_ptr(this, [](ServiceRequester*) {});
 }
 
-ServiceRequester::shared_ptr ServiceRequester::requires_(const std::string& name)
-{
+ServiceRequester::shared_ptr ServiceRequester::requires_(const std::string& name) {
     if (name == "this") return requires_();
     shared_ptr& requester = requesters_[name];
     if (!requester) requester = Create(name, owner_);
     return requester;
 }
 
-bool ServiceRequester::addServiceRequester(shared_ptr requester)
-{
+bool ServiceRequester::addServiceRequester(shared_ptr requester) {
     if (!requester) return false;
     if (!requesters_.emplace(requester->getRequestName(), requester).second) {
-        log(Error) << "requester '" << requester->getRequestName() << "' was not added to '" << name_ << "': the name is in use"
-                   << endlog();
+        log(Error) << "requester '" << requester->getRequestName() << "' was not added to '" << name_
+                   << "': the name is in use" << endlog();
         return false;
     }
     requester->setOwner(owner_);
     return true;
 }
 
-ServiceRequester::RequesterNames ServiceRequester::getRequesterNames() const
-{
+ServiceRequester::RequesterNames ServiceRequester::getRequesterNames() const {
     RequesterNames names;
     for (const auto& entry : requesters_) names.push_back(entry.first);
     return names;
 }
 
-bool ServiceRequester::connectTo(Service::shared_ptr service)
-{
+bool ServiceRequester::connectTo(Service::shared_ptr service) {
     if (!service) return false;
     service_ = service;
     for (auto& entry : callers_) {
@@ -91,24 +82,22 @@ bool ServiceRequester::connectTo(Service::shared_ptr service)
         entry.second->setImplementationPart(service->getOperation(entry.first), owner_ ? owner_->engine() : nullptr);
     }
     if (!ready()) return false;
-    log(Info) << "service '" << service->getName() << "' offers all operations that '" << name_ << "' requires" << endlog();
+    log(Info) << "service '" << service->getName() << "' offers all operations that '" << name_ << "' requires"
+              << endlog();
     return true;
 }
 
-bool ServiceRequester::ready() const
-{
+bool ServiceRequester::ready() const {
     return std::all_of(callers_.begin(), callers_.end(), [](const auto& entry) { return entry.second->ready(); });
 }
 
-void ServiceRequester::disconnect()
-{
+void ServiceRequester::disconnect() {
     for (auto& entry : callers_) entry.second->disconnect();
     for (auto& entry : requesters_) entry.second->disconnect();
     service_.reset();
 }
 
-void ServiceRequester::clear()
-{
+void ServiceRequester::clear() {
     callers_.clear();
     requesters_.clear();
     service_.reset();

@@ -13,16 +13,14 @@ namespace RTT {
 TaskContext::TaskContext(const std::string& name, TaskState initial_state)
     : TaskCore(initial_state),
       service_(boost::make_shared<Service>(name)),
-      requester_(boost::make_shared<ServiceRequester>(name, this))
-{
+      requester_(boost::make_shared<ServiceRequester>(name, this)) {
     service_->setOwner(this);
     service_->doc("The interface of this TaskContext.");
     addStandardInterface();
     setActivity(nullptr);
 }
 
-TaskContext::~TaskContext()
-{
+TaskContext::~TaskContext() {
     if (activity_) activity_->stop();
     // Others may hold these pointers longer than the component lives.
     service_->setOwner(nullptr);
@@ -37,8 +35,7 @@ TaskContext::~TaskContext()
 
 const std::string& TaskContext::getName() const { return service_->getName(); }
 
-bool TaskContext::setActivity(base::ActivityInterface* new_act)
-{
+bool TaskContext::setActivity(base::ActivityInterface* new_act) {
     base::ActivityInterface::shared_ptr owned(new_act);
     if (isRunning()) {
         log(Error) << getName() << ": the activity cannot be changed while the component is running" << endlog();
@@ -60,8 +57,7 @@ bool TaskContext::setActivity(base::ActivityInterface* new_act)
     return true;
 }
 
-void TaskContext::forceActivity(base::ActivityInterface* new_act)
-{
+void TaskContext::forceActivity(base::ActivityInterface* new_act) {
     if (!new_act) return;
     new_act->stop();
     if (activity_) {
@@ -79,14 +75,12 @@ bool TaskContext::start() { return !isRunning() && TaskCore::start(); }
 bool TaskContext::stop() { return TaskCore::stop(); }
 bool TaskContext::ready() { return true; }
 
-void TaskContext::clear()
-{
+void TaskContext::clear() {
     service_->clear();
     requester_->clear();
 }
 
-bool TaskContext::addPeer(TaskContext* peer, std::string alias)
-{
+bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
     if (!peer) return false;
     if (alias.empty()) alias = peer->getName();
     if (!peers_.emplace(alias, peer).second) return false;
@@ -94,8 +88,7 @@ bool TaskContext::addPeer(TaskContext* peer, std::string alias)
     return true;
 }
 
-void TaskContext::removePeer(const std::string& name)
-{
+void TaskContext::removePeer(const std::string& name) {
     const auto found = peers_.find(name);
     if (found == peers_.end()) return;
     TaskContext* const peer = found->second;
@@ -105,8 +98,7 @@ void TaskContext::removePeer(const std::string& name)
     if (user != peer->users_.end()) peer->users_.erase(user);
 }
 
-void TaskContext::removePeer(TaskContext* peer)
-{
+void TaskContext::removePeer(TaskContext* peer) {
     for (auto entry = peers_.begin(); entry != peers_.end();) {
         const auto next = std::next(entry);
         if (entry->second == peer) removePeer(std::string(entry->first));
@@ -114,29 +106,25 @@ void TaskContext::removePeer(TaskContext* peer)
     }
 }
 
-bool TaskContext::connectPeers(TaskContext* peer)
-{
+bool TaskContext::connectPeers(TaskContext* peer) {
     if (!peer || hasPeer(peer->getName()) || peer->hasPeer(getName())) return false;
     return addPeer(peer) && peer->addPeer(this);
 }
 
-void TaskContext::disconnectPeers(const std::string& name)
-{
+void TaskContext::disconnectPeers(const std::string& name) {
     if (TaskContext* peer = getPeer(name)) {
         removePeer(peer);
         peer->removePeer(this);
     }
 }
 
-void TaskContext::disconnect()
-{
+void TaskContext::disconnect() {
     for (base::PortInterface* port : ports()->getPorts()) port->disconnect();
     for (TaskContext* user : std::vector<TaskContext*>(users_)) user->removePeer(this);
     while (!peers_.empty()) removePeer(peers_.begin()->first);
 }
 
-TaskContext::PeerList TaskContext::getPeerList() const
-{
+TaskContext::PeerList TaskContext::getPeerList() const {
     PeerList names;
     for (const auto& entry : peers_) names.push_back(entry.first);
     return names;
@@ -144,14 +132,12 @@ TaskContext::PeerList TaskContext::getPeerList() const
 
 bool TaskContext::hasPeer(const std::string& name) const { return peers_.count(name) != 0; }
 
-TaskContext* TaskContext::getPeer(const std::string& name) const
-{
+TaskContext* TaskContext::getPeer(const std::string& name) const {
     const auto found = peers_.find(name);
     return found == peers_.end() ? nullptr : found->second;
 }
 
-bool TaskContext::connectPorts(TaskContext* peer)
-{
+bool TaskContext::connectPorts(TaskContext* peer) {
     if (!peer) return false;
     bool success = true;
     for (base::PortInterface* mine : ports()->getPorts()) {
@@ -169,8 +155,7 @@ bool TaskContext::connectPorts(TaskContext* peer)
     return success;
 }
 
-bool TaskContext::connectServices(TaskContext* peer)
-{
+bool TaskContext::connectServices(TaskContext* peer) {
     if (!peer) return false;
     bool success = true;
     TaskContext* const pairs[][2] = {{this, peer}, {peer, this}};
@@ -186,15 +171,13 @@ bool TaskContext::connectServices(TaskContext* peer)
     return success;
 }
 
-bool TaskContext::loadService(const std::string& name)
-{
+bool TaskContext::loadService(const std::string& name) {
     return service_->hasService(name) || internal::loadServicePlugin(name, this);
 }
 
 bool TaskContext::dataOnPortHook(base::PortInterface*) { return isRunning(); }
 
-void TaskContext::dataOnPort(base::PortInterface* port)
-{
+void TaskContext::dataOnPort(base::PortInterface* port) {
     // The component may be started, and stopped, while the hook decides.
     const unsigned starts = mStartCounter;
     const bool running = isRunning();
@@ -202,14 +185,12 @@ void TaskContext::dataOnPort(base::PortInterface* port)
     if (!engine()->process(port)) port_callbacks_.withdraw(port);
 }
 
-void TaskContext::dataOnPortCallback(base::PortInterface* port)
-{
+void TaskContext::dataOnPortCallback(base::PortInterface* port) {
     // stop() changes the target first and then waits for the step in progress, so every later step sees the change.
     port_callbacks_.call(port, getTaskState() >= Running && getTargetState() >= Running);
 }
 
-void TaskContext::setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback)
-{
+void TaskContext::setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback) {
     port_callbacks_.set(port, callback ? callback : SlotFunction([this](base::PortInterface*) { trigger(); }));
 }
 

@@ -43,7 +43,10 @@ public:
         running, and, with an error, in the thread of the present activity. */
     bool setActivity(base::ActivityInterface* new_act);
     base::ActivityInterface* getActivity();
-    template <class ActivityType> ActivityType* getActivity() { return dynamic_cast<ActivityType*>(getActivity()); }
+    template <class ActivityType>
+    ActivityType* getActivity() {
+        return dynamic_cast<ActivityType*>(getActivity());
+    }
 
     bool start() override;
     bool stop() override;
@@ -85,8 +88,8 @@ public:
     virtual bool loadService(const std::string& name);
     /** The service `name` seen through a requester class (made as ServiceType(this) and connected), or as the service class
         itself. Loads the service if it is not there; null if it cannot be had. */
-    template <class ServiceType> boost::shared_ptr<ServiceType> getProvider(const std::string& name)
-    {
+    template <class ServiceType>
+    boost::shared_ptr<ServiceType> getProvider(const std::string& name) {
         if (!loadService(name)) return nullptr;
         if constexpr (std::is_base_of_v<Service, ServiceType>) {
             return boost::dynamic_pointer_cast<ServiceType>(provides(name));
@@ -99,7 +102,10 @@ public:
             return boost::dynamic_pointer_cast<ServiceType>(cached);
         }
     }
-    template <class ServiceType> boost::shared_ptr<ServiceType> getProvider() { return boost::dynamic_pointer_cast<ServiceType>(service_); }
+    template <class ServiceType>
+    boost::shared_ptr<ServiceType> getProvider() {
+        return boost::dynamic_pointer_cast<ServiceType>(service_);
+    }
 
     // --- interface of the main service ---
     OperationInterface* operations() { return service_.get(); }
@@ -109,37 +115,53 @@ public:
     PropertyBag* properties() { return service_->properties(); }
     const PropertyBag* properties() const { return service_->properties(); }
 
-    template <class... Arguments> auto& addOperation(const std::string& name, Arguments... arguments)
-    {
+    template <class... Arguments>
+    auto& addOperation(const std::string& name, Arguments... arguments) {
         return service_->addOperation(name, arguments...);
     }
-    template <class Signature> Operation<Signature>& addOperation(Operation<Signature>& operation) { return service_->addOperation(operation); }
-    template <class... Arguments> auto& addEventOperation(const std::string& name, Arguments... arguments)
-    {
+    template <class Signature>
+    Operation<Signature>& addOperation(Operation<Signature>& operation) {
+        return service_->addOperation(operation);
+    }
+    template <class... Arguments>
+    auto& addEventOperation(const std::string& name, Arguments... arguments) {
         return service_->addEventOperation(name, arguments...);
     }
-    template <class Signature> Operation<Signature>& addEventOperation(Operation<Signature>& operation) { return service_->addEventOperation(operation); }
+    template <class Signature>
+    Operation<Signature>& addEventOperation(Operation<Signature>& operation) {
+        return service_->addEventOperation(operation);
+    }
     /** Null, and a warning, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name) { return service_->getOperation(name); }
 
-    template <class T> bool addAttribute(const std::string& name, T& attribute) { return service_->addAttribute(name, attribute); }
+    template <class T>
+    bool addAttribute(const std::string& name, T& attribute) {
+        return service_->addAttribute(name, attribute);
+    }
     bool addAttribute(base::AttributeBase& attribute) { return service_->addAttribute(attribute); }
-    template <class T> bool addConstant(const std::string& name, const T& constant) { return service_->addConstant(name, constant); }
+    template <class T>
+    bool addConstant(const std::string& name, const T& constant) {
+        return service_->addConstant(name, constant);
+    }
     bool addConstant(base::AttributeBase& constant) { return service_->addConstant(constant); }
     base::AttributeBase* getAttribute(const std::string& name) const { return service_->getAttribute(name); }
-    template <class T> auto& addProperty(const std::string& name, T& property) { return service_->addProperty(name, property); }
+    template <class T>
+    auto& addProperty(const std::string& name, T& property) {
+        return service_->addProperty(name, property);
+    }
     bool addProperty(base::PropertyBase& property) { return service_->addProperty(property); }
     base::PropertyBase* getProperty(const std::string& name) const { return service_->getProperty(name); }
 
-    base::PortInterface& addPort(const std::string& name, base::PortInterface& port) { return ports()->addPort(name, port); }
+    base::PortInterface& addPort(const std::string& name, base::PortInterface& port) {
+        return ports()->addPort(name, port);
+    }
     base::PortInterface& addPort(base::PortInterface& port) { return ports()->addPort(port); }
     typedef DataFlowInterface::SlotFunction SlotFunction;
-    base::InputPortInterface& addEventPort(const std::string& name, base::InputPortInterface& port, SlotFunction callback = SlotFunction())
-    {
+    base::InputPortInterface& addEventPort(const std::string& name, base::InputPortInterface& port,
+                                           SlotFunction callback = SlotFunction()) {
         return ports()->addEventPort(name, port, callback);
     }
-    base::InputPortInterface& addEventPort(base::InputPortInterface& port, SlotFunction callback = SlotFunction())
-    {
+    base::InputPortInterface& addEventPort(base::InputPortInterface& port, SlotFunction callback = SlotFunction()) {
         return ports()->addEventPort(port, callback);
     }
     base::PortInterface* getPort(const std::string& name) const { return ports()->getPort(name); }

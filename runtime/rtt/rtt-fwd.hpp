@@ -21,14 +21,22 @@ class PropertyBag;
 class Service;
 class ServiceRequester;
 class TaskContext;
-template <typename T> class Attribute;
-template <typename T> class Constant;
-template <typename T> class InputPort;
-template <typename T> class OutputPort;
-template <typename T> class Property;
-template <class Signature> class Operation;
-template <class Signature> class OperationCaller;
-template <class Signature> class SendHandle;
-}
+template <typename T>
+class Attribute;
+template <typename T>
+class Constant;
+template <typename T>
+class InputPort;
+template <typename T>
+class OutputPort;
+template <typename T>
+class Property;
+template <class Signature>
+class Operation;
+template <class Signature>
+class OperationCaller;
+template <class Signature>
+class SendHandle;
+}  // namespace RTT
 
 #endif

@@ -54,7 +54,7 @@ using namespace os;
 using namespace extras;
 using namespace scripting;
 using namespace plugin;
-}
-}
+}  // namespace detail
+}  // namespace RTT
 
 #endif

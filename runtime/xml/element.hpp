@@ -13,9 +13,9 @@ namespace oroforge::xml {
 
 struct Attribute {
     std::string name;
-    std::string value;           ///< entities resolved
-    diag::Location where;        ///< first letter of the name
-    diag::Location valueWhere;   ///< first letter of the value, inside the quotes
+    std::string value;          ///< entities resolved
+    diag::Location where;       ///< first letter of the name
+    diag::Location valueWhere;  ///< first letter of the value, inside the quotes
 };
 
 struct Element {

@@ -17,14 +17,14 @@ namespace oroforge::test {
 struct Command {
     std::string program;  ///< looked up in PATH if it has no '/'
     std::vector<std::string> arguments;
-    std::filesystem::path directory;                ///< where it runs; empty = here
-    std::map<std::string, std::string> environment; ///< added to, or replacing, what this process has
-    std::string input;                              ///< its standard input
-    std::chrono::milliseconds timeout{60000};       ///< then it is killed
+    std::filesystem::path directory;                 ///< where it runs; empty = here
+    std::map<std::string, std::string> environment;  ///< added to, or replacing, what this process has
+    std::string input;                               ///< its standard input
+    std::chrono::milliseconds timeout{60000};        ///< then it is killed
 };
 
 struct Outcome {
-    int status = -1;        ///< exit status, or 128 + signal number
+    int status = -1;  ///< exit status, or 128 + signal number
     bool timedOut = false;
     std::string out;
     std::string err;

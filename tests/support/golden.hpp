@@ -44,7 +44,6 @@ std::map<std::string, std::string> readTree(const std::filesystem::path& dir);
 /// Every occurrence of `what` replaced, to take machine paths out of texts before comparing.
 std::string replaceAll(std::string text, const std::string& what, const std::string& with);
 
-
 /// Letters, digits and '_' only, as GoogleTest wants parameter names.
 std::string caseName(const testing::TestParamInfo<std::string>& info);
 

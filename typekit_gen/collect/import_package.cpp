@@ -54,8 +54,9 @@ std::vector<std::string> importFlags(const std::string& package, const std::stri
             if (const auto text = askPkgConfig(module)) return splitFlags(*text);
         }
     }
-    sink.error({"typegen"}, "TK004", "no package '" + package + "' to import: pkg-config knows none of '" +
-               modules[0] + "', '" + modules[1] + "' and '" + modules[2] + "'")
+    sink.error({"typegen"}, "TK004",
+               "no package '" + package + "' to import: pkg-config knows none of '" + modules[0] + "', '" + modules[1] +
+                   "' and '" + modules[2] + "'")
         .hint("install the package, or add its folder of .pc files to PKG_CONFIG_PATH");
     return {};
 }

@@ -14,9 +14,9 @@ namespace oroforge::typekit {
 namespace {
 
 const std::vector<std::string> kTransports = {"corba", "mqueue", "ros", "typelib"};
-const std::vector<std::string> kLongOptions = {"--output", "--import", "--transports", "--notransports", "--verbose",
-                                               "--debug", "--help", "--version", "--list-outputs", "--depfile",
-                                               "--dump", "--template-dir"};
+const std::vector<std::string> kLongOptions = {"--output",       "--import",  "--transports", "--notransports",
+                                               "--verbose",      "--debug",   "--help",       "--version",
+                                               "--list-outputs", "--depfile", "--dump",       "--template-dir"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 

@@ -12,25 +12,22 @@ namespace oroforge::typekit {
 
 namespace {
 
-using nlohmann::json;
 using model::TypeKind;
 using model::TypeUse;
+using nlohmann::json;
 
 std::string withoutColons(const std::string& cpp) { return cpp.compare(0, 2, "::") == 0 ? cpp.substr(2) : cpp; }
 
 json viewOf(const model::Field& field, bool last) {
-    return {{"name", field.name},
-            {"offset", field.offset},
-            {"type", field.type.cpp},
-            {"count", field.count},
-            {"doc", cppString(field.doc)},
-            {"unit", cppString(field.unit)},
+    return {{"name", field.name},          {"offset", field.offset},      {"type", field.type.cpp},
+            {"count", field.count},        {"doc", cppString(field.doc)}, {"unit", cppString(field.unit)},
             {"separator", last ? "" : ","}};
 }
 
 json viewOf(const model::Struct& type) {
-    json view = {{"cpp", type.cpp},   {"shown", withoutColons(type.cpp)}, {"name", cppString(type.name)},
-                 {"size", type.size}, {"align", type.align},              {"doc", cppString(type.doc)}};
+    json view = {
+        {"cpp", type.cpp},     {"shown", withoutColons(type.cpp)}, {"name", cppString(type.name)}, {"size", type.size},
+        {"align", type.align}, {"doc", cppString(type.doc)}};
     if (!type.fields.empty()) view["hasFields"] = true;
     view["fieldCount"] = type.fields.size();
     view["fields"] = json::array();
@@ -41,8 +38,11 @@ json viewOf(const model::Struct& type) {
 }
 
 json viewOf(const model::Enum& type) {
-    json view = {{"cpp", type.cpp}, {"shown", withoutColons(type.cpp)}, {"name", cppString(type.name)},
-                 {"size", type.size}, {"doc", cppString(type.doc)}};
+    json view = {{"cpp", type.cpp},
+                 {"shown", withoutColons(type.cpp)},
+                 {"name", cppString(type.name)},
+                 {"size", type.size},
+                 {"doc", cppString(type.doc)}};
     if (!type.values.empty()) view["hasValues"] = true;
     view["valueCount"] = type.values.size();
     view["values"] = json::array();
@@ -67,8 +67,12 @@ struct Buckets {
 
     Buckets() {
         for (std::size_t i = 0; i < kBuckets; ++i) {
-            all[i] = {{"index", i}, {"structs", json::array()}, {"enums", json::array()},
-                      {"sequences", json::array()}, {"arrays", json::array()}, {"instances", json::array()}};
+            all[i] = {{"index", i},
+                      {"structs", json::array()},
+                      {"enums", json::array()},
+                      {"sequences", json::array()},
+                      {"arrays", json::array()},
+                      {"instances", json::array()}};
         }
     }
     void add(const char* list, const std::string& typeName, const json& view) {

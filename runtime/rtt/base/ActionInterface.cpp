@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include "ActionInterface.hpp"
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 ActionInterface::~ActionInterface() = default;
 
@@ -12,4 +13,5 @@ bool ActionInterface::valid() const { return true; }
 
 ActionInterface* ActionInterface::copy(std::map<const DataSourceBase*, DataSourceBase*>&) const { return clone(); }
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

@@ -6,7 +6,8 @@
 #include <rtt/rtt-config.h>
 #include <map>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 class DataSourceBase;
 
@@ -37,6 +38,7 @@ public:
     virtual ActionInterface* copy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
 };
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

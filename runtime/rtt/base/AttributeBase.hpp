@@ -5,7 +5,8 @@
 
 #include "DataSourceBase.hpp"
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 /** A named value without documentation. Not thread safe; not for real-time contexts except reading the value. */
 class RTT_API AttributeBase {
@@ -31,6 +32,7 @@ protected:
     std::string mname;
 };
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

@@ -23,8 +23,7 @@ public:
     typedef typename BufferInterface<T>::size_type size_type;
 
     bool Push(param_t item) override { return store_->write(&item) == WriteSuccess; }
-    size_type Push(const std::vector<value_t>& items) override
-    {
+    size_type Push(const std::vector<value_t>& items) override {
         size_type taken = 0;
         for (value_t item : items) {  // a copy: elements of vector<bool> have no address
             if (!Push(item)) break;
@@ -33,27 +32,20 @@ public:
         return taken;
     }
     FlowStatus Pop(reference_t item) override { return store_->read(&item, false); }
-    size_type Pop(std::vector<value_t>& items) override
-    {
+    size_type Pop(std::vector<value_t>& items) override {
         items.clear();
         for (value_t item = data_sample(); store_->read(&item, false) == NewData;) items.push_back(item);
         return static_cast<size_type>(items.size());
     }
-    value_t* PopWithoutRelease() override
-    {
-        return static_cast<value_t*>(const_cast<void*>(store_->readHeld()));
-    }
-    void Release(value_t* item) override
-    {
+    value_t* PopWithoutRelease() override { return static_cast<value_t*>(const_cast<void*>(store_->readHeld())); }
+    void Release(value_t* item) override {
         if (item) store_->release(item);
     }
-    bool data_sample(param_t sample, bool reset = true) override
-    {
+    bool data_sample(param_t sample, bool reset = true) override {
         store_->setSample(&sample, reset);
         return true;
     }
-    value_t data_sample() const override
-    {
+    value_t data_sample() const override {
         value_t value = value_t();
         store_->getSample(&value);
         return value;
@@ -67,8 +59,7 @@ public:
     size_type dropped() const override { return static_cast<size_type>(store_->dropped()); }
 
 protected:
-    Buffer(internal::StoreSpec::Lock lock, unsigned int size, const T* initial, const BufferBase::Options& options)
-    {
+    Buffer(internal::StoreSpec::Lock lock, unsigned int size, const T* initial, const BufferBase::Options& options) {
         internal::StoreSpec spec;
         spec.kind = options.circular() ? internal::StoreSpec::CircularBuffer : internal::StoreSpec::Buffer;
         spec.lock = lock;

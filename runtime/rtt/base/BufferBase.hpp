@@ -24,15 +24,13 @@ public:
 
         /** When full, drop the oldest sample instead of the new one. */
         bool circular() const { return circular_; }
-        Options& circular(bool on)
-        {
+        Options& circular(bool on) {
             circular_ = on;
             return *this;
         }
         /** How many threads use a lock-free buffer at once. */
         unsigned int max_threads() const { return max_threads_; }
-        Options& max_threads(unsigned int n)
-        {
+        Options& max_threads(unsigned int n) {
             max_threads_ = n;
             return *this;
         }

@@ -15,14 +15,10 @@ public:
     typedef BufferBase::Options Options;
 
     explicit BufferLockFree(unsigned int size, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::LockFree, size, nullptr, options)
-    {
-    }
+        : Buffer<T>(internal::StoreSpec::LockFree, size, nullptr, options) {}
     /** `initial_value` sizes the elements; it is not delivered as data. */
     BufferLockFree(unsigned int size, const T& initial_value, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::LockFree, size, &initial_value, options)
-    {
-    }
+        : Buffer<T>(internal::StoreSpec::LockFree, size, &initial_value, options) {}
 };
 
 }  // namespace base

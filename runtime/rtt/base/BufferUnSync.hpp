@@ -15,14 +15,10 @@ public:
     typedef BufferBase::Options Options;
 
     explicit BufferUnSync(unsigned int size, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::Unsync, size, nullptr, options)
-    {
-    }
+        : Buffer<T>(internal::StoreSpec::Unsync, size, nullptr, options) {}
     /** `initial_value` sizes the elements; it is not delivered as data. */
     BufferUnSync(unsigned int size, const T& initial_value, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::Unsync, size, &initial_value, options)
-    {
-    }
+        : Buffer<T>(internal::StoreSpec::Unsync, size, &initial_value, options) {}
 };
 
 }  // namespace base

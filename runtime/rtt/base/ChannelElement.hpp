@@ -34,47 +34,40 @@ public:
 
     WriteStatus writeErased(const void* sample) override { return write(*static_cast<const T*>(sample)); }
     FlowStatus readErased(void* sample, bool copyOld) override { return read(*static_cast<T*>(sample), copyOld); }
-    WriteStatus sampleErased(const void* sample, bool reset) override
-    {
+    WriteStatus sampleErased(const void* sample, bool reset) override {
         return data_sample(*static_cast<const T*>(sample), reset);
     }
 };
 
 template <typename T>
-typename ChannelElement<T>::shared_ptr ChannelElement<T>::getInput() const
-{
+typename ChannelElement<T>::shared_ptr ChannelElement<T>::getInput() const {
     return boost::dynamic_pointer_cast<ChannelElement<T>>(ChannelElementBase::getInput());
 }
 
 template <typename T>
-typename ChannelElement<T>::shared_ptr ChannelElement<T>::getOutput() const
-{
+typename ChannelElement<T>::shared_ptr ChannelElement<T>::getOutput() const {
     return boost::dynamic_pointer_cast<ChannelElement<T>>(ChannelElementBase::getOutput());
 }
 
 // The base's erased versions pass to the neighbour; the next typed element brings the sample back to its type.
 
 template <typename T>
-WriteStatus ChannelElement<T>::write(param_t sample)
-{
+WriteStatus ChannelElement<T>::write(param_t sample) {
     return ChannelElementBase::writeErased(&sample);
 }
 
 template <typename T>
-FlowStatus ChannelElement<T>::read(reference_t sample, bool copy_old_data)
-{
+FlowStatus ChannelElement<T>::read(reference_t sample, bool copy_old_data) {
     return ChannelElementBase::readErased(&sample, copy_old_data);
 }
 
 template <typename T>
-WriteStatus ChannelElement<T>::data_sample(param_t sample, bool reset)
-{
+WriteStatus ChannelElement<T>::data_sample(param_t sample, bool reset) {
     return ChannelElementBase::sampleErased(&sample, reset);
 }
 
 template <typename T>
-T ChannelElement<T>::data_sample()
-{
+T ChannelElement<T>::data_sample() {
     T sample = T();
     this->getSampleErased(&sample);
     return sample;

@@ -9,95 +9,80 @@ namespace base {
 
 using internal::Reclaimer;
 
-ChannelElementBase::~ChannelElementBase()
-{
+ChannelElementBase::~ChannelElementBase() {
     // Nobody can see us any more; but others may be looking at the neighbours through their own links.
     exchangeLink(input_, nullptr);
     exchangeLink(output_, nullptr);
 }
 
-void ChannelElementBase::deref()
-{
+void ChannelElementBase::deref() {
     // Release, and acquire by the last one: all use of the element happens before its destruction.
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-void ChannelElementBase::exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to)
-{
+void ChannelElementBase::exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to) {
     if (to) to->ref();
     // A thread inside a Guard may still use the old neighbour, so its reference is given back later.
     if (ChannelElementBase* old = link.exchange(to, std::memory_order_acq_rel))
         Reclaimer::retire(old, [](void* element) { static_cast<ChannelElementBase*>(element)->deref(); });
 }
 
-void ChannelElementBase::dropLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* expected)
-{
+void ChannelElementBase::dropLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* expected) {
     if (link.compare_exchange_strong(expected, nullptr, std::memory_order_acq_rel) && expected)
         Reclaimer::retire(expected, [](void* element) { static_cast<ChannelElementBase*>(element)->deref(); });
 }
 
-ChannelElementBase::shared_ptr ChannelElementBase::getInput() const
-{
+ChannelElementBase::shared_ptr ChannelElementBase::getInput() const {
     const Reclaimer::Guard guard;
     return inputUnderGuard();
 }
 
-ChannelElementBase::shared_ptr ChannelElementBase::getOutput() const
-{
+ChannelElementBase::shared_ptr ChannelElementBase::getOutput() const {
     const Reclaimer::Guard guard;
     return outputUnderGuard();
 }
 
-bool ChannelElementBase::connectTo(shared_ptr const& output, bool)
-{
+bool ChannelElementBase::connectTo(shared_ptr const& output, bool) {
     if (!output) return false;
     exchangeLink(output_, output.get());
     return output->connectFrom(this);
 }
 
-bool ChannelElementBase::connectFrom(shared_ptr const& input)
-{
+bool ChannelElementBase::connectFrom(shared_ptr const& input) {
     exchangeLink(input_, input.get());
     return true;
 }
 
-void ChannelElementBase::setOutput(shared_ptr const& output)
-{
-    if (output) connectTo(output);
-    else exchangeLink(output_, nullptr);
+void ChannelElementBase::setOutput(shared_ptr const& output) {
+    if (output)
+        connectTo(output);
+    else
+        exchangeLink(output_, nullptr);
 }
 
-bool ChannelElementBase::inputReady(shared_ptr const&)
-{
-    return inputReady();
-}
+bool ChannelElementBase::inputReady(shared_ptr const&) { return inputReady(); }
 
-bool ChannelElementBase::inputReady()
-{
+bool ChannelElementBase::inputReady() {
     const shared_ptr input = getInput();
     return !input || input->inputReady(this);
 }
 
-bool ChannelElementBase::channelReady(shared_ptr const&, ConnPolicy const& policy, internal::ConnID* id)
-{
+bool ChannelElementBase::channelReady(shared_ptr const&, ConnPolicy const& policy, internal::ConnID* id) {
     const shared_ptr output = getOutput();
     return output && output->channelReady(this, policy, id);
 }
 
-void ChannelElementBase::clear()
-{
+void ChannelElementBase::clear() {
     if (const shared_ptr input = getInput()) input->clear();
 }
 
-bool ChannelElementBase::signal()
-{
+bool ChannelElementBase::signal() {
     const Reclaimer::Guard guard;
     ChannelElementBase* output = outputUnderGuard();
     return output && output->signal();
 }
 
-void ChannelElementBase::disconnect(bool forward)
-{
+void ChannelElementBase::disconnect(bool forward) {
     const shared_ptr next = forward ? getOutput() : getInput();
     const shared_ptr previous = forward ? getInput() : getOutput();
     // Links first: the neighbour may call back, and must then find nothing left to do.
@@ -106,21 +91,18 @@ void ChannelElementBase::disconnect(bool forward)
     if (next) next->disconnect(this, forward);
 }
 
-bool ChannelElementBase::disconnect(shared_ptr const&, bool forward)
-{
+bool ChannelElementBase::disconnect(shared_ptr const&, bool forward) {
     disconnect(forward);
     return true;
 }
 
-ChannelElementBase::shared_ptr ChannelElementBase::getInputEndPoint()
-{
+ChannelElementBase::shared_ptr ChannelElementBase::getInputEndPoint() {
     shared_ptr element = this;
     while (const shared_ptr input = element->getInput()) element = input;
     return element;
 }
 
-ChannelElementBase::shared_ptr ChannelElementBase::getOutputEndPoint()
-{
+ChannelElementBase::shared_ptr ChannelElementBase::getOutputEndPoint() {
     shared_ptr element = this;
     while (const shared_ptr output = element->getOutput()) element = output;
     return element;
@@ -129,8 +111,7 @@ ChannelElementBase::shared_ptr ChannelElementBase::getOutputEndPoint()
 PortInterface* ChannelElementBase::getPort() const { return nullptr; }
 const ConnPolicy* ChannelElementBase::getConnPolicy() const { return nullptr; }
 bool ChannelElementBase::isRemoteElement() const { return false; }
-std::string ChannelElementBase::getRemoteURI() const
-{
+std::string ChannelElementBase::getRemoteURI() const {
     const shared_ptr output = getOutput();
     return output ? output->getRemoteURI() : std::string();
 }
@@ -138,28 +119,24 @@ std::string ChannelElementBase::getLocalURI() const { return std::string(); }
 std::string ChannelElementBase::getElementName() const { return "ChannelElementBase"; }
 internal::StorageCore* ChannelElementBase::storageCore() { return nullptr; }
 
-WriteStatus ChannelElementBase::writeErased(const void* sample)
-{
+WriteStatus ChannelElementBase::writeErased(const void* sample) {
     const Reclaimer::Guard guard;
     ChannelElementBase* output = outputUnderGuard();
     return output ? output->writeErased(sample) : NotConnected;
 }
 
-FlowStatus ChannelElementBase::readErased(void* sample, bool copyOld)
-{
+FlowStatus ChannelElementBase::readErased(void* sample, bool copyOld) {
     const Reclaimer::Guard guard;
     ChannelElementBase* input = inputUnderGuard();
     return input ? input->readErased(sample, copyOld) : NoData;
 }
 
-WriteStatus ChannelElementBase::sampleErased(const void* sample, bool reset)
-{
+WriteStatus ChannelElementBase::sampleErased(const void* sample, bool reset) {
     const shared_ptr output = getOutput();
     return output ? output->sampleErased(sample, reset) : WriteSuccess;
 }
 
-bool ChannelElementBase::getSampleErased(void* sample)
-{
+bool ChannelElementBase::getSampleErased(void* sample) {
     const shared_ptr input = getInput();
     return input && input->getSampleErased(sample);
 }

@@ -24,7 +24,7 @@ namespace internal {
 class ConnID;
 class ConnectionManager;
 class StorageCore;
-}
+}  // namespace internal
 
 namespace base {
 class PortInterface;

@@ -21,24 +21,20 @@ public:
     typedef typename DataObjectInterface<T>::reference_t reference_t;
     typedef typename DataObjectInterface<T>::param_t param_t;
 
-    FlowStatus Get(reference_t pull, bool copy_old_data = true) const override
-    {
+    FlowStatus Get(reference_t pull, bool copy_old_data = true) const override {
         return store_->read(&pull, copy_old_data);
     }
-    value_t Get() const override
-    {
+    value_t Get() const override {
         value_t value = value_t();
         store_->read(&value, true);
         return value;
     }
     bool Set(param_t push) override { return store_->write(&push) == WriteSuccess; }
-    bool data_sample(param_t sample, bool reset = true) override
-    {
+    bool data_sample(param_t sample, bool reset = true) override {
         store_->setSample(&sample, reset);
         return true;
     }
-    value_t data_sample() const override
-    {
+    value_t data_sample() const override {
         value_t value = value_t();
         store_->getSample(&value);
         return value;
@@ -46,8 +42,7 @@ public:
     void clear() override { store_->clear(); }
 
 protected:
-    DataObject(internal::StoreSpec::Lock lock, const T* initial, unsigned int max_threads)
-    {
+    DataObject(internal::StoreSpec::Lock lock, const T* initial, unsigned int max_threads) {
         internal::StoreSpec spec;
         spec.lock = lock;
         spec.maxThreads = max_threads;

@@ -19,8 +19,7 @@ public:
         Options(const ConnPolicy& policy);
 
         unsigned int max_threads() const { return max_threads_; }
-        Options& max_threads(unsigned int n)
-        {
+        Options& max_threads(unsigned int n) {
             max_threads_ = n;
             return *this;
         }

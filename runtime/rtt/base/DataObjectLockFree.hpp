@@ -15,12 +15,11 @@ public:
     typedef DataObjectBase::Options Options;
 
     DataObjectLockFree() : DataObject<T>(internal::StoreSpec::LockFree, nullptr, 2) {}
-    explicit DataObjectLockFree(const Options& options) : DataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
+    explicit DataObjectLockFree(const Options& options)
+        : DataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectLockFree(const T& initial_value, const Options& options = Options())
-        : DataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads())
-    {
-    }
+        : DataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads()) {}
 };
 
 }  // namespace base

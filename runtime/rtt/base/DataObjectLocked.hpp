@@ -15,12 +15,11 @@ public:
     typedef DataObjectBase::Options Options;
 
     DataObjectLocked() : DataObject<T>(internal::StoreSpec::Locked, nullptr, 2) {}
-    explicit DataObjectLocked(const Options& options) : DataObject<T>(internal::StoreSpec::Locked, nullptr, options.max_threads()) {}
+    explicit DataObjectLocked(const Options& options)
+        : DataObject<T>(internal::StoreSpec::Locked, nullptr, options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectLocked(const T& initial_value, const Options& options = Options())
-        : DataObject<T>(internal::StoreSpec::Locked, &initial_value, options.max_threads())
-    {
-    }
+        : DataObject<T>(internal::StoreSpec::Locked, &initial_value, options.max_threads()) {}
 };
 
 }  // namespace base

@@ -15,12 +15,11 @@ public:
     typedef DataObjectBase::Options Options;
 
     DataObjectUnSync() : DataObject<T>(internal::StoreSpec::Unsync, nullptr, 2) {}
-    explicit DataObjectUnSync(const Options& options) : DataObject<T>(internal::StoreSpec::Unsync, nullptr, options.max_threads()) {}
+    explicit DataObjectUnSync(const Options& options)
+        : DataObject<T>(internal::StoreSpec::Unsync, nullptr, options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectUnSync(const T& initial_value, const Options& options = Options())
-        : DataObject<T>(internal::StoreSpec::Unsync, &initial_value, options.max_threads())
-    {
-    }
+        : DataObject<T>(internal::StoreSpec::Unsync, &initial_value, options.max_threads()) {}
 };
 
 }  // namespace base

@@ -87,4 +87,5 @@ std::ostream& operator<<(std::ostream& os, const DataSourceBase::shared_ptr& sou
     return source ? source->write(os) : os << "(null)";
 }
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

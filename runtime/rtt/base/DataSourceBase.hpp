@@ -15,15 +15,20 @@
 
 namespace RTT {
 
-namespace types { class TypeInfo; }
-namespace base { class DataSourceBase; class ActionInterface; }
+namespace types {
+class TypeInfo;
+}
+namespace base {
+class DataSourceBase;
+class ActionInterface;
+}  // namespace base
 
 namespace internal {
 /** Thrown by DataSourceBase::updateAction() when no assignment between the two types exists. */
 struct RTT_API bad_assignment : std::exception {
     const char* what() const noexcept override;
 };
-}
+}  // namespace internal
 
 namespace base {
 using internal::bad_assignment;
@@ -120,6 +125,7 @@ private:
 
 RTT_API std::ostream& operator<<(std::ostream& os, const DataSourceBase::shared_ptr& source);
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <rtt/base/DisposableInterface.hpp>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 /** A message that queues itself. */
 class RTT_API DispatchInterface : public DisposableInterface {
@@ -14,6 +15,7 @@ public:
     virtual bool dispatchI() = 0;
 };
 
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

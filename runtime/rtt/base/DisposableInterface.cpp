@@ -3,8 +3,10 @@
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 DisposableInterface::~DisposableInterface() = default;
 bool DisposableInterface::isError() const { return false; }
 ExecutableInterface::~ExecutableInterface() = default;
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

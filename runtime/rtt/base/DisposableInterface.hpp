@@ -7,7 +7,8 @@
 
 #include <boost/shared_ptr.hpp>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 /** A message for an ExecutionEngine: executed once in its thread, or disposed of if that will never happen. */
 class RTT_API DisposableInterface {
@@ -23,6 +24,7 @@ public:
     virtual bool isError() const;
 };
 
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

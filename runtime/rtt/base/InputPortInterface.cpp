@@ -25,19 +25,16 @@ using internal::Reclaimer;
 
 InputPortInterface::InputPortInterface(const std::string& name, const ConnPolicy& default_policy,
                                        const types::TypeOps* ops)
-    : PortInterface(name, ops), default_policy_(default_policy)
-{
+    : PortInterface(name, ops), default_policy_(default_policy) {
     endpoint().setInputPort(this);
 }
 
-InputPortInterface::~InputPortInterface()
-{
+InputPortInterface::~InputPortInterface() {
     closeDown();
     forgetSignals();
 }
 
-FlowStatus InputPortInterface::readSample(void* sample, bool copyOld)
-{
+FlowStatus InputPortInterface::readSample(void* sample, bool copyOld) {
     const Reclaimer::Guard guard;
     const ChannelArray* channels = channels_.load(std::memory_order_acquire);
     if (!channels) return NoData;
@@ -46,8 +43,7 @@ FlowStatus InputPortInterface::readSample(void* sample, bool copyOld)
 }
 
 /** The channel that had the last new sample comes first and is the one that old data comes from. */
-FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* sample, bool copyOld)
-{
+FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* sample, bool copyOld) {
     const ChannelElementBase* const current = current_.load(std::memory_order_relaxed);
     const ChannelArray::Entry* first = channels.begin();
     for (const ChannelArray::Entry& entry : channels)
@@ -69,23 +65,21 @@ FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* s
     return best;
 }
 
-FlowStatus InputPortInterface::readNewestSample(void* sample, bool copyOld)
-{
+FlowStatus InputPortInterface::readNewestSample(void* sample, bool copyOld) {
     FlowStatus status = readSample(sample, copyOld);
     if (status != NewData) return status;
-    while (readSample(sample, false) == NewData) {}
+    while (readSample(sample, false) == NewData) {
+    }
     return NewData;
 }
 
-void InputPortInterface::clear()
-{
+void InputPortInterface::clear() {
     const Reclaimer::Guard guard;
     if (const ChannelArray* channels = channels_.load(std::memory_order_acquire))
         for (const ChannelArray::Entry& entry : *channels) entry.channel->clear();
 }
 
-bool InputPortInterface::copyDataSample(void* sample) const
-{
+bool InputPortInterface::copyDataSample(void* sample) const {
     const Reclaimer::Guard guard;
     if (const ChannelArray* channels = channels_.load(std::memory_order_acquire))
         for (const ChannelArray::Entry& entry : *channels)
@@ -93,8 +87,7 @@ bool InputPortInterface::copyDataSample(void* sample) const
     return false;
 }
 
-FlowStatus InputPortInterface::read(DataSourceBase::shared_ptr source, bool copy_old_data)
-{
+FlowStatus InputPortInterface::read(DataSourceBase::shared_ptr source, bool copy_old_data) {
     const std::type_info* const type = source ? source->getTypeId() : nullptr;
     const bool fits = type && sampleOps() && std::strcmp(type->name(), sampleOps()->id->name()) == 0;
     void* const target = fits && source->isAssignable() ? source->getRawPointer() : nullptr;
@@ -109,8 +102,7 @@ FlowStatus InputPortInterface::read(DataSourceBase::shared_ptr source, bool copy
     return status;
 }
 
-bool InputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy)
-{
+bool InputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy) {
     OutputPortInterface* output = dynamic_cast<OutputPortInterface*>(other);
     if (output) return output->createConnection(*this, policy);
     log(Error) << "input port " << getFullName() << " could not connect to "
@@ -118,32 +110,25 @@ bool InputPortInterface::connectTo(PortInterface* other, ConnPolicy const& polic
     return false;
 }
 
-bool InputPortInterface::connectTo(PortInterface* other)
-{
-    return connectTo(other, getDefaultPolicy());
-}
+bool InputPortInterface::connectTo(PortInterface* other) { return connectTo(other, getDefaultPolicy()); }
 
-bool InputPortInterface::createStream(ConnPolicy const& policy)
-{
+bool InputPortInterface::createStream(ConnPolicy const& policy) {
     return internal::ConnFactory::createStream(*this, policy);
 }
 
 bool InputPortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection,
-                                          ConnPolicy const& policy)
-{
+                                          ConnPolicy const& policy) {
     return internal::ConnFactory::createSharedConnection(nullptr, this, shared_connection, policy);
 }
 
-Service* InputPortInterface::createPortObject()
-{
+Service* InputPortInterface::createPortObject() {
     Service* object = PortInterface::createPortObject();
     object->addSynchronousOperation("clear", &InputPortInterface::clear, this).doc("Forgets all samples in the port.");
     return object;
 }
 
 bool InputPortInterface::channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,
-                                      internal::ConnID* id)
-{
+                                      internal::ConnID* id) {
     std::unique_ptr<internal::ConnID> owned(id);
     if (!channel || !channel->inputReady(ChannelElementBase::shared_ptr(getEndpoint()))) return false;
     if (!id) return true;

@@ -14,8 +14,7 @@ class OutputPortInterface;
 
 class RTT_API InputPortInterface : public PortInterface {
 public:
-    InputPortInterface(const std::string& name, const ConnPolicy& default_policy,
-                       const types::TypeOps* ops = nullptr);
+    InputPortInterface(const std::string& name, const ConnPolicy& default_policy, const types::TypeOps* ops = nullptr);
     ~InputPortInterface() override;
 
     /** The policy used when connecting without one. */

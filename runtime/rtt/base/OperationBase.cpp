@@ -4,30 +4,31 @@
 
 #include <rtt/internal/OperationPart.hpp>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 OperationBase::OperationBase(const std::string& name, OperationCallerInterface* implementation,
                              const internal::OperationTable& table)
-    : description_(std::make_shared<OperationDescription>()), implementation_(implementation), table_(&table)
-{
+    : description_(std::make_shared<OperationDescription>()), implementation_(implementation), table_(&table) {
     description_->name = name;
     description_->texts.resize(1);
 }
 
 OperationBase::~OperationBase() = default;
 
-void OperationBase::setOwner(ExecutionEngine* owner) { implementation_->setThread(implementation_->getThread(), owner); }
+void OperationBase::setOwner(ExecutionEngine* owner) {
+    implementation_->setThread(implementation_->getThread(), owner);
+}
 void OperationBase::setThread(ExecutionThread et) { implementation_->setThread(et, implementation_->getOwner()); }
 
-void OperationBase::addArgument(const std::string& name, const std::string& text)
-{
+void OperationBase::addArgument(const std::string& name, const std::string& text) {
     description_->texts.push_back(name);
     description_->texts.push_back(text);
 }
 
-OperationInterfacePart* OperationBase::makePart(bool callOnly) const
-{
+OperationInterfacePart* OperationBase::makePart(bool callOnly) const {
     return new internal::OperationPart(description_, implementation_, *table_, callOnly);
 }
 
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

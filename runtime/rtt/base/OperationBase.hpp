@@ -11,7 +11,9 @@
 
 namespace RTT {
 class OperationInterfacePart;
-namespace internal { struct OperationTable; }
+namespace internal {
+struct OperationTable;
+}
 namespace base {
 
 /** What an operation tells of itself. Shared by the operation object and its registration, which may outlive each other. */
@@ -44,7 +46,8 @@ public:
 
 protected:
     /** Takes ownership of `implementation`. */
-    OperationBase(const std::string& name, OperationCallerInterface* implementation, const internal::OperationTable& table);
+    OperationBase(const std::string& name, OperationCallerInterface* implementation,
+                  const internal::OperationTable& table);
 
     void setDoc(const std::string& text) { description_->texts[0] = text; }
     void addArgument(const std::string& name, const std::string& text);

@@ -6,12 +6,15 @@
 #include <rtt/SendHandle.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
-template <class Signature> class OperationCallerBase;
+template <class Signature>
+class OperationCallerBase;
 
 /** An operation of a known signature: local, or remote in a transport. */
-template <class R, class... Args> class OperationCallerBase<R(Args...)> : public OperationCallerInterface {
+template <class R, class... Args>
+class OperationCallerBase<R(Args...)> : public OperationCallerInterface {
 public:
     typedef boost::shared_ptr<OperationCallerBase> shared_ptr;
 
@@ -22,6 +25,7 @@ public:
     OperationCallerInterface* cloneFor(ExecutionEngine* caller) const final { return cloneI(caller); }
 };
 
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

@@ -27,7 +27,10 @@ private:
     SendStatus status_;
 };
 
-namespace internal { class SentCall; class WaitPoint; }
+namespace internal {
+class SentCall;
+class WaitPoint;
+}  // namespace internal
 
 namespace base {
 
@@ -40,8 +43,7 @@ public:
     /** True if there is a function to call. */
     virtual bool ready() const = 0;
     /** Which thread executes, and the engine of the component that provides the operation. */
-    void setThread(ExecutionThread et, ExecutionEngine* owner)
-    {
+    void setThread(ExecutionThread et, ExecutionEngine* owner) {
         thread_ = et;
         owner_ = owner;
     }

@@ -25,21 +25,20 @@ using internal::SampleBox;
 using internal::SampleStore;
 
 OutputPortInterface::OutputPortInterface(const std::string& name, const types::TypeOps* ops, bool keep_last)
-    : PortInterface(name, ops)
-{
+    : PortInterface(name, ops) {
     keepLastWrittenValue(keep_last);
 }
 
-OutputPortInterface::~OutputPortInterface()
-{
+OutputPortInterface::~OutputPortInterface() {
     closeDown();
     delete last_.load(std::memory_order_relaxed);
 }
 
-WriteStatus OutputPortInterface::writeSample(const void* sample)
-{
-    if (keep_last_.load(std::memory_order_relaxed) || keep_next_.load(std::memory_order_relaxed)) remember(sample);
-    else if (has_last_.load(std::memory_order_relaxed)) has_last_.store(false, std::memory_order_relaxed);
+WriteStatus OutputPortInterface::writeSample(const void* sample) {
+    if (keep_last_.load(std::memory_order_relaxed) || keep_next_.load(std::memory_order_relaxed))
+        remember(sample);
+    else if (has_last_.load(std::memory_order_relaxed))
+        has_last_.store(false, std::memory_order_relaxed);
 
     WriteStatus worst = WriteSuccess;
     ChannelElementBase* dead = nullptr;
@@ -57,8 +56,7 @@ WriteStatus OutputPortInterface::writeSample(const void* sample)
     return dead ? dropDead(dead, worst) : worst;
 }
 
-void OutputPortInterface::remember(const void* sample)
-{
+void OutputPortInterface::remember(const void* sample) {
     SampleStore* const last = last_.load(std::memory_order_acquire);
     if (!last) return;
     keep_next_.store(false, std::memory_order_relaxed);
@@ -67,8 +65,7 @@ void OutputPortInterface::remember(const void* sample)
 }
 
 /** A channel whose other end is gone leaves the list. One per write: the next write finds the next one. */
-WriteStatus OutputPortInterface::dropDead(ChannelElementBase* dead, WriteStatus worst)
-{
+WriteStatus OutputPortInterface::dropDead(ChannelElementBase* dead, WriteStatus worst) {
     getManager()->removeChannel(dead);
     dead->deref();
     if (connected()) return worst;
@@ -77,14 +74,12 @@ WriteStatus OutputPortInterface::dropDead(ChannelElementBase* dead, WriteStatus 
     return NotConnected;
 }
 
-bool OutputPortInterface::copyLastWritten(void* sample) const
-{
+bool OutputPortInterface::copyLastWritten(void* sample) const {
     SampleStore* const last = last_.load(std::memory_order_acquire);
     return last && has_last_.load(std::memory_order_acquire) && last->read(sample, true) != NoData;
 }
 
-void OutputPortInterface::setSample(const void* sample)
-{
+void OutputPortInterface::setSample(const void* sample) {
     std::atomic_store(&initial_, std::shared_ptr<const SampleBox>(std::make_shared<SampleBox>(*sampleOps(), sample)));
     has_last_.store(false, std::memory_order_release);
     if (SampleStore* last = last_.load(std::memory_order_acquire)) last->setSample(sample, true);
@@ -92,8 +87,7 @@ void OutputPortInterface::setSample(const void* sample)
         (void)c.get<1>()->sampleErased(sample, true);
 }
 
-void OutputPortInterface::allocateLast()
-{
+void OutputPortInterface::allocateLast() {
     if (last_.load(std::memory_order_acquire) || !sampleOps()) return;
     const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
     std::unique_ptr<SampleStore> made =
@@ -102,20 +96,17 @@ void OutputPortInterface::allocateLast()
     if (last_.compare_exchange_strong(none, made.get(), std::memory_order_acq_rel)) made.release();
 }
 
-void OutputPortInterface::keepLastWrittenValue(bool keep)
-{
+void OutputPortInterface::keepLastWrittenValue(bool keep) {
     if (keep) allocateLast();
     keep_last_.store(keep, std::memory_order_relaxed);
 }
 
-void OutputPortInterface::keepNextWrittenValue(bool keep)
-{
+void OutputPortInterface::keepNextWrittenValue(bool keep) {
     if (keep) allocateLast();
     keep_next_.store(keep, std::memory_order_relaxed);
 }
 
-void OutputPortInterface::clear()
-{
+void OutputPortInterface::clear() {
     has_last_.store(false, std::memory_order_release);
     const Reclaimer::Guard guard;
     const ChannelArray* channels = channels_.load(std::memory_order_acquire);
@@ -126,8 +117,7 @@ void OutputPortInterface::clear()
     }
 }
 
-bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init)
-{
+bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
     const types::TypeOps* ops = sampleOps();
     const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
     if (!ops || (!initial && !ops->construct)) return true;  // nothing to size it with
@@ -142,8 +132,7 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init)
     return !(init && has_last) || channel.writeErased(sample.sample(0)) != NotConnected;
 }
 
-WriteStatus OutputPortInterface::write(DataSourceBase::shared_ptr source)
-{
+WriteStatus OutputPortInterface::write(DataSourceBase::shared_ptr source) {
     const std::type_info* const type = source ? source->getTypeId() : nullptr;
     const bool fits = type && sampleOps() && std::strcmp(type->name(), sampleOps()->id->name()) == 0;
     const void* const sample = fits && source->evaluate() ? source->getRawConstPointer() : nullptr;
@@ -154,52 +143,43 @@ WriteStatus OutputPortInterface::write(DataSourceBase::shared_ptr source)
     return WriteFailure;
 }
 
-bool OutputPortInterface::createConnection(InputPortInterface& sink, ConnPolicy const& policy)
-{
+bool OutputPortInterface::createConnection(InputPortInterface& sink, ConnPolicy const& policy) {
     return internal::ConnFactory::createConnection(*this, sink, policy);
 }
 
-bool OutputPortInterface::createConnection(InputPortInterface& sink)
-{
+bool OutputPortInterface::createConnection(InputPortInterface& sink) {
     return createConnection(sink, sink.getDefaultPolicy());
 }
 
-bool OutputPortInterface::createDataConnection(InputPortInterface& sink, int lock_policy)
-{
+bool OutputPortInterface::createDataConnection(InputPortInterface& sink, int lock_policy) {
     return createConnection(sink, ConnPolicy::data(lock_policy));
 }
 
-bool OutputPortInterface::createBufferConnection(InputPortInterface& sink, int size, int lock_policy)
-{
+bool OutputPortInterface::createBufferConnection(InputPortInterface& sink, int size, int lock_policy) {
     return createConnection(sink, ConnPolicy::buffer(size, lock_policy));
 }
 
 bool OutputPortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection,
-                                           ConnPolicy const& policy)
-{
+                                           ConnPolicy const& policy) {
     return internal::ConnFactory::createSharedConnection(this, nullptr, shared_connection, policy);
 }
 
-bool OutputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy)
-{
+bool OutputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy) {
     InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
     return input && createConnection(*input, policy);
 }
 
-bool OutputPortInterface::connectTo(PortInterface* other)
-{
+bool OutputPortInterface::connectTo(PortInterface* other) {
     InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
     return input && createConnection(*input);
 }
 
-bool OutputPortInterface::createStream(ConnPolicy const& policy)
-{
+bool OutputPortInterface::createStream(ConnPolicy const& policy) {
     return internal::ConnFactory::createStream(*this, policy);
 }
 
 bool OutputPortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
-                                        ConnPolicy const& policy)
-{
+                                        ConnPolicy const& policy) {
     channel->connectFrom(ChannelElementBase::shared_ptr(getEndpoint()));
     if (initialise(*channel, policy.init)) return PortInterface::addConnection(id, channel, policy);
     delete id;

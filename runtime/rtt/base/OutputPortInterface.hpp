@@ -11,7 +11,7 @@ namespace RTT {
 namespace internal {
 class SampleBox;
 class SampleStore;
-}
+}  // namespace internal
 namespace base {
 class DataSourceBase;
 class InputPortInterface;
@@ -67,7 +67,7 @@ private:
     std::atomic<bool> keep_last_{false};
     std::atomic<bool> keep_next_{false};
     std::atomic<bool> has_last_{false};
-    std::atomic<internal::SampleStore*> last_{nullptr};  // made when first needed, lives as long as the port
+    std::atomic<internal::SampleStore*> last_{nullptr};   // made when first needed, lives as long as the port
     std::shared_ptr<const internal::SampleBox> initial_;  // by setDataSample(); std::atomic_load/store only
 };
 

@@ -16,23 +16,21 @@ namespace RTT {
 namespace base {
 
 PortInterface::PortInterface(const std::string& name, const types::TypeOps* ops)
-    : name_(name), ops_(ops), endpoint_(new internal::PortEndpoint(*this)),
-      manager_(new internal::ConnectionManager(this))
-{
-}
+    : name_(name),
+      ops_(ops),
+      endpoint_(new internal::PortEndpoint(*this)),
+      manager_(new internal::ConnectionManager(this)) {}
 
 PortInterface::~PortInterface() = default;
 
-void PortInterface::closeDown()
-{
+void PortInterface::closeDown() {
     disconnect();
     if (DataFlowInterface* iface = getInterface()) iface->forgetPort(*this);
     endpoint_->detach();
     internal::Reclaimer::synchronize();
 }
 
-std::string PortInterface::getFullName() const
-{
+std::string PortInterface::getFullName() const {
     const DataFlowInterface* iface = getInterface();
     std::string path = name_;
     for (Service* service = iface ? iface->getService() : nullptr; service; service = service->getParent().get())
@@ -40,15 +38,13 @@ std::string PortInterface::getFullName() const
     return path;
 }
 
-bool PortInterface::setName(const std::string& name)
-{
+bool PortInterface::setName(const std::string& name) {
     if (connected()) return false;
     name_ = name;
     return true;
 }
 
-PortInterface& PortInterface::doc(const std::string& text)
-{
+PortInterface& PortInterface::doc(const std::string& text) {
     description_ = text;
     const DataFlowInterface* iface = getInterface();
     Service* service = iface ? iface->getService() : nullptr;
@@ -56,70 +52,39 @@ PortInterface& PortInterface::doc(const std::string& text)
     return *this;
 }
 
-bool PortInterface::connected() const
-{
-    return channels_.load(std::memory_order_acquire) != nullptr;
-}
+bool PortInterface::connected() const { return channels_.load(std::memory_order_acquire) != nullptr; }
 
-bool PortInterface::connectedTo(PortInterface* port) const
-{
-    return manager_->connectedTo(port);
-}
+bool PortInterface::connectedTo(PortInterface* port) const { return manager_->connectedTo(port); }
 
-void PortInterface::disconnect()
-{
-    manager_->disconnect();
-}
+void PortInterface::disconnect() { manager_->disconnect(); }
 
-bool PortInterface::disconnect(PortInterface* port)
-{
-    return manager_->disconnect(port);
-}
+bool PortInterface::disconnect(PortInterface* port) { return manager_->disconnect(port); }
 
-bool PortInterface::isLocal() const
-{
-    return serverProtocol() == 0;
-}
+bool PortInterface::isLocal() const { return serverProtocol() == 0; }
 
-int PortInterface::serverProtocol() const
-{
-    return 0;
-}
+int PortInterface::serverProtocol() const { return 0; }
 
 bool PortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
-                                  ConnPolicy const& policy)
-{
+                                  ConnPolicy const& policy) {
     manager_->addConnection(id, channel, policy);
     return true;
 }
 
-bool PortInterface::removeConnection(internal::ConnID* id)
-{
-    return manager_->removeConnection(id);
-}
+bool PortInterface::removeConnection(internal::ConnID* id) { return manager_->removeConnection(id); }
 
-void PortInterface::setInterface(DataFlowInterface* iface)
-{
+void PortInterface::setInterface(DataFlowInterface* iface) {
     interface_.store(iface, std::memory_order_seq_cst);  // see InputPortInterface::finishSignals()
 }
 
-internal::SharedConnectionBase::shared_ptr PortInterface::getSharedConnection() const
-{
+internal::SharedConnectionBase::shared_ptr PortInterface::getSharedConnection() const {
     return manager_->getSharedConnection();
 }
 
-ChannelElementBase* PortInterface::getEndpoint() const
-{
-    return endpoint_.get();
-}
+ChannelElementBase* PortInterface::getEndpoint() const { return endpoint_.get(); }
 
-internal::ConnID* PortInterface::getPortID() const
-{
-    return new internal::LocalConnID(this);
-}
+internal::ConnID* PortInterface::getPortID() const { return new internal::LocalConnID(this); }
 
-Service* PortInterface::createPortObject()
-{
+Service* PortInterface::createPortObject() {
     Service* object = new Service(name_);
     object->doc(description_.empty() ? "No description set for this Port. Use .doc() to document it." : description_);
     object->addSynchronousOperation("name", [this] { return getName(); }).doc("Returns the port name.");
@@ -131,8 +96,7 @@ Service* PortInterface::createPortObject()
     return object;
 }
 
-ChannelElementBase::shared_ptr PortInterface::buildStorage(ConnPolicy const&) const
-{
+ChannelElementBase::shared_ptr PortInterface::buildStorage(ConnPolicy const&) const {
     log(Error) << "port " << getFullName() << " is a proxy: it has no storage of its own" << endlog();
     return nullptr;
 }

@@ -19,14 +19,14 @@ class Service;
 namespace types {
 class TypeInfo;
 struct TypeOps;
-}
+}  // namespace types
 namespace internal {
 class ConnID;
 class ConnectionManager;
 class PortEndpoint;
 class SharedConnectionBase;
 struct ChannelArray;
-}
+}  // namespace internal
 
 namespace base {
 

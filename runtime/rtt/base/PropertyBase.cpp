@@ -7,7 +7,8 @@
 #include "PropertyIntrospection.hpp"
 #include <ostream>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 using internal::detail::BagUpdate;
 
@@ -22,13 +23,15 @@ void PropertyIntrospection::introspect(Property<long long>& p) { introspect(stat
 void PropertyIntrospection::introspect(Property<unsigned long long>& p) { introspect(static_cast<PropertyBase*>(&p)); }
 
 namespace {
-template <class T> bool visitAs(PropertyBase* property, PropertyIntrospection& visitor) {
+template <class T>
+bool visitAs(PropertyBase* property, PropertyIntrospection& visitor) {
     auto* typed = dynamic_cast<Property<T>*>(property);
     if (typed) visitor.introspect(*typed);
     return typed != nullptr;
 }
 
-template <class... T> bool visitAsOneOf(PropertyBase* property, PropertyIntrospection& visitor) {
+template <class... T>
+bool visitAsOneOf(PropertyBase* property, PropertyIntrospection& visitor) {
     return (visitAs<T>(property, visitor) || ...);
 }
 
@@ -37,7 +40,7 @@ BagUpdate takingValues() {
     how.report = internal::detail::logUpdateError;
     return how;
 }
-}
+}  // namespace
 
 void PropertyBase::identify(PropertyIntrospection* visitor) const {
     auto* self = const_cast<PropertyBase*>(this);
@@ -101,4 +104,5 @@ std::ostream& operator<<(std::ostream& os, PropertyBase* property) {
     return os << property->getDataSource();
 }
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include "DataSourceBase.hpp"
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 class PropertyIntrospection;
 
@@ -66,6 +67,7 @@ protected:
 
 RTT_API std::ostream& operator<<(std::ostream& os, PropertyBase* property);
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

@@ -9,7 +9,8 @@
 namespace RTT {
 
 class PropertyBag;
-template <class T> class Property;
+template <class T>
+class Property;
 
 namespace base {
 class PropertyBase;
@@ -37,6 +38,7 @@ public:
     virtual void introspect(Property<unsigned long long>& property);
 };
 
-}} // namespace RTT::base
+}  // namespace base
+}  // namespace RTT
 
 #endif

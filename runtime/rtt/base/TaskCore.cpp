@@ -8,67 +8,63 @@
 
 #include <exception>
 
-namespace RTT { namespace base {
+namespace RTT {
+namespace base {
 
 TaskCore::TaskCore(TaskState initial_state, const std::string& name)
     : ee(new ExecutionEngine(this)),
       mTaskState(initial_state),
       mTargetState(initial_state),
       mInitialState(initial_state),
-      name_(name)
-{
-}
+      name_(name) {}
 
-TaskCore::~TaskCore()
-{
+TaskCore::~TaskCore() {
     if (ee->getActivity()) ee->getActivity()->stop();
     delete ee;
 }
 
 const std::string& TaskCore::getName() const { return name_; }
 
-void TaskCore::setState(TaskState state)
-{
+void TaskCore::setState(TaskState state) {
     mTargetState = state;
     mTaskState = state;
 }
 
 // Calls a hook that decides about a change of state. A hook that changes the state itself and yet answers true
 // contradicts itself; that is treated like an exception.
-template <class Hook> TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hook hook)
-{
+template <class Hook>
+TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hook hook) {
     const TaskState target = mTargetState;
     try {
         if (!hook()) return Outcome::Refused;
         if (mTaskState == during && mTargetState == target) return Outcome::Accepted;
-        log(Error) << getName() << ": the hook of " << function << " changed the state of the component and returned true"
-                   << endlog();
+        log(Error) << getName() << ": the hook of " << function
+                   << " changed the state of the component and returned true" << endlog();
     } catch (const std::exception& e) {
         log(Error) << getName() << ": the hook of " << function << " threw: " << e.what() << endlog();
     } catch (...) {
-        log(Error) << getName() << ": the hook of " << function << " threw something that is no std::exception" << endlog();
+        log(Error) << getName() << ": the hook of " << function << " threw something that is no std::exception"
+                   << endlog();
     }
     exception();
     return Outcome::Threw;
 }
 
-bool TaskCore::configure()
-{
+bool TaskCore::configure() {
     const TaskState from = mTaskState;
     if (from != Stopped && from != PreOperational) return false;
     mTargetState = Stopped;
     switch (callHook("configure()", from, [this] { return configureHook(); })) {
-    case Outcome::Accepted: setState(Stopped); return true;
-    case Outcome::Refused:
-        if (mTaskState == from) setState(PreOperational);
-        return false;
-    case Outcome::Threw: break;
+        case Outcome::Accepted: setState(Stopped); return true;
+        case Outcome::Refused:
+            if (mTaskState == from) setState(PreOperational);
+            return false;
+        case Outcome::Threw: break;
     }
     return false;
 }
 
-bool TaskCore::cleanup()
-{
+bool TaskCore::cleanup() {
     if (mTaskState != Stopped) return false;
     mTargetState = PreOperational;
     cleaned_up_ = true;
@@ -79,26 +75,24 @@ bool TaskCore::cleanup()
     return true;
 }
 
-bool TaskCore::start()
-{
+bool TaskCore::start() {
     if (mTaskState != Stopped) return false;
     mTargetState = Running;
     switch (callHook("start()", Stopped, [this] { return startHook(); })) {
-    case Outcome::Accepted:
-        ++mStartCounter;
-        setState(Running);
-        if (mTriggerOnStart) trigger();
-        return true;
-    case Outcome::Refused:
-        if (mTaskState == Stopped) mTargetState = Stopped;
-        return false;
-    case Outcome::Threw: break;
+        case Outcome::Accepted:
+            ++mStartCounter;
+            setState(Running);
+            if (mTriggerOnStart) trigger();
+            return true;
+        case Outcome::Refused:
+            if (mTaskState == Stopped) mTargetState = Stopped;
+            return false;
+        case Outcome::Threw: break;
     }
     return false;
 }
 
-bool TaskCore::stop()
-{
+bool TaskCore::stop() {
     if (mTaskState < Running) return false;
     mTargetState = Stopped;  // the engine calls no further hook
     if (!ee->stopTask()) {
@@ -117,19 +111,16 @@ bool TaskCore::stop()
     return true;
 }
 
-bool TaskCore::activate()
-{
+bool TaskCore::activate() {
     if (ee->getActivity()) ee->getActivity()->start();
     return isActive();
 }
 
-void TaskCore::error()
-{
+void TaskCore::error() {
     if (mTargetState >= Running) setState(RunTimeError);
 }
 
-bool TaskCore::recover()
-{
+bool TaskCore::recover() {
     if (mTaskState == Exception)
         setState(mInitialState);
     else if (mTaskState == RunTimeError)
@@ -139,8 +130,7 @@ bool TaskCore::recover()
     return true;
 }
 
-void TaskCore::exception()
-{
+void TaskCore::exception() {
     const TaskState from = mTaskState;
     if (from == FatalError) return;
     setState(Exception);
@@ -151,15 +141,15 @@ void TaskCore::exception()
         exceptionHook();
         return;
     } catch (const std::exception& e) {
-        log(Error) << getName() << ": a hook threw while the component entered state Exception: " << e.what() << endlog();
+        log(Error) << getName() << ": a hook threw while the component entered state Exception: " << e.what()
+                   << endlog();
     } catch (...) {
         log(Error) << getName() << ": a hook threw while the component entered state Exception" << endlog();
     }
     fatal();
 }
 
-void TaskCore::fatal()
-{
+void TaskCore::fatal() {
     setState(FatalError);
     ee->setFatalTask();
 }
@@ -191,4 +181,5 @@ void TaskCore::cleanupHook() {}
 void TaskCore::exceptionHook() {}
 void TaskCore::dataOnPortCallback(PortInterface*) {}
 
-}}  // namespace RTT::base
+}  // namespace base
+}  // namespace RTT

@@ -120,7 +120,8 @@ protected:
 
 private:
     enum class Outcome { Accepted, Refused, Threw };
-    template <class Hook> Outcome callHook(const char* function, TaskState during, Hook hook);
+    template <class Hook>
+    Outcome callHook(const char* function, TaskState during, Hook hook);
     void setState(TaskState state);
 
     std::string name_;

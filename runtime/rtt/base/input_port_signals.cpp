@@ -29,16 +29,14 @@ thread_local Delivery* deliveries = nullptr;
 
 }  // namespace
 
-void InputPortInterface::signalLater()
-{
+void InputPortInterface::signalLater() {
     // seq_cst, like newDataAvailable()'s look at the interface: either finishSignals() sees this pin, or we see that the
     // port was taken out of its interface before.
     pinned_.fetch_add(1, std::memory_order_seq_cst);
     if (!internal::Reclaimer::defer(&InputPortInterface::deliverSignal, this)) deliverSignal(this);
 }
 
-void InputPortInterface::deliverSignal(void* self)
-{
+void InputPortInterface::deliverSignal(void* self) {
     Delivery delivery{static_cast<InputPortInterface*>(self), deliveries};
     deliveries = &delivery;
     try {
@@ -53,23 +51,20 @@ void InputPortInterface::deliverSignal(void* self)
     if (delivery.port) delivery.port->pinned_.fetch_sub(1, std::memory_order_release);
 }
 
-void InputPortInterface::finishSignals()
-{
+void InputPortInterface::finishSignals() {
     int own = 0;
     for (Delivery* d = deliveries; d; d = d->outer)
         if (d->port == this) ++own;
     while (pinned_.load(std::memory_order_seq_cst) > own) std::this_thread::sleep_for(std::chrono::microseconds(20));
 }
 
-void InputPortInterface::forgetSignals()
-{
+void InputPortInterface::forgetSignals() {
     finishSignals();
     for (Delivery* d = deliveries; d; d = d->outer)
         if (d->port == this) d->port = nullptr;
 }
 
-void InputPortInterface::newDataAvailable()
-{
+void InputPortInterface::newDataAvailable() {
     DataFlowInterface* iface = getInterface();
     if (iface && signalsInterface()) iface->dataOnPort(this);
 }

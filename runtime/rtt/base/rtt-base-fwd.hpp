@@ -21,7 +21,7 @@ class PortInterface;
 class PropertyBase;
 class RunnableInterface;
 class TaskCore;
-}
-}
+}  // namespace base
+}  // namespace RTT
 
 #endif

@@ -9,8 +9,7 @@ namespace RTT {
 namespace base {
 
 namespace {
-unsigned int threadsOf(const ConnPolicy& policy)
-{
+unsigned int threadsOf(const ConnPolicy& policy) {
     return policy.max_threads > 0 ? static_cast<unsigned int>(policy.max_threads) : 2;
 }
 }  // namespace
@@ -20,9 +19,7 @@ DataObjectBase::Options::Options(const ConnPolicy& policy) : max_threads_(thread
 
 BufferBase::~BufferBase() = default;
 BufferBase::Options::Options(const ConnPolicy& policy)
-    : circular_(policy.type == ConnPolicy::CIRCULAR_BUFFER), max_threads_(threadsOf(policy))
-{
-}
+    : circular_(policy.type == ConnPolicy::CIRCULAR_BUFFER), max_threads_(threadsOf(policy)) {}
 
 }  // namespace base
 }  // namespace RTT

@@ -6,7 +6,8 @@
 #include <rtt/base/ActionInterface.hpp>
 #include "DataSource.hpp"
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** Assigns the value of one source to another when executed. As real-time safe as the assignment of T. */
 template <typename T, typename S = T>
@@ -35,6 +36,7 @@ private:
     bool ready_ = false;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <new>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 
@@ -16,10 +17,10 @@ namespace {
  * change: an exchange that began before another one took and gave back the same block fails.
  * Blocks that were never used are not on the stack but handed out in order, so nothing has to be set up before main().
  */
-template <std::size_t BlockSize, std::uint32_t Count> class FreeBlocks {
+template <std::size_t BlockSize, std::uint32_t Count>
+class FreeBlocks {
 public:
-    void* take()
-    {
+    void* take() {
         std::uint64_t head = head_.load(std::memory_order_acquire);
         while (const std::uint32_t number = static_cast<std::uint32_t>(head)) {
             const std::uint64_t next = changed(head, next_[number - 1].load(std::memory_order_relaxed));
@@ -31,8 +32,7 @@ public:
             if (fresh_.compare_exchange_weak(fresh, fresh + 1, std::memory_order_relaxed)) return blocks_[fresh].bytes;
         return nullptr;
     }
-    void give(void* block)
-    {
+    void give(void* block) {
         const std::uint32_t number = static_cast<std::uint32_t>(static_cast<Block*>(block) - blocks_) + 1;
         std::uint64_t head = head_.load(std::memory_order_relaxed);
         std::uint64_t next;
@@ -42,15 +42,13 @@ public:
             // Release: the link, and all we did with the block, happen before the next take().
         } while (!head_.compare_exchange_weak(head, next, std::memory_order_release));
     }
-    bool owns(const void* block) const
-    {
+    bool owns(const void* block) const {
         const auto at = reinterpret_cast<std::uintptr_t>(block), begin = reinterpret_cast<std::uintptr_t>(blocks_);
         return at >= begin && at < begin + sizeof(blocks_);
     }
 
 private:
-    static std::uint64_t changed(std::uint64_t head, std::uint32_t number)
-    {
+    static std::uint64_t changed(std::uint64_t head, std::uint32_t number) {
         return (((head >> 32) + 1) << 32) | number;
     }
     struct Block {
@@ -68,16 +66,14 @@ FreeBlocks<1024, CallPool::kLarge> largeBlocks;
 
 }  // namespace
 
-void* CallPool::take(std::size_t size)
-{
+void* CallPool::take(std::size_t size) {
     void* block = nullptr;
     if (size <= 256) block = smallBlocks.take();
     if (!block && size <= 1024) block = largeBlocks.take();
     return block ? block : ::operator new(size);
 }
 
-void CallPool::give(void* block) noexcept
-{
+void CallPool::give(void* block) noexcept {
     if (smallBlocks.owns(block))
         smallBlocks.give(block);
     else if (largeBlocks.owns(block))
@@ -88,4 +84,5 @@ void CallPool::give(void* block) noexcept
 
 bool CallPool::owns(const void* block) noexcept { return smallBlocks.owns(block) || largeBlocks.owns(block); }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -8,7 +8,8 @@
 
 #include <cstddef>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /**
  * Blocks of two sizes: kSmall of them up to 256 bytes, kLarge up to 1 KiB, for the whole process. What is larger, or comes
@@ -24,6 +25,7 @@ public:
     static bool owns(const void* block) noexcept;
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -15,7 +15,9 @@
 #include <vector>
 
 namespace RTT {
-namespace base { class OperationCallerInterface; }
+namespace base {
+class OperationCallerInterface;
+}
 namespace internal {
 
 struct OperationTable;
@@ -27,7 +29,8 @@ public:
     typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 
     /** The types of the sources have been checked. */
-    GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table, std::vector<Source> arguments);
+    GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table,
+                std::vector<Source> arguments);
 
     /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. */
     void invoke(void* result) const;
@@ -45,17 +48,16 @@ private:
 };
 
 /** The result is kept, so that value() can give it again. */
-template <class R> class CallSource final : public DataSource<R> {
+template <class R>
+class CallSource final : public DataSource<R> {
 public:
     explicit CallSource(GenericCall call) : call_(std::move(call)) {}
 
-    bool evaluate() const override
-    {
+    bool evaluate() const override {
         call_.invoke(&result_);
         return true;
     }
-    R get() const override
-    {
+    R get() const override {
         call_.invoke(&result_);
         return result_.get();
     }
@@ -80,6 +82,7 @@ extern template class CallSource<std::string>;
 extern template class CallSource<FlowStatus>;
 extern template class CallSource<WriteStatus>;
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -4,26 +4,25 @@
 
 #include <rtt/internal/SignalBase.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 CalleeBase::~CalleeBase() = default;
 
-void CalleeBase::deref() const
-{
+void CalleeBase::deref() const {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-void CalleeBase::listen(std::shared_ptr<SignalBase> signal, Emit emit)
-{
+void CalleeBase::listen(std::shared_ptr<SignalBase> signal, Emit emit) {
     emit_ = emit;
     signal_ = std::move(signal);
     // Release: who sees the signal sees the function that emits it.
     listeners_.store(signal_.get(), std::memory_order_release);
 }
 
-void CalleeBase::listenLike(const CalleeBase* other)
-{
+void CalleeBase::listenLike(const CalleeBase* other) {
     if (other && other->signal_) listen(other->signal_, other->emit_);
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -12,9 +12,13 @@
 #include <memory>
 #include <utility>
 
-namespace boost { template <typename Signature> class function; }
+namespace boost {
+template <typename Signature>
+class function;
+}
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 class SignalBase;
 
@@ -50,15 +54,17 @@ private:
 inline void intrusive_ptr_add_ref(const CalleeBase* callee) { callee->ref(); }
 inline void intrusive_ptr_release(const CalleeBase* callee) { callee->deref(); }
 
-template <class Signature> class Callee;
-template <class R, class... Args> class Callee<R(Args...)> : public CalleeBase {
+template <class Signature>
+class Callee;
+template <class R, class... Args>
+class Callee<R(Args...)> : public CalleeBase {
 public:
     typedef boost::intrusive_ptr<Callee> shared_ptr;
 
-    R operator()(Args... args)
-    {
+    R operator()(Args... args) {
         if (const SignalBase* signal = listeners()) {
-            void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))..., nullptr};
+            void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))...,
+                                 nullptr};
             emit_(*signal, all);
         }
         return call(std::forward<Args>(args)...);
@@ -68,8 +74,10 @@ protected:
     virtual R call(Args... args) = 0;
 };
 
-template <class Signature, class Function> class BoundCallee;
-template <class R, class... Args, class Function> class BoundCallee<R(Args...), Function> final : public Callee<R(Args...)> {
+template <class Signature, class Function>
+class BoundCallee;
+template <class R, class... Args, class Function>
+class BoundCallee<R(Args...), Function> final : public Callee<R(Args...)> {
 public:
     explicit BoundCallee(Function function) : function_(std::move(function)) {}
 
@@ -79,10 +87,20 @@ private:
 };
 
 /** True for pointers and function objects that hold nothing to call. */
-template <class F> bool isEmptyFunction(const F&) { return false; }
-template <class R, class... A> bool isEmptyFunction(R (*const& f)(A...)) { return !f; }
-template <class S> bool isEmptyFunction(const boost::function<S>& f) { return f.empty(); }
+template <class F>
+bool isEmptyFunction(const F&) {
+    return false;
+}
+template <class R, class... A>
+bool isEmptyFunction(R (*const& f)(A...)) {
+    return !f;
+}
+template <class S>
+bool isEmptyFunction(const boost::function<S>& f) {
+    return f.empty();
+}
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -11,8 +11,7 @@ namespace internal {
 
 static_assert(sizeof(ChannelArray) % alignof(ChannelArray::Entry) == 0, "entries follow the head without a gap");
 
-ChannelArray* ChannelArray::make(const Entry* entries, std::size_t size)
-{
+ChannelArray* ChannelArray::make(const Entry* entries, std::size_t size) {
     if (size == 0) return nullptr;
     ChannelArray* array = new (::operator new(sizeof(ChannelArray) + size * sizeof(Entry))) ChannelArray;
     array->size = size;
@@ -24,8 +23,7 @@ ChannelArray* ChannelArray::make(const Entry* entries, std::size_t size)
     return array;
 }
 
-void ChannelArray::retire(const ChannelArray* array)
-{
+void ChannelArray::retire(const ChannelArray* array) {
     if (!array) return;
     Reclaimer::retire(const_cast<ChannelArray*>(array), [](void* object) {
         ChannelArray* dead = static_cast<ChannelArray*>(object);

@@ -24,20 +24,17 @@ public:
     WriteStatus write(param_t sample) override { return ChannelStorage::writeErased(&sample); }
     FlowStatus read(reference_t sample, bool copyOld) override { return core_.store().read(&sample, copyOld); }
     using base::ChannelElement<T>::data_sample;
-    WriteStatus data_sample(param_t sample, bool reset = true) override
-    {
+    WriteStatus data_sample(param_t sample, bool reset = true) override {
         return ChannelStorage::sampleErased(&sample, reset);
     }
 
-    WriteStatus writeErased(const void* sample) override
-    {
+    WriteStatus writeErased(const void* sample) override {
         const WriteStatus status = core_.store().write(sample);
         if (status == WriteSuccess) ChannelStorage::signal();
         return status;
     }
     FlowStatus readErased(void* sample, bool copyOld) override { return core_.store().read(sample, copyOld); }
-    WriteStatus sampleErased(const void* sample, bool reset) override
-    {
+    WriteStatus sampleErased(const void* sample, bool reset) override {
         core_.store().setSample(sample, reset);
         return Base::sampleErased(sample, reset);
     }
@@ -45,8 +42,7 @@ public:
 
     void clear() override { core_.store().clear(); }
     bool signal() override { return core_.hasManyReaders() ? core_.signalReaders() : Base::signal(); }
-    bool connectTo(BasePtr const& output, bool mandatory = true) override
-    {
+    bool connectTo(BasePtr const& output, bool mandatory = true) override {
         if (!core_.hasManyReaders()) return Base::connectTo(output, mandatory);
         core_.addReader(*output);
         return output->connectFrom(this);

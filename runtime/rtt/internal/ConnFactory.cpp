@@ -12,25 +12,23 @@ namespace internal {
 
 ConnFactory::~ConnFactory() = default;
 
-ConnFactory::ElementPtr ConnFactory::buildChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy) const
-{
+ConnFactory::ElementPtr ConnFactory::buildChannelOutput(base::InputPortInterface& port,
+                                                        ConnPolicy const& policy) const {
     return makeChannelOutput(port, policy);
 }
 
-ConnFactory::ElementPtr ConnFactory::buildChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy) const
-{
+ConnFactory::ElementPtr ConnFactory::buildChannelInput(base::OutputPortInterface& port,
+                                                       ConnPolicy const& policy) const {
     return makeChannelInput(port, policy);
 }
 
-ConnFactory::ElementPtr ConnFactory::makeChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy)
-{
+ConnFactory::ElementPtr ConnFactory::makeChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy) {
     const ElementPtr storage = port.buildStorage(policy);
     if (storage) storage->connectTo(ElementPtr(port.getEndpoint()));
     return storage;
 }
 
-ConnFactory::ElementPtr ConnFactory::makeChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy)
-{
+ConnFactory::ElementPtr ConnFactory::makeChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy) {
     const ElementPtr storage = port.buildStorage(policy);
     if (storage) storage->connectFrom(ElementPtr(port.getEndpoint()));
     return storage;
@@ -39,9 +37,9 @@ ConnFactory::ElementPtr ConnFactory::makeChannelInput(base::OutputPortInterface&
 namespace {
 
 /** What is wrong with a policy; null if nothing. */
-const char* fault(const ConnPolicy& policy)
-{
-    if (policy.type == ConnPolicy::UNBUFFERED) return "UNBUFFERED is only for output streams, expected a type with storage";
+const char* fault(const ConnPolicy& policy) {
+    if (policy.type == ConnPolicy::UNBUFFERED)
+        return "UNBUFFERED is only for output streams, expected a type with storage";
     if (policy.type < ConnPolicy::DATA || policy.type > ConnPolicy::CIRCULAR_BUFFER)
         return "unknown type, expected DATA, BUFFER or CIRCULAR_BUFFER";
     if (policy.lock_policy < ConnPolicy::UNSYNC || policy.lock_policy > ConnPolicy::LOCK_FREE)
@@ -53,8 +51,7 @@ const char* fault(const ConnPolicy& policy)
     return nullptr;
 }
 
-void complete(ConnPolicy& policy)
-{
+void complete(ConnPolicy& policy) {
     if (policy.buffer_policy == UnspecifiedBufferPolicy) policy.buffer_policy = PerConnection;
     if (policy.buffer_policy == PerInputPort) policy.pull = ConnPolicy::PUSH;
     if (policy.buffer_policy == PerOutputPort) policy.pull = ConnPolicy::PULL;
@@ -67,8 +64,7 @@ void complete(ConnPolicy& policy)
 
 }  // namespace
 
-std::unique_ptr<SampleStore> ConnFactory::makeStore(const types::TypeOps& ops, ConnPolicy& policy, const void* first)
-{
+std::unique_ptr<SampleStore> ConnFactory::makeStore(const types::TypeOps& ops, ConnPolicy& policy, const void* first) {
     complete(policy);
     if (const char* wrong = fault(policy)) {
         log(Error) << "invalid connection policy: " << wrong << "; found type " << policy.type << ", lock_policy "
@@ -85,7 +81,9 @@ std::unique_ptr<SampleStore> ConnFactory::makeStore(const types::TypeOps& ops, C
     spec.maxThreads = static_cast<std::size_t>(policy.max_threads);
     spec.oldData = policy.buffer_policy != PerOutputPort && policy.buffer_policy != Shared;
     std::unique_ptr<SampleStore> store = SampleStore::make(ops, spec, first);
-    if (!store) log(Error) << "no storage for a connection: its type has no default value, or its size is too large" << endlog();
+    if (!store)
+        log(Error) << "no storage for a connection: its type has no default value, or its size is too large"
+                   << endlog();
     return store;
 }
 

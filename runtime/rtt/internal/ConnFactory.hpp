@@ -19,7 +19,7 @@ namespace base {
 class InputPortInterface;
 class OutputPortInterface;
 class PortInterface;
-}
+}  // namespace base
 namespace internal {
 class ConnID;
 class SharedConnectionBase;
@@ -40,13 +40,11 @@ public:
     /** A storage element for samples of T, sized by `initial_value`; null, with an error logged, if the policy is not valid. */
     template <typename T>
     static typename base::ChannelElement<T>::shared_ptr buildDataStorage(ConnPolicy const& policy,
-                                                                         const T& initial_value = T())
-    {
+                                                                         const T& initial_value = T()) {
         return buildStorage<T>(policy, &initial_value);
     }
     template <typename T>
-    static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy, const void* first)
-    {
+    static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy, const void* first) {
         ConnPolicy effective = policy;
         std::unique_ptr<SampleStore> store = makeStore(types::typeOps<T>(), effective, first);
         return store ? new ChannelStorage<T>(effective, std::move(store)) : nullptr;

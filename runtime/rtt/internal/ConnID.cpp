@@ -9,8 +9,7 @@ namespace internal {
 
 ConnID::~ConnID() = default;
 
-bool LocalConnID::isSameID(ConnID const& id) const
-{
+bool LocalConnID::isSameID(ConnID const& id) const {
     const LocalConnID* other = dynamic_cast<const LocalConnID*>(&id);
     return other && other->ptr == ptr;
 }
@@ -18,8 +17,7 @@ bool LocalConnID::isSameID(ConnID const& id) const
 LocalConnID* LocalConnID::clone() const { return new LocalConnID(ptr); }
 std::string LocalConnID::toString() const { return ptr ? ptr->getFullName() : "(no port)"; }
 
-bool StreamConnID::isSameID(ConnID const& id) const
-{
+bool StreamConnID::isSameID(ConnID const& id) const {
     const StreamConnID* other = dynamic_cast<const StreamConnID*>(&id);
     return other && other->name_id == name_id;
 }
@@ -27,8 +25,7 @@ bool StreamConnID::isSameID(ConnID const& id) const
 StreamConnID* StreamConnID::clone() const { return new StreamConnID(name_id); }
 std::string StreamConnID::toString() const { return name_id; }
 
-bool SharedConnID::isSameID(ConnID const& id) const
-{
+bool SharedConnID::isSameID(ConnID const& id) const {
     return dynamic_cast<const SharedConnID*>(&id) && StreamConnID::isSameID(id);
 }
 

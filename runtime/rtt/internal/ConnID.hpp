@@ -9,7 +9,9 @@
 #include <string>
 
 namespace RTT {
-namespace base { class PortInterface; }
+namespace base {
+class PortInterface;
+}
 namespace internal {
 
 /** Identifies one connection of a port, for removing it again. */

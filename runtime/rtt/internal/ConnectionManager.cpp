@@ -20,21 +20,16 @@ using detail::GraphLock;
 
 ConnectionManager::~ConnectionManager() = default;
 
-ConnectionManager::Connections ConnectionManager::getConnections() const
-{
+ConnectionManager::Connections ConnectionManager::getConnections() const {
     const GraphLock lock;
     Connections result;
     for (const Connection& c : connections_) result.push_back(ChannelDescriptor(c.id, c.channel, c.policy));
     return result;
 }
 
-bool ConnectionManager::connected() const
-{
-    return port_->connected();
-}
+bool ConnectionManager::connected() const { return port_->connected(); }
 
-bool ConnectionManager::connectedTo(PortInterface* port) const
-{
+bool ConnectionManager::connectedTo(PortInterface* port) const {
     if (!port) return false;
     const GraphLock lock;
     for (const Connection& c : connections_)
@@ -42,16 +37,14 @@ bool ConnectionManager::connectedTo(PortInterface* port) const
     return false;
 }
 
-SharedConnectionBase::shared_ptr ConnectionManager::getSharedConnection() const
-{
+SharedConnectionBase::shared_ptr ConnectionManager::getSharedConnection() const {
     const GraphLock lock;
     for (const Connection& c : connections_)
         if (c.shared) return c.shared;
     return nullptr;
 }
 
-void ConnectionManager::addConnection(ConnID* id, ChannelElementBase::shared_ptr channel, const ConnPolicy& policy)
-{
+void ConnectionManager::addConnection(ConnID* id, ChannelElementBase::shared_ptr channel, const ConnPolicy& policy) {
     {
         const GraphLock lock;
         add({boost::shared_ptr<ConnID>(id), channel, policy, nullptr});
@@ -59,18 +52,15 @@ void ConnectionManager::addConnection(ConnID* id, ChannelElementBase::shared_ptr
     Reclaimer::collect();
 }
 
-bool ConnectionManager::removeConnection(const ConnID* id)
-{
+bool ConnectionManager::removeConnection(const ConnID* id) {
     return id && removeIf([id](const Connection& c) { return c.id->isSameID(*id); });
 }
 
-bool ConnectionManager::removeChannel(const ChannelElementBase* channel)
-{
+bool ConnectionManager::removeChannel(const ChannelElementBase* channel) {
     return removeIf([channel](const Connection& c) { return c.channel.get() == channel; });
 }
 
-bool ConnectionManager::disconnect(PortInterface* port)
-{
+bool ConnectionManager::disconnect(PortInterface* port) {
     if (!port) return false;
     ConnectionManager* other = port->getManager();
     return removeIf([port, other](const Connection& c) {
@@ -78,14 +68,12 @@ bool ConnectionManager::disconnect(PortInterface* port)
     });
 }
 
-void ConnectionManager::disconnect()
-{
+void ConnectionManager::disconnect() {
     removeIf([](const Connection&) { return true; });
 }
 
 template <class Which>
-bool ConnectionManager::removeIf(Which which)
-{
+bool ConnectionManager::removeIf(Which which) {
     List gone;
     {
         const GraphLock lock;
@@ -107,8 +95,7 @@ bool ConnectionManager::removeIf(Which which)
 }
 
 /** Takes `connection`, which is no longer in our list, out of the peer's, and unlinks its storage where nobody uses it. */
-void ConnectionManager::unlink(const Connection& connection)
-{
+void ConnectionManager::unlink(const Connection& connection) {
     PortInterface* const peer = connection.id->peer();
     if (!peer && !connection.shared) return;
     ChannelElementBase* const channel = connection.channel.get();
@@ -128,31 +115,30 @@ void ConnectionManager::unlink(const Connection& connection)
     }
 }
 
-bool ConnectionManager::uses(const ChannelElementBase* channel) const
-{
+bool ConnectionManager::uses(const ChannelElementBase* channel) const {
     return std::any_of(connections_.begin(), connections_.end(),
                        [channel](const Connection& c) { return c.channel.get() == channel; });
 }
 
-void ConnectionManager::add(const Connection& connection)
-{
+void ConnectionManager::add(const Connection& connection) {
     connections_.push_back(connection);
     publish();
 }
 
 /** Shows writers or readers the list as it is now. A storage shared by several connections is in it once. */
-void ConnectionManager::publish()
-{
+void ConnectionManager::publish() {
     std::vector<ChannelArray::Entry> entries;
     for (const Connection& c : connections_) {
         const auto same = [&](const ChannelArray::Entry& e) { return e.channel == c.channel.get(); };
         const auto found = std::find_if(entries.begin(), entries.end(), same);
-        if (found == entries.end()) entries.push_back({c.channel.get(), c.policy.mandatory});
-        else found->mandatory = found->mandatory || c.policy.mandatory;
+        if (found == entries.end())
+            entries.push_back({c.channel.get(), c.policy.mandatory});
+        else
+            found->mandatory = found->mandatory || c.policy.mandatory;
     }
     // Release: who loads the array sees its entries and the complete channels.
-    ChannelArray::retire(port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()),
-                                                   std::memory_order_acq_rel));
+    ChannelArray::retire(
+        port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()), std::memory_order_acq_rel));
 }
 
 }  // namespace internal

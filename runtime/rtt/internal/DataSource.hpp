@@ -6,7 +6,8 @@
 #include <rtt/base/DataSourceBase.hpp>
 #include "DataSourceTypeInfo.hpp"
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /**
  * A readable value of type T, which may be a reference type (the result of a function that returns one).
@@ -71,7 +72,8 @@ public:
     }
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #include "DataSource.inl"
 

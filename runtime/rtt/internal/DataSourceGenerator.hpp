@@ -6,16 +6,19 @@
 #include <rtt/base/DataSourceBase.hpp>
 #include <vector>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** Makes an argument list of sources: GenerateDataSource()(a.get(), b.get()). */
 struct GenerateDataSource {
     typedef std::vector<base::DataSourceBase::shared_ptr> result_type;
-    template <class... Sources> result_type operator()(Sources&&... sources) const {
+    template <class... Sources>
+    result_type operator()(Sources&&... sources) const {
         return result_type{base::DataSourceBase::shared_ptr(sources)...};
     }
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -11,7 +11,9 @@
 
 namespace RTT {
 
-namespace types { class TypeInfo; }
+namespace types {
+class TypeInfo;
+}
 
 namespace internal {
 
@@ -19,7 +21,10 @@ namespace internal {
 struct UnknownType {};
 
 /** T without reference and const. */
-template <class T> struct remove_cr { typedef std::remove_cv_t<std::remove_reference_t<T>> type; };
+template <class T>
+struct remove_cr {
+    typedef std::remove_cv_t<std::remove_reference_t<T>> type;
+};
 
 namespace detail {
 /** Finds the type by the name of its type_info and keeps what it found in `cache`; unknown_t if there is none. */
@@ -28,15 +33,17 @@ RTT_API const std::string& plainTypeName(const types::TypeInfo* info);
 RTT_API const std::string& qualifierText(bool isConst, bool isReference, bool isPointer);
 
 /** One cache per type (shared by T, T& and const T&); looked up by name, so that copies in several libraries agree. */
-template <class T> types::TypeInfo* cachedTypeInfo() {
+template <class T>
+types::TypeInfo* cachedTypeInfo() {
     static std::atomic<types::TypeInfo*> cache{nullptr};
     if (types::TypeInfo* found = cache.load(std::memory_order_acquire)) return found;
     return typeInfoFor(typeid(T), cache);
 }
-}
+}  // namespace detail
 
 /** The registered type information of T. Never null: unregistered types yield that of UnknownType. */
-template <class T> struct DataSourceTypeInfo {
+template <class T>
+struct DataSourceTypeInfo {
     typedef typename remove_cr<T>::type value_type;
     typedef DataSourceTypeInfo<value_type> value_type_info;
 
@@ -52,6 +59,7 @@ template <class T> struct DataSourceTypeInfo {
     static std::string getType() { return getTypeName() + getQualifier(); }
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -7,7 +7,8 @@
 #include "ElementDataSource.hpp"
 #include "PartDataSource.hpp"
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace detail {
 
@@ -26,13 +27,13 @@ const std::string& plainTypeName(const types::TypeInfo* info) { return info->get
 
 const std::string& qualifierText(bool isConst, bool isReference, bool isPointer) {
     static const std::string none, reference = " &", constReference = " const&", constant = " const", pointer = "*",
-                             constPointer = " const*";
+                                   constPointer = " const*";
     if (isReference) return isConst ? constReference : reference;
     if (isPointer) return isConst ? constPointer : pointer;
     return isConst ? constant : none;
 }
 
-} // namespace detail
+}  // namespace detail
 
 ElementPlace::ElementPlace(base::DataSourceBase* parent_, base::DataSourceBase* index_, const types::SequenceOps* ops_)
     : parent(parent_), index(index_), ops(ops_) {}
@@ -74,4 +75,5 @@ std::ptrdiff_t partOffset(const void* part, base::DataSourceBase& parent) {
     return static_cast<const char*>(part) - static_cast<const char*>(parent.getRawPointer());
 }
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

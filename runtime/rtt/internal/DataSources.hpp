@@ -6,7 +6,8 @@
 #include "AssignCommand.hpp"
 #include "DataSource.hpp"
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** Shorthand for the map that copy() carries along. */
 typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
@@ -123,7 +124,8 @@ private:
     const typename DataSource<T>::value_t* mptr;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #include "DataSourcesMore.hpp"
 

@@ -8,7 +8,8 @@
 #include "DataSources.hpp"
 #include <memory>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** Read-only second name for another source. */
 template <typename T>
@@ -68,7 +69,10 @@ public:
     }
     typename DataSource<T>::result_t value() const override { return alias_->value(); }
     typename DataSource<T>::const_reference_t rvalue() const override { return alias_->rvalue(); }
-    void reset() override { alias_->reset(); action_->reset(); }
+    void reset() override {
+        alias_->reset();
+        action_->reset();
+    }
     ActionAliasDataSource<T>* clone() const override {
         return new ActionAliasDataSource<T>(action_->clone(), alias_.get());
     }
@@ -163,6 +167,7 @@ private:
     T view_;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

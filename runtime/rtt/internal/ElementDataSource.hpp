@@ -6,7 +6,8 @@
 #include <rtt/types/SequenceOps.hpp>
 #include "DataSource.hpp"
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The part of ElementDataSource that does not depend on the element's type: where the element is now. */
 class RTT_API ElementPlace {
@@ -22,7 +23,7 @@ public:
     void* address(bool forWriting) const;
 
     base::DataSourceBase::shared_ptr parent;
-    base::DataSourceBase::shared_ptr index;   ///< of type int or unsigned int
+    base::DataSourceBase::shared_ptr index;  ///< of type int or unsigned int
     const types::SequenceOps* ops;
 
 private:
@@ -63,8 +64,10 @@ public:
         return spare_;
     }
     void updated() override {
-        if (!place_.ops->at) place_.store(&spare_);
-        else place_.parent->updated();
+        if (!place_.ops->at)
+            place_.store(&spare_);
+        else
+            place_.parent->updated();
     }
     bool isAssignable() const override { return place_.parent->isAssignable(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
@@ -81,6 +84,7 @@ private:
     mutable E spare_;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -12,12 +12,14 @@
 #include <array>
 #include <utility>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace detail {
 
 /** The arguments of a call, as addresses of evaluated values. */
-template <class... A> class CallArguments {
+template <class... A>
+class CallArguments {
 public:
     typedef std::vector<base::DataSourceBase::shared_ptr> List;
 
@@ -27,7 +29,10 @@ public:
     static bool accept(const List& list) {
         return list.size() == sizeof...(A) && accept(list, std::index_sequence_for<A...>());
     }
-    template <class F> decltype(auto) call(const F& f) const { return callWith(f, std::index_sequence_for<A...>()); }
+    template <class F>
+    decltype(auto) call(const F& f) const {
+        return callWith(f, std::index_sequence_for<A...>());
+    }
 
     List copy(CopyMap& cloned) const {
         List copies;
@@ -37,38 +42,45 @@ public:
     List list() const { return List(sources_.begin(), sources_.end()); }
 
 private:
-    template <class T> static constexpr bool isOutput =
-        std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
+    template <class T>
+    static constexpr bool isOutput = std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
 
-    template <class T> static bool acceptOne(const base::DataSourceBase::shared_ptr& source) {
+    template <class T>
+    static bool acceptOne(const base::DataSourceBase::shared_ptr& source) {
         return source && source->getTypeId() && *source->getTypeId() == typeid(typename remove_cr<T>::type) &&
                (!isOutput<T> || source->isAssignable());
     }
-    template <std::size_t... I> static bool accept(const List& list, std::index_sequence<I...>) {
+    template <std::size_t... I>
+    static bool accept(const List& list, std::index_sequence<I...>) {
         (void)list;
         return (acceptOne<A>(list[I]) && ...);
     }
-    template <class T> static decltype(auto) value(const base::DataSourceBase::shared_ptr& source) {
+    template <class T>
+    static decltype(auto) value(const base::DataSourceBase::shared_ptr& source) {
         using V = typename remove_cr<T>::type;
         source->evaluate();
-        if constexpr (isOutput<T>) return *static_cast<V*>(source->getRawPointer());
-        else return *static_cast<const V*>(source->getRawConstPointer());
+        if constexpr (isOutput<T>)
+            return *static_cast<V*>(source->getRawPointer());
+        else
+            return *static_cast<const V*>(source->getRawConstPointer());
     }
-    template <class F, std::size_t... I> decltype(auto) callWith(const F& f, std::index_sequence<I...>) const {
+    template <class F, std::size_t... I>
+    decltype(auto) callWith(const F& f, std::index_sequence<I...>) const {
         return f(value<A>(sources_[I])...);
     }
 
     std::array<base::DataSourceBase::shared_ptr, sizeof...(A)> sources_;
 };
 
-} // namespace detail
+}  // namespace detail
 
-template <class Signature, class Enabled = void> class FusedFunctorDataSource;
+template <class Signature, class Enabled = void>
+class FusedFunctorDataSource;
 
 /** The result of a function that returns a value or a const reference: computed by each evaluate() and get(). */
 template <class R, class... A>
-class FusedFunctorDataSource<R(A...), std::enable_if_t<!std::is_lvalue_reference_v<R> ||
-                                                       std::is_const_v<std::remove_reference_t<R>>>>
+class FusedFunctorDataSource<
+    R(A...), std::enable_if_t<!std::is_lvalue_reference_v<R> || std::is_const_v<std::remove_reference_t<R>>>>
     : public DataSource<R> {
 public:
     typedef typename DataSource<R>::value_t value_t;
@@ -143,7 +155,7 @@ base::DataSourceBase* makeFunctorSource(F f, const std::vector<base::DataSourceB
     if (!CallArguments<A...>::accept(arguments)) return nullptr;
     return new FusedFunctorDataSource<R(A...)>(std::move(f), CallArguments<A...>(arguments));
 }
-}
+}  // namespace detail
 
 /**
  * A new source that calls `f`, a function pointer or a function object whose signature can be told, on the
@@ -154,6 +166,7 @@ base::DataSourceBase* newFunctorDataSource(F f, const std::vector<base::DataSour
     return detail::makeFunctorSource(std::move(f), arguments, typename types::detail::SignatureOf<F>::type());
 }
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

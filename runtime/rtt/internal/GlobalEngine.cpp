@@ -9,14 +9,14 @@
 #include <memory>
 #include <mutex>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 
 struct Holder {
     Holder() : activity(&engine, "GlobalEngine") { activity.start(); }
-    ~Holder()
-    {
+    ~Holder() {
         activity.stop();
         activity.run(nullptr);
     }
@@ -25,8 +25,7 @@ struct Holder {
 };
 
 std::mutex mutex;
-std::unique_ptr<Holder>& holder()
-{
+std::unique_ptr<Holder>& holder() {
     static std::unique_ptr<Holder> one;
     return one;
 }
@@ -36,17 +35,16 @@ const os::CleanupFunction releaseAtExit(&GlobalEngine::Release, os::StopEngines)
 
 }  // namespace
 
-ExecutionEngine* GlobalEngine::Instance()
-{
+ExecutionEngine* GlobalEngine::Instance() {
     std::lock_guard<std::mutex> lock(mutex);
     if (!holder()) holder() = std::make_unique<Holder>();
     return &holder()->engine;
 }
 
-void GlobalEngine::Release()
-{
+void GlobalEngine::Release() {
     std::lock_guard<std::mutex> lock(mutex);
     holder().reset();
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

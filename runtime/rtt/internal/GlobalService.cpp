@@ -6,37 +6,37 @@
 
 #include <mutex>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 std::mutex mutex;
-Service::shared_ptr& holder()
-{
+Service::shared_ptr& holder() {
     static Service::shared_ptr one;
     return one;
 }
 }  // namespace
 
-GlobalService::GlobalService() : Service("GlobalService")
-{
+GlobalService::GlobalService() : Service("GlobalService") {
     addOperation("require", &GlobalService::require, this)
         .doc("Makes a process-wide service available; loads the plugin that brings it.")
         .arg("service_name", "The name of the service");
 }
 
-bool GlobalService::require(const std::string& service) { return hasService(service) || loadServicePlugin(service, nullptr); }
+bool GlobalService::require(const std::string& service) {
+    return hasService(service) || loadServicePlugin(service, nullptr);
+}
 
-Service::shared_ptr GlobalService::Instance()
-{
+Service::shared_ptr GlobalService::Instance() {
     std::lock_guard<std::mutex> lock(mutex);
     if (!holder()) holder().reset(new GlobalService());
     return holder();
 }
 
-void GlobalService::Release()
-{
+void GlobalService::Release() {
     std::lock_guard<std::mutex> lock(mutex);
     holder().reset();
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include <rtt/Service.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The root of the services that belong to no component. Has the operation require(name), which loads one. */
 class RTT_API GlobalService : public Service {
@@ -18,6 +19,7 @@ private:
     bool require(const std::string& service);
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

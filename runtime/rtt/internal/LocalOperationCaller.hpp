@@ -5,12 +5,15 @@
 
 #include <rtt/base/OperationCallerBase.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
-template <class Signature> class LocalOperationCaller;
+template <class Signature>
+class LocalOperationCaller;
 
 /** An operation of a component in this process. Shares its function with the Operation object and with its clones. */
-template <class R, class... Args> class LocalOperationCaller<R(Args...)> final : public base::OperationCallerBase<R(Args...)> {
+template <class R, class... Args>
+class LocalOperationCaller<R(Args...)> final : public base::OperationCallerBase<R(Args...)> {
 public:
     typedef boost::shared_ptr<LocalOperationCaller> shared_ptr;
     typedef typename Callee<R(Args...)>::shared_ptr Function;
@@ -22,22 +25,19 @@ public:
     void setFunction(Function function) { callee_ = std::move(function); }
     const Function& function() const { return callee_; }
 
-    R call(Args... args) override
-    {
+    R call(Args... args) override {
         if (!this->isSend()) return (*callee_)(std::forward<Args>(args)...);
         typename Sent::shared_ptr sent(new Sent(callee_, args...));
         this->enqueueAndWait(*sent);
         copyBack(*sent, std::index_sequence_for<Args...>(), args...);
         return sent->result.get();
     }
-    SendHandle<R(Args...)> send(Args... args) override
-    {
+    SendHandle<R(Args...)> send(Args... args) override {
         typename Sent::shared_ptr sent(new Sent(callee_, args...));
         if (!this->enqueue(*sent)) sent = nullptr;
         return SendHandle<R(Args...)>(std::move(sent));
     }
-    LocalOperationCaller* cloneI(ExecutionEngine* caller) const override
-    {
+    LocalOperationCaller* cloneI(ExecutionEngine* caller) const override {
         auto* made = new LocalOperationCaller(*this);
         made->setCaller(caller);
         return made;
@@ -45,13 +45,12 @@ public:
 
 private:
     template <std::size_t... I>
-    static void copyBack(Sent& sent, std::index_sequence<I...>, std::remove_reference_t<Args>&... args)
-    {
+    static void copyBack(Sent& sent, std::index_sequence<I...>, std::remove_reference_t<Args>&... args) {
         (copyOne<Args>(args, argumentAt<I>(sent.arguments)), ...);
         (void)sent;
     }
-    template <class Arg, class To, class From> static void copyOne(To& to, From& from)
-    {
+    template <class Arg, class To, class From>
+    static void copyOne(To& to, From& from) {
         if constexpr (isOutput<Arg>) to = from;
         (void)to;
         (void)from;
@@ -60,6 +59,7 @@ private:
     Function callee_;
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -2,15 +2,14 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/Mailbox.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
-Mailbox::Mailbox() : cells_(new Cell[kCapacity])
-{
+Mailbox::Mailbox() : cells_(new Cell[kCapacity]) {
     for (std::size_t i = 0; i != kCapacity; ++i) cells_[i].sequence.store(i, std::memory_order_relaxed);
 }
 
-bool Mailbox::put(Item item)
-{
+bool Mailbox::put(Item item) {
     std::size_t position = tail_.load(std::memory_order_relaxed);
     for (;;) {
         Cell& cell = cells_[position % kCapacity];
@@ -32,8 +31,7 @@ bool Mailbox::put(Item item)
     }
 }
 
-bool Mailbox::take(Item& item)
-{
+bool Mailbox::take(Item& item) {
     std::size_t position = head_.load(std::memory_order_relaxed);
     for (;;) {
         Cell& cell = cells_[position % kCapacity];
@@ -55,10 +53,10 @@ bool Mailbox::take(Item& item)
     }
 }
 
-bool Mailbox::empty() const
-{
+bool Mailbox::empty() const {
     const std::size_t position = head_.load(std::memory_order_acquire);
     return cells_[position % kCapacity].sequence.load(std::memory_order_acquire) != position + 1;
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -10,7 +10,8 @@
 #include <cstdint>
 #include <memory>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /**
  * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, and, when the
@@ -48,6 +49,7 @@ private:
     alignas(64) std::atomic<std::size_t> head_{0};
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

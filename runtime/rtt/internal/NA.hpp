@@ -5,24 +5,29 @@
 
 #include <type_traits>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The value of type T that stands for "there is none": a default one. */
-template <class T> struct NA {
+template <class T>
+struct NA {
     static T na() { return T(); }
 };
-template <class T> struct NA<const T> : NA<T> {};
-template <class T> struct NA<T&> {
-    static T& na()
-    {
+template <class T>
+struct NA<const T> : NA<T> {};
+template <class T>
+struct NA<T&> {
+    static T& na() {
         static std::remove_const_t<T> none{};
         return none;
     }
 };
-template <> struct NA<void> {
+template <>
+struct NA<void> {
     static void na() {}
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

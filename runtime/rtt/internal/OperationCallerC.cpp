@@ -8,41 +8,35 @@
 
 #include <exception>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 OperationCallerC::OperationCallerC(const OperationInterfacePart* part, const std::string& name, ExecutionEngine* caller)
-    : part_(part), name_(name), caller_(caller)
-{
-}
+    : part_(part), name_(name), caller_(caller) {}
 OperationCallerC::~OperationCallerC() = default;
 
-OperationCallerC& OperationCallerC::arg(Source argument)
-{
+OperationCallerC& OperationCallerC::arg(Source argument) {
     arguments_.push_back(argument);
     call_ = nullptr;
     return *this;
 }
 
-OperationCallerC& OperationCallerC::ret(Source variable)
-{
+OperationCallerC& OperationCallerC::ret(Source variable) {
     result_ = variable;
     call_ = nullptr;
     return *this;
 }
 
-OperationCallerC& OperationCallerC::ret(base::AttributeBase* attribute)
-{
+OperationCallerC& OperationCallerC::ret(base::AttributeBase* attribute) {
     return ret(attribute ? attribute->getDataSource() : Source());
 }
 
-void OperationCallerC::check() const
-{
+void OperationCallerC::check() const {
     if (!part_) throw name_not_found_exception(name_);
     part_->produce(arguments_, caller_);
 }
 
-bool OperationCallerC::prepare()
-{
+bool OperationCallerC::prepare() {
     if (call_) return true;
     store_result_.reset();
     try {
@@ -60,16 +54,14 @@ bool OperationCallerC::prepare()
     return false;
 }
 
-bool OperationCallerC::call()
-{
+bool OperationCallerC::call() {
     if (!prepare()) return false;
     if (!store_result_) return call_->evaluate();
     store_result_->readArguments();
     return store_result_->execute();
 }
 
-SendHandleC OperationCallerC::send()
-{
+SendHandleC OperationCallerC::send() {
     const Source sending = getSendDataSource();
     if (!sending) return SendHandleC();
     const Source handle = part_->produceHandle();
@@ -77,8 +69,7 @@ SendHandleC OperationCallerC::send()
     return SendHandleC(handle, part_, name_);
 }
 
-bool OperationCallerC::ready() const
-{
+bool OperationCallerC::ready() const {
     if (call_) return true;
     try {
         check();
@@ -90,8 +81,7 @@ bool OperationCallerC::ready() const
 
 OperationCallerC::Source OperationCallerC::getCallDataSource() { return prepare() ? call_ : Source(); }
 
-OperationCallerC::Source OperationCallerC::getSendDataSource()
-{
+OperationCallerC::Source OperationCallerC::getSendDataSource() {
     try {
         if (!part_) throw name_not_found_exception(name_);
         return part_->produceSend(arguments_, caller_);
@@ -101,4 +91,5 @@ OperationCallerC::Source OperationCallerC::getSendDataSource()
     }
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include <rtt/internal/SendHandleC.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /**
  * Calls an operation whose signature is known at run time only. Give it all arguments first:
@@ -25,13 +26,22 @@ public:
 
     /** The next argument: a source, which is evaluated with each call; a constant; a variable. */
     OperationCallerC& arg(Source argument);
-    template <class T> OperationCallerC& argC(const T& constant) { return arg(Source(new ConstantDataSource<T>(constant))); }
-    template <class T> OperationCallerC& arg(T& variable) { return arg(Source(new ReferenceDataSource<T>(variable))); }
+    template <class T>
+    OperationCallerC& argC(const T& constant) {
+        return arg(Source(new ConstantDataSource<T>(constant)));
+    }
+    template <class T>
+    OperationCallerC& arg(T& variable) {
+        return arg(Source(new ReferenceDataSource<T>(variable)));
+    }
 
     /** Where call() puts the result; converted if the types know how. */
     OperationCallerC& ret(Source variable);
     OperationCallerC& ret(base::AttributeBase* attribute);
-    template <class T> OperationCallerC& ret(T& variable) { return ret(Source(new ReferenceDataSource<T>(variable))); }
+    template <class T>
+    OperationCallerC& ret(T& variable) {
+        return ret(Source(new ReferenceDataSource<T>(variable)));
+    }
 
     /** False, and an error, if something is wrong with the arguments. Throws what the operation throws. */
     bool call();
@@ -58,6 +68,7 @@ private:
     boost::shared_ptr<base::ActionInterface> store_result_;  // calls, then assigns
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -8,36 +8,36 @@
 #include <rtt/internal/detail/call_handles.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 
-std::string nameOf(const ValueType& type)
-{
+std::string nameOf(const ValueType& type) {
     return detail::plainTypeName(type.info()) + detail::qualifierText(type.isConst, type.isReference, type.isPointer);
 }
 
-bool holds(const base::DataSourceBase& source, const ValueType& type)
-{
+bool holds(const base::DataSourceBase& source, const ValueType& type) {
     const std::type_info* const id = source.getTypeId();
     return id && *id == *type.id;
 }
 
-[[noreturn]] void throwWrongType(std::size_t index, const ValueType& wanted, const base::DataSourceBase::shared_ptr& source)
-{
-    throw wrong_types_of_args_exception(static_cast<int>(index), nameOf(wanted), source ? source->getType() : "nothing");
+[[noreturn]] void throwWrongType(std::size_t index, const ValueType& wanted,
+                                 const base::DataSourceBase::shared_ptr& source) {
+    throw wrong_types_of_args_exception(static_cast<int>(index), nameOf(wanted),
+                                        source ? source->getType() : "nothing");
 }
 
-void checkCount(std::size_t wanted, std::size_t received)
-{
+void checkCount(std::size_t wanted, std::size_t received) {
     if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
 }
 
 /** The source of argument `index`, counted from 1: `source` itself, or one that converts its value. */
-base::DataSourceBase::shared_ptr sourceFor(const ValueType& wanted, base::DataSourceBase::shared_ptr source, std::size_t index)
-{
+base::DataSourceBase::shared_ptr sourceFor(const ValueType& wanted, base::DataSourceBase::shared_ptr source,
+                                           std::size_t index) {
     if (!source) throwWrongType(index, wanted, source);
-    if (wanted.isOutput() && !source->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
+    if (wanted.isOutput() && !source->isAssignable())
+        throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
     if (!holds(*source, wanted) && !wanted.isOutput()) source = wanted.info()->convert(source);
     if (!source || !holds(*source, wanted)) throwWrongType(index, wanted, source);
     return source;
@@ -47,17 +47,14 @@ base::DataSourceBase::shared_ptr sourceFor(const ValueType& wanted, base::DataSo
 
 OperationPart::OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller,
                              const OperationTable& table, bool callOnly)
-    : description_(std::move(description)), caller_(std::move(caller)), table_(&table), call_only_(callOnly)
-{
-}
+    : description_(std::move(description)), caller_(std::move(caller)), table_(&table), call_only_(callOnly) {}
 
 std::string OperationPart::getName() const { return description_->name; }
 std::string OperationPart::description() const { return description_->texts.front(); }
 std::string OperationPart::resultType() const { return nameOf(table_->types[0]); }
 unsigned OperationPart::arity() const { return table_->arity; }
 
-std::vector<ArgumentDescription> OperationPart::getArgumentList() const
-{
+std::vector<ArgumentDescription> OperationPart::getArgumentList() const {
     const std::vector<std::string>& texts = description_->texts;
     std::vector<ArgumentDescription> list;
     for (std::size_t i = 1; i <= table_->arity; ++i) {
@@ -68,13 +65,11 @@ std::vector<ArgumentDescription> OperationPart::getArgumentList() const
     return list;
 }
 
-const types::TypeInfo* OperationPart::getArgumentType(unsigned index) const
-{
+const types::TypeInfo* OperationPart::getArgumentType(unsigned index) const {
     return index <= table_->arity ? table_->types[index].info() : nullptr;
 }
 
-std::vector<const ValueType*> OperationPart::collected() const
-{
+std::vector<const ValueType*> OperationPart::collected() const {
     std::vector<const ValueType*> types;
     if (*table_->types[0].id != typeid(void)) types.push_back(&table_->types[0]);
     for (unsigned i = 1; i <= table_->arity; ++i)
@@ -84,44 +79,38 @@ std::vector<const ValueType*> OperationPart::collected() const
 
 unsigned OperationPart::collectArity() const { return static_cast<unsigned>(collected().size()); }
 
-const types::TypeInfo* OperationPart::getCollectType(unsigned index) const
-{
+const types::TypeInfo* OperationPart::getCollectType(unsigned index) const {
     const auto types = collected();
     return index >= 1 && index <= types.size() ? types[index - 1]->info() : nullptr;
 }
 
-OperationPart::Args OperationPart::checkedArguments(const Args& args) const
-{
+OperationPart::Args OperationPart::checkedArguments(const Args& args) const {
     checkCount(table_->arity, args.size());
     Args checked;
     for (std::size_t i = 0; i != args.size(); ++i) checked.push_back(sourceFor(table_->types[i + 1], args[i], i + 1));
     return checked;
 }
 
-void OperationPart::checkSendable() const
-{
-    if (call_only_) throw no_asynchronous_operation_exception("operation '" + getName() + "' can be called, but not sent");
+void OperationPart::checkSendable() const {
+    if (call_only_)
+        throw no_asynchronous_operation_exception("operation '" + getName() + "' can be called, but not sent");
 }
 
-OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* caller) const
-{
+OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* caller) const {
     return table_->makeSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
 }
 
-OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const
-{
+OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const {
     checkSendable();
     return new detail::SendSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
 }
 
-OperationPart::Source OperationPart::produceHandle() const
-{
+OperationPart::Source OperationPart::produceHandle() const {
     checkSendable();
     return new ValueDataSource<SentCall::shared_ptr>();
 }
 
-OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource<bool>::shared_ptr blocking) const
-{
+OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource<bool>::shared_ptr blocking) const {
     checkSendable();
     const auto types = collected();
     if (args.size() != 1) checkCount(1 + types.size(), args.size());
@@ -134,4 +123,5 @@ OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource
     return new detail::CollectSource(*table_, handle, Args(args.begin() + 1, args.end()), std::move(blocking));
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

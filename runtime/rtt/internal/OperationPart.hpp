@@ -6,7 +6,8 @@
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/base/OperationBase.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 struct ValueType;
 
@@ -16,8 +17,8 @@ public:
     typedef base::DataSourceBase::shared_ptr Source;
     typedef base::OperationCallerInterface::shared_ptr Caller;
 
-    OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller, const OperationTable& table,
-                  bool callOnly);
+    OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller,
+                  const OperationTable& table, bool callOnly);
 
     std::string getName() const override;
     std::string description() const override;
@@ -46,6 +47,7 @@ private:
     bool call_only_;
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -10,7 +10,8 @@
 
 #include <typeinfo>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The type of an argument or a result. */
 struct ValueType {
@@ -34,48 +35,52 @@ struct OperationTable {
     const std::type_info* sentType;
 };
 
-template <class T> constexpr ValueType valueType()
-{
+template <class T>
+constexpr ValueType valueType() {
     using Referred = std::remove_reference_t<T>;
     return {&typeid(ValueOf<T>), &DataSourceTypeInfo<ValueOf<T>>::getTypeInfo, std::is_const_v<Referred>,
             std::is_reference_v<T>, std::is_pointer_v<Referred>};
 }
 
-template <class Signature> struct OperationTableOf;
-template <class R, class... A> struct OperationTableOf<R(A...)> {
-    static void invoke(base::OperationCallerInterface& caller, void* const* arguments, void* result)
-    {
+template <class Signature>
+struct OperationTableOf;
+template <class R, class... A>
+struct OperationTableOf<R(A...)> {
+    static void invoke(base::OperationCallerInterface& caller, void* const* arguments, void* result) {
         static_cast<ResultStore<R>*>(result)->take(
             [&]() -> R { return callWith(caller, arguments, std::index_sequence_for<A...>()); });
     }
-    static SentCall::shared_ptr send(base::OperationCallerInterface& caller, void* const* arguments)
-    {
+    static SentCall::shared_ptr send(base::OperationCallerInterface& caller, void* const* arguments) {
         return sendWith(caller, arguments, std::index_sequence_for<A...>());
     }
     static base::DataSourceBase* makeSource(GenericCall&& call) { return new CallSource<R>(std::move(call)); }
 
     static constexpr ValueType types[] = {valueType<R>(), valueType<A>()...};
-    static constexpr OperationTable table = {sizeof...(A), types, &invoke, &send, &makeSource, &typeid(TypedCall<R(A...)>)};
+    static constexpr OperationTable table = {sizeof...(A), types,       &invoke,
+                                             &send,        &makeSource, &typeid(TypedCall<R(A...)>)};
 
 private:
     typedef base::OperationCallerBase<R(A...)> Caller;
     // A source gives its value to more than one call, so an argument to be moved from is copied.
-    template <class Arg> using Passed = std::conditional_t<std::is_rvalue_reference_v<Arg>, ValueOf<Arg>, Arg>;
+    template <class Arg>
+    using Passed = std::conditional_t<std::is_rvalue_reference_v<Arg>, ValueOf<Arg>, Arg>;
 
     template <std::size_t... I>
-    static R callWith(base::OperationCallerInterface& caller, void* const* arguments, std::index_sequence<I...>)
-    {
+    static R callWith(base::OperationCallerInterface& caller, void* const* arguments, std::index_sequence<I...>) {
         (void)arguments;
         return static_cast<Caller&>(caller).call(static_cast<Passed<A>>(*static_cast<ValueOf<A>*>(arguments[I]))...);
     }
     template <std::size_t... I>
-    static SentCall::shared_ptr sendWith(base::OperationCallerInterface& caller, void* const* arguments, std::index_sequence<I...>)
-    {
+    static SentCall::shared_ptr sendWith(base::OperationCallerInterface& caller, void* const* arguments,
+                                         std::index_sequence<I...>) {
         (void)arguments;
-        return static_cast<Caller&>(caller).send(static_cast<Passed<A>>(*static_cast<ValueOf<A>*>(arguments[I]))...).call();
+        return static_cast<Caller&>(caller)
+            .send(static_cast<Passed<A>>(*static_cast<ValueOf<A>*>(arguments[I]))...)
+            .call();
     }
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -8,7 +8,8 @@
 #include <memory>
 #include <cstddef>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** How many bytes `part` lies behind the start of its parent's value. */
 RTT_API std::ptrdiff_t partOffset(const void* part, base::DataSourceBase& parent);
@@ -91,6 +92,7 @@ private:
     base::DataSourceBase::shared_ptr parent_;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

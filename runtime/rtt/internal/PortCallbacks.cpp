@@ -4,20 +4,19 @@
 
 #include <rtt/internal/Reclaimer.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 PortCallbacks::~PortCallbacks() { delete table_.load(); }
 
-PortCallbacks::Entry* PortCallbacks::find(base::PortInterface* port) const
-{
+PortCallbacks::Entry* PortCallbacks::find(base::PortInterface* port) const {
     if (const Table* table = table_.load(std::memory_order_acquire))
         for (const EntryPtr& entry : *table)
             if (entry->port == port) return entry.get();
     return nullptr;
 }
 
-void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry)
-{
+void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry) {
     {
         std::lock_guard<std::mutex> lock(mutex_);
         const Table* old = table_.load(std::memory_order_relaxed);
@@ -27,14 +26,12 @@ void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry)
                 if (other->port != port) next->push_back(other);
         if (entry) next->push_back(std::move(entry));
         table_.store(next.release(), std::memory_order_release);
-        if (old)
-            Reclaimer::retire(const_cast<Table*>(old), [](void* table) { delete static_cast<Table*>(table); });
+        if (old) Reclaimer::retire(const_cast<Table*>(old), [](void* table) { delete static_cast<Table*>(table); });
     }
     Reclaimer::collect();
 }
 
-void PortCallbacks::set(base::PortInterface* port, const Callback& callback)
-{
+void PortCallbacks::set(base::PortInterface* port, const Callback& callback) {
     auto entry = std::make_shared<Entry>();
     entry->port = port;
     entry->callback = callback;
@@ -43,8 +40,7 @@ void PortCallbacks::set(base::PortInterface* port, const Callback& callback)
 
 void PortCallbacks::remove(base::PortInterface* port) { replace(port, nullptr); }
 
-bool PortCallbacks::announce(base::PortInterface* port, bool running)
-{
+bool PortCallbacks::announce(base::PortInterface* port, bool running) {
     Reclaimer::Guard guard;
     Entry* entry = find(port);
     if (!entry) return false;
@@ -53,14 +49,12 @@ bool PortCallbacks::announce(base::PortInterface* port, bool running)
     return !entry->queued.exchange(true, std::memory_order_acq_rel);
 }
 
-void PortCallbacks::withdraw(base::PortInterface* port)
-{
+void PortCallbacks::withdraw(base::PortInterface* port) {
     Reclaimer::Guard guard;
     if (Entry* entry = find(port)) entry->queued.store(false, std::memory_order_release);
 }
 
-void PortCallbacks::call(base::PortInterface* port, bool running)
-{
+void PortCallbacks::call(base::PortInterface* port, bool running) {
     EntryPtr held;  // the callback may remove its own port
     {
         Reclaimer::Guard guard;
@@ -73,4 +67,5 @@ void PortCallbacks::call(base::PortInterface* port, bool running)
     if (running || !held->whileRunning.load(std::memory_order_relaxed)) held->callback(port);
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -13,7 +13,9 @@
 #include <vector>
 
 namespace RTT {
-namespace base { class PortInterface; }
+namespace base {
+class PortInterface;
+}
 namespace internal {
 
 /**

@@ -9,8 +9,7 @@
 namespace RTT {
 namespace internal {
 
-bool PortEndpoint::signal()
-{
+bool PortEndpoint::signal() {
     const Reclaimer::Guard guard;
     base::InputPortInterface* port = input_.load(std::memory_order_acquire);
     if (!port) return false;
@@ -18,44 +17,31 @@ bool PortEndpoint::signal()
     return true;
 }
 
-bool PortEndpoint::inputReady(shared_ptr const&)
-{
-    return true;
-}
+bool PortEndpoint::inputReady(shared_ptr const&) { return true; }
 
-bool PortEndpoint::channelReady(shared_ptr const& caller, ConnPolicy const& policy, ConnID* id)
-{
+bool PortEndpoint::channelReady(shared_ptr const& caller, ConnPolicy const& policy, ConnID* id) {
     const Reclaimer::Guard guard;
     base::InputPortInterface* port = input_.load(std::memory_order_acquire);
     return port && port->channelReady(caller, policy, id);
 }
 
-bool PortEndpoint::disconnect(shared_ptr const& channel, bool)
-{
+bool PortEndpoint::disconnect(shared_ptr const& channel, bool) {
     const Reclaimer::Guard guard;  // the port's destructor waits for us
     base::PortInterface* port = port_.load(std::memory_order_acquire);
     return port && channel && port->getManager()->removeChannel(channel.get());
 }
 
-void PortEndpoint::disconnect(bool)
-{
+void PortEndpoint::disconnect(bool) {
     const Reclaimer::Guard guard;
     if (base::PortInterface* port = port_.load(std::memory_order_acquire)) port->disconnect();
 }
 
 // The links of an endpoint would name only one of its channels; it keeps none.
-bool PortEndpoint::connectTo(shared_ptr const& output, bool)
-{
-    return output && output->connectFrom(this);
-}
+bool PortEndpoint::connectTo(shared_ptr const& output, bool) { return output && output->connectFrom(this); }
 
-bool PortEndpoint::connectFrom(shared_ptr const&)
-{
-    return true;
-}
+bool PortEndpoint::connectFrom(shared_ptr const&) { return true; }
 
-void PortEndpoint::detach()
-{
+void PortEndpoint::detach() {
     input_.store(nullptr, std::memory_order_release);
     port_.store(nullptr, std::memory_order_release);
 }

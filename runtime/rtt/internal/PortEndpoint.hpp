@@ -7,7 +7,9 @@
 #include <rtt/base/ChannelElementBase.hpp>
 
 namespace RTT {
-namespace base { class InputPortInterface; }
+namespace base {
+class InputPortInterface;
+}
 namespace internal {
 
 /** Outlives its port: channels that still hold it find the port gone. One per port, shared by all its channels. */

@@ -22,13 +22,11 @@ public:
     explicit PortSource(base::ChannelElementBase::shared_ptr endpoint) : endpoint_(endpoint), value_() {}
 
     /** False if the port has no value, or is gone. */
-    bool evaluate() const override
-    {
+    bool evaluate() const override {
         P* port = static_cast<P*>(endpoint_->getPort());
         return port && port->sourceValue(value_);
     }
-    result_t get() const override
-    {
+    result_t get() const override {
         evaluate();
         return value_;
     }
@@ -36,8 +34,7 @@ public:
     const_reference_t rvalue() const override { return value_; }
 
     PortSource* clone() const override { return new PortSource(endpoint_); }
-    PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override
-    {
+    PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override {
         return const_cast<PortSource*>(this);
     }
 

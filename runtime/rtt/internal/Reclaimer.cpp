@@ -27,23 +27,20 @@ struct ReclaimerState {
         std::uint64_t epoch;
     };
 
-    ReclaimerState()
-    {
+    ReclaimerState() {
         pthread_key_create(&key_, &ReclaimerState::threadEnds);
         // Safe to switch on here only: nobody can be inside before the first attach(), which comes through instance().
         Reclaimer::asymmetric_ = syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
     }
 
     /** Never destroyed: threads may still be running, and ports be destroyed, while the process exits. */
-    static ReclaimerState& instance()
-    {
+    static ReclaimerState& instance() {
         alignas(ReclaimerState) static unsigned char place[sizeof(ReclaimerState)];
         static ReclaimerState* state = new (place) ReclaimerState;
         return *state;
     }
 
-    Record* attach()
-    {
+    Record* attach() {
         Record* record = reuse();
         if (!record) record = add();
         Reclaimer::record_ = record;
@@ -52,16 +49,14 @@ struct ReclaimerState {
     }
 
     /** Makes all that other threads did before visible here, and all that we did before to what they do from now on. */
-    static void barrier()
-    {
+    static void barrier() {
         if (!Reclaimer::asymmetric_) return;  // then the addition to epoch_ that came before does it, see enter()
         while (syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0)
             syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0);  // a forked child must ask again
     }
 
     /** True if anything was destroyed; that may have retired more. */
-    bool collectOnce()
-    {
+    bool collectOnce() {
         std::vector<Retired> unused;
         {
             const std::lock_guard<std::mutex> lock(mutex_);
@@ -70,8 +65,10 @@ struct ReclaimerState {
             const std::uint64_t oldest = oldestInside();
             std::size_t kept = 0;
             for (const Retired& one : retired_) {
-                if (one.epoch < oldest) unused.push_back(one);
-                else retired_[kept++] = one;
+                if (one.epoch < oldest)
+                    unused.push_back(one);
+                else
+                    retired_[kept++] = one;
             }
             retired_.resize(kept);
         }
@@ -80,8 +77,7 @@ struct ReclaimerState {
     }
 
     /** The smallest epoch announced; the maximum if nobody is inside. */
-    std::uint64_t oldestInside() const
-    {
+    std::uint64_t oldestInside() const {
         std::uint64_t oldest = ~std::uint64_t(0);
         for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
             const std::uint64_t epoch = r->epoch.load(std::memory_order_seq_cst);
@@ -90,8 +86,7 @@ struct ReclaimerState {
         return oldest;
     }
 
-    Record* reuse()
-    {
+    Record* reuse() {
         for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
             bool used = false;
             if (!r->used.load(std::memory_order_relaxed) &&
@@ -100,18 +95,17 @@ struct ReclaimerState {
         }
         return nullptr;
     }
-    Record* add()
-    {
+    Record* add() {
         const std::size_t i = pooled_.fetch_add(1, std::memory_order_relaxed);
         Record* record = i < kPool ? &pool_[i] : new Record;
         record->used.store(true, std::memory_order_relaxed);
         record->next = records_.load(std::memory_order_relaxed);
         // seq_cst: who retires something after this sees the record; who did before has unlinked it before we look.
-        while (!records_.compare_exchange_weak(record->next, record, std::memory_order_seq_cst)) {}
+        while (!records_.compare_exchange_weak(record->next, record, std::memory_order_seq_cst)) {
+        }
         return record;
     }
-    static void threadEnds(void* record)
-    {
+    static void threadEnds(void* record) {
         // Another key's destructor may still use a port: it attaches anew then, and we are called again.
         Reclaimer::record_ = nullptr;
         static_cast<Record*>(record)->used.store(false, std::memory_order_release);
@@ -126,21 +120,16 @@ struct ReclaimerState {
     std::vector<Retired> retired_;
 };
 
-Reclaimer::Record* Reclaimer::attach() noexcept
-{
-    return ReclaimerState::instance().attach();
-}
+Reclaimer::Record* Reclaimer::attach() noexcept { return ReclaimerState::instance().attach(); }
 
-bool Reclaimer::defer(void (*call)(void*), void* argument) noexcept
-{
+bool Reclaimer::defer(void (*call)(void*), void* argument) noexcept {
     Record& record = *mine();
     if (record.deferredCount == kMaxDeferred) return false;
     record.deferred[record.deferredCount++] = {call, argument};
     return true;
 }
 
-void Reclaimer::runDeferred(Record& record)
-{
+void Reclaimer::runDeferred(Record& record) {
     // What is called may write to ports and come here again: take the list first.
     Deferred list[kMaxDeferred];
     const std::uint32_t n = record.deferredCount;
@@ -149,8 +138,7 @@ void Reclaimer::runDeferred(Record& record)
     for (std::uint32_t i = 0; i < n; ++i) list[i].call(list[i].argument);
 }
 
-void Reclaimer::retire(void* object, void (*destroy)(void*))
-{
+void Reclaimer::retire(void* object, void (*destroy)(void*)) {
     ReclaimerState& state = ReclaimerState::instance();
     const std::lock_guard<std::mutex> lock(state.mutex_);
     // Who announces a larger epoch than this has loaded it after this change, so after the caller unlinked the object.
@@ -158,13 +146,12 @@ void Reclaimer::retire(void* object, void (*destroy)(void*))
     state.retired_.push_back({object, destroy, epoch});
 }
 
-void Reclaimer::collect()
-{
-    while (ReclaimerState::instance().collectOnce()) {}
+void Reclaimer::collect() {
+    while (ReclaimerState::instance().collectOnce()) {
+    }
 }
 
-void Reclaimer::synchronize()
-{
+void Reclaimer::synchronize() {
     ReclaimerState& state = ReclaimerState::instance();
     Record* const self = mine();
     if (self->nesting != 0) self->waiting.store(true, std::memory_order_seq_cst);
@@ -183,8 +170,7 @@ void Reclaimer::synchronize()
     collect();
 }
 
-std::size_t Reclaimer::pending()
-{
+std::size_t Reclaimer::pending() {
     ReclaimerState& state = ReclaimerState::instance();
     const std::lock_guard<std::mutex> lock(state.mutex_);
     return state.retired_.size();

@@ -36,9 +36,9 @@ public:
         std::atomic<std::uint64_t> epoch{0};  // 0: outside
         std::uint32_t nesting = 0;            // this and the deferred ones: touched by the owning thread only
         std::uint32_t deferredCount = 0;
-        std::atomic<bool> waiting{false};     // the owner is inside and in synchronize()
+        std::atomic<bool> waiting{false};  // the owner is inside and in synchronize()
         std::atomic<bool> used{false};
-        Record* next = nullptr;               // set before the record is published
+        Record* next = nullptr;  // set before the record is published
         Deferred deferred[kMaxDeferred];
     };
 
@@ -75,13 +75,11 @@ public:
     static std::size_t pending();
 
 private:
-    static Record* mine() noexcept
-    {
+    static Record* mine() noexcept {
         Record* record = record_;
         return __builtin_expect(record != nullptr, 1) ? record : attach();
     }
-    static void enter(Record& record) noexcept
-    {
+    static void enter(Record& record) noexcept {
         if (record.nesting++ != 0) return;
         // Acquire: with the number that retire() left behind we also see that its object was unlinked.
         record.epoch.store(epoch_.load(std::memory_order_acquire), std::memory_order_relaxed);
@@ -92,8 +90,7 @@ private:
             // that one sees our announcement.
             epoch_.fetch_add(0, std::memory_order_acq_rel);
     }
-    static void leave(Record& record) noexcept
-    {
+    static void leave(Record& record) noexcept {
         if (--record.nesting != 0) return;
         // Pairs with the acquire loads of collect() and synchronize(): what we did inside happens before the destruction.
         record.epoch.store(0, std::memory_order_release);

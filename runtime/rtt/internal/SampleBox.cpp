@@ -8,16 +8,12 @@ namespace RTT {
 namespace internal {
 
 namespace {
-std::size_t roundUp(std::size_t n, std::size_t to)
-{
-    return (n + to - 1) / to * to;
-}
+std::size_t roundUp(std::size_t n, std::size_t to) { return (n + to - 1) / to * to; }
 }  // namespace
 
 SampleArray::SampleArray(const types::TypeOps& ops, std::size_t count, const void* first, std::size_t header,
                          std::size_t spacing)
-    : ops_(ops)
-{
+    : ops_(ops) {
     alignment_ = std::max({ops.align, spacing, alignof(std::max_align_t)});
     offset_ = roundUp(header, ops.align);
     stride_ = roundUp(offset_ + ops.size, std::max({ops.align, spacing, header != 0 ? alignof(std::max_align_t) : 1}));
@@ -25,8 +21,10 @@ SampleArray::SampleArray(const types::TypeOps& ops, std::size_t count, const voi
         ::operator new(std::max<std::size_t>(stride_ * count, 1), std::align_val_t(alignment_)));
     try {
         for (; count_ < count; ++count_) {
-            if (first) ops.copyConstruct(sample(count_), first);
-            else ops.construct(sample(count_));
+            if (first)
+                ops.copyConstruct(sample(count_), first);
+            else
+                ops.construct(sample(count_));
         }
     } catch (...) {
         while (count_ > 0) ops_.destroy(sample(--count_));
@@ -35,8 +33,7 @@ SampleArray::SampleArray(const types::TypeOps& ops, std::size_t count, const voi
     }
 }
 
-SampleArray::~SampleArray()
-{
+SampleArray::~SampleArray() {
     if (!ops_.trivial)
         for (std::size_t i = 0; i < count_; ++i) ops_.destroy(sample(i));
     ::operator delete(block_, std::align_val_t(alignment_));

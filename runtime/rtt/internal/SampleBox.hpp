@@ -14,11 +14,13 @@ namespace RTT {
 namespace internal {
 
 /** Assigns one sample to another; the branch saves the indirect call for the common small plain types. */
-inline void assignSample(const types::TypeOps& ops, void* to, const void* from)
-{
-    if (!ops.trivial) ops.assign(to, from);
-    else if (ops.size == sizeof(double)) std::memcpy(to, from, sizeof(double));
-    else std::memcpy(to, from, ops.size);
+inline void assignSample(const types::TypeOps& ops, void* to, const void* from) {
+    if (!ops.trivial)
+        ops.assign(to, from);
+    else if (ops.size == sizeof(double))
+        std::memcpy(to, from, sizeof(double));
+    else
+        std::memcpy(to, from, ops.size);
 }
 
 /** A fixed number of samples in one block, each with its own place for a header. Not thread-safe by itself. */

@@ -10,8 +10,7 @@ namespace internal {
 
 SampleStore::~SampleStore() = default;
 
-std::unique_ptr<SampleStore> SampleStore::make(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-{
+std::unique_ptr<SampleStore> SampleStore::make(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     if (!first && !ops.construct) return nullptr;
     const bool data = spec.kind == StoreSpec::Data;
     if (spec.lock != StoreSpec::LockFree)
@@ -21,16 +20,14 @@ std::unique_ptr<SampleStore> SampleStore::make(const types::TypeOps& ops, const 
                                           : detail::makeCountedData(ops, spec, first);
 }
 
-void SampleStore::setSample(const void* sample, bool reset)
-{
+void SampleStore::setSample(const void* sample, bool reset) {
     if (!reset && std::atomic_load(&prototype_)) return;
     std::atomic_store(&prototype_, std::shared_ptr<const SampleBox>(std::make_shared<SampleBox>(ops_, sample)));
     if (reset) clear();
     resizeElements(sample);
 }
 
-bool SampleStore::getSample(void* sample) const
-{
+bool SampleStore::getSample(void* sample) const {
     const std::shared_ptr<const SampleBox> prototype = std::atomic_load(&prototype_);
     if (!prototype) return false;
     assignSample(ops_, sample, prototype->get());

@@ -17,7 +17,9 @@
 #include <memory>
 
 namespace RTT {
-namespace types { struct TypeOps; }
+namespace types {
+struct TypeOps;
+}
 namespace internal {
 class SampleBox;
 
@@ -27,9 +29,9 @@ struct StoreSpec {
     enum Lock { Unsync, Locked, LockFree };
     Kind kind = Data;
     Lock lock = LockFree;
-    std::size_t size = 0;         ///< capacity of a buffer
-    std::size_t maxThreads = 2;   ///< threads that use a lock-free storage at once
-    bool oldData = true;          ///< an empty buffer gives its last sample again
+    std::size_t size = 0;        ///< capacity of a buffer
+    std::size_t maxThreads = 2;  ///< threads that use a lock-free storage at once
+    bool oldData = true;         ///< an empty buffer gives its last sample again
 };
 
 /** Storage of samples. LockFree and Locked ones may be used by any number of threads in any role, Unsync ones by one

@@ -7,12 +7,13 @@
 
 #include <exception>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 
-OperationInterfacePart::Args withHandle(const SendHandleC::Source& handle, const OperationInterfacePart::Args& variables)
-{
+OperationInterfacePart::Args withHandle(const SendHandleC::Source& handle,
+                                        const OperationInterfacePart::Args& variables) {
     OperationInterfacePart::Args all{handle};
     all.insert(all.end(), variables.begin(), variables.end());
     return all;
@@ -23,12 +24,9 @@ DataSource<bool>::shared_ptr constant(bool value) { return new ConstantDataSourc
 }  // namespace
 
 SendHandleC::SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name)
-    : handle_(handle), part_(part), name_(name)
-{
-}
+    : handle_(handle), part_(part), name_(name) {}
 
-SendHandleC::~SendHandleC()
-{
+SendHandleC::~SendHandleC() {
     if (!auto_collect_ || !handle_) return;
     try {
         part_->produceCollect(withHandle(handle_, {}), constant(true))->evaluate();
@@ -37,25 +35,21 @@ SendHandleC::~SendHandleC()
     }
 }
 
-SendHandleC& SendHandleC::arg(Source variable)
-{
+SendHandleC& SendHandleC::arg(Source variable) {
     arguments_.push_back(variable);
     return *this;
 }
 
-SendHandleC& SendHandleC::arg(base::AttributeBase* attribute)
-{
+SendHandleC& SendHandleC::arg(base::AttributeBase* attribute) {
     return arg(attribute ? attribute->getDataSource() : Source());
 }
 
-void SendHandleC::check() const
-{
+void SendHandleC::check() const {
     if (!handle_ || !part_) throw invalid_handle_exception();
     part_->produceCollect(withHandle(handle_, arguments_), constant(false));
 }
 
-bool SendHandleC::ready() const
-{
+bool SendHandleC::ready() const {
     try {
         check();
         return true;
@@ -64,8 +58,7 @@ bool SendHandleC::ready() const
     }
 }
 
-SendStatus SendHandleC::fetch(bool wait)
-{
+SendStatus SendHandleC::fetch(bool wait) {
     Source collecting;
     try {
         check();
@@ -78,4 +71,5 @@ SendStatus SendHandleC::fetch(bool wait)
     return status ? status->get() : SendFailure;
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -10,7 +10,8 @@
 
 #include <string>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The handle of an operation that OperationCallerC sent. Copies refer to the same call. Not real-time safe. */
 class RTT_API SendHandleC {
@@ -27,7 +28,10 @@ public:
     /** Where collecting puts the next value: the result, then each argument by reference. */
     SendHandleC& arg(Source variable);
     SendHandleC& arg(base::AttributeBase* attribute);
-    template <class T> SendHandleC& arg(T& variable) { return arg(Source(new ReferenceDataSource<T>(variable))); }
+    template <class T>
+    SendHandleC& arg(T& variable) {
+        return arg(Source(new ReferenceDataSource<T>(variable)));
+    }
 
     /** Waits for the end. SendFailure, and an error, if the operation was not sent or `arg()` was called too often or too
         rarely. Throws std::runtime_error if the operation threw. */
@@ -54,6 +58,7 @@ private:
     bool auto_collect_ = false;
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -18,15 +18,13 @@ namespace internal {
 SentCall::SentCall() = default;
 SentCall::~SentCall() = default;
 
-void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor)
-{
+void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
     caller_ = caller;
     executor_ = executor;
     if (caller) wait_point_ = caller->waitPoint();
 }
 
-void SentCall::finish(State state)
-{
+void SentCall::finish(State state) {
     // After the state is stored the caller may be gone, with its engine; the wait point is ours too.
     const std::shared_ptr<WaitPoint> waitPoint = wait_point_;
     state_.store(state);
@@ -34,8 +32,7 @@ void SentCall::finish(State state)
     deref();
 }
 
-void SentCall::executeAndDispose()
-{
+void SentCall::executeAndDispose() {
     State state = Done;
     try {
         run();
@@ -53,23 +50,22 @@ void SentCall::executeAndDispose()
 
 void SentCall::dispose() { finish(Disposed); }
 
-SendStatus SentCall::status() const
-{
+SendStatus SentCall::status() const {
     switch (state()) {
-    case Waiting: return SendNotReady;
-    case Done: return SendSuccess;
-    case Threw: return SendSuccess;
-    case Disposed: return SendFailure;
+        case Waiting: return SendNotReady;
+        case Done: return SendSuccess;
+        case Threw: return SendSuccess;
+        case Disposed: return SendFailure;
     }
     return SendFailure;
 }
 
-SendStatus SentCall::collect()
-{
+SendStatus SentCall::collect() {
     if (!caller_) {
         if (state() == Waiting) {
             log(Error) << "an operation is collected by somebody who is no component: set the caller's engine "
-                          "(this->engine() in a component, GlobalEngine::Instance() elsewhere)" << endlog();
+                          "(this->engine() in a component, GlobalEngine::Instance() elsewhere)"
+                       << endlog();
             return CollectFailure;
         }
     } else {
@@ -79,20 +75,18 @@ SendStatus SentCall::collect()
     return status();
 }
 
-SendStatus SentCall::collectIfDone() const
-{
+SendStatus SentCall::collectIfDone() const {
     checkError();
     return status();
 }
 
-void SentCall::checkError() const
-{
+void SentCall::checkError() const {
     if (state() == Threw)
-        throw std::runtime_error("the operation did not complete: it threw an exception, which its component has logged");
+        throw std::runtime_error(
+            "the operation did not complete: it threw an exception, which its component has logged");
 }
 
-void SentCall::deref()
-{
+void SentCall::deref() {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
@@ -104,8 +98,7 @@ OperationCallerInterface::~OperationCallerInterface() = default;
 
 bool OperationCallerInterface::isSend() const { return thread_ == OwnThread && owner_ && !owner_->isSelf(); }
 
-bool OperationCallerInterface::enqueue(internal::SentCall& call) const
-{
+bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
     ExecutionEngine* executor = thread_ == OwnThread && owner_ ? owner_ : internal::GlobalEngine::Instance();
     call.setEngines(caller_, executor);
     call.ref();  // the queue's
@@ -114,14 +107,15 @@ bool OperationCallerInterface::enqueue(internal::SentCall& call) const
     return false;
 }
 
-void OperationCallerInterface::enqueueAndWait(internal::SentCall& call) const
-{
+void OperationCallerInterface::enqueueAndWait(internal::SentCall& call) const {
     if (!caller_)
-        throw SendError(CollectFailure, "an operation that is executed in its component's thread was called without a caller: "
-                                        "set the caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
+        throw SendError(CollectFailure,
+                        "an operation that is executed in its component's thread was called without a caller: "
+                        "set the caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
     if (!enqueue(call) || call.collect() == SendFailure)
-        throw SendError(SendFailure, "the component that provides the operation takes no calls: it is in FatalError, has no "
-                                     "activity, or too many calls are waiting");
+        throw SendError(SendFailure,
+                        "the component that provides the operation takes no calls: it is in FatalError, has no "
+                        "activity, or too many calls are waiting");
 }
 
 }  // namespace base

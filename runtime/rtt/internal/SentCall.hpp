@@ -78,6 +78,7 @@ private:
 inline void intrusive_ptr_add_ref(SentCall* call) { call->ref(); }
 inline void intrusive_ptr_release(SentCall* call) { call->deref(); }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 
 #include <atomic>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 namespace {
 std::atomic<ServiceLoaderHook> loader{nullptr};
@@ -14,11 +15,11 @@ std::atomic<ServiceLoaderHook> loader{nullptr};
 
 void setServiceLoader(ServiceLoaderHook hook) { loader = hook; }
 
-bool loadServicePlugin(const std::string& service, TaskContext* component)
-{
+bool loadServicePlugin(const std::string& service, TaskContext* component) {
     if (ServiceLoaderHook load = loader) return load(service, component);
     log(Error) << "service '" << service << "' cannot be loaded: this program has no plugin loader" << endlog();
     return false;
 }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

@@ -8,8 +8,7 @@ namespace RTT {
 namespace internal {
 
 namespace {
-std::mutex& repositoryMutex()
-{
+std::mutex& repositoryMutex() {
     static std::mutex* mutex = new std::mutex;
     return *mutex;
 }
@@ -17,20 +16,17 @@ std::mutex& repositoryMutex()
 
 SharedConnectionBase::SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage,
                                            const ConnPolicy& policy, const types::TypeOps& ops)
-    : storage_(storage), policy_(policy), ops_(ops)
-{
+    : storage_(storage), policy_(policy), ops_(ops) {
     policy_.name_id = name;
 }
 
 SharedConnectionBase::~SharedConnectionBase() = default;
 
-void SharedConnectionBase::deref()
-{
+void SharedConnectionBase::deref() {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) SharedConnectionRepository::Instance().forget(*this);
 }
 
-SharedConnectionBase::shared_ptr SharedConnectionBase::revive()
-{
+SharedConnectionBase::shared_ptr SharedConnectionBase::revive() {
     int count = references_.load(std::memory_order_relaxed);
     while (count != 0)
         if (references_.compare_exchange_weak(count, count + 1, std::memory_order_relaxed))
@@ -38,21 +34,18 @@ SharedConnectionBase::shared_ptr SharedConnectionBase::revive()
     return nullptr;
 }
 
-SharedConnectionRepository& SharedConnectionRepository::Instance()
-{
+SharedConnectionRepository& SharedConnectionRepository::Instance() {
     static SharedConnectionRepository* repository = new SharedConnectionRepository;
     return *repository;
 }
 
-SharedConnectionBase::shared_ptr SharedConnectionRepository::get(const std::string& name)
-{
+SharedConnectionBase::shared_ptr SharedConnectionRepository::get(const std::string& name) {
     const std::lock_guard<std::mutex> lock(repositoryMutex());
     const auto found = connections_.find(name);
     return found == connections_.end() ? nullptr : found->second->revive();
 }
 
-SharedConnectionBase::shared_ptr SharedConnectionRepository::add(SharedConnectionBase::shared_ptr connection)
-{
+SharedConnectionBase::shared_ptr SharedConnectionRepository::add(SharedConnectionBase::shared_ptr connection) {
     const std::lock_guard<std::mutex> lock(repositoryMutex());
     SharedConnectionBase*& entry = connections_[connection->getName()];
     SharedConnectionBase::shared_ptr existing = entry ? entry->revive() : nullptr;
@@ -61,8 +54,7 @@ SharedConnectionBase::shared_ptr SharedConnectionRepository::add(SharedConnectio
     return connection;
 }
 
-std::string SharedConnectionRepository::uniqueName()
-{
+std::string SharedConnectionRepository::uniqueName() {
     const std::lock_guard<std::mutex> lock(repositoryMutex());
     std::string name;
     do name = "shared_connection_" + std::to_string(++counter_);
@@ -71,8 +63,7 @@ std::string SharedConnectionRepository::uniqueName()
 }
 
 /** The last reference is gone, and revive() gives out none for it any more. */
-void SharedConnectionRepository::forget(SharedConnectionBase& connection)
-{
+void SharedConnectionRepository::forget(SharedConnectionBase& connection) {
     {
         const std::lock_guard<std::mutex> lock(repositoryMutex());
         const auto found = connections_.find(connection.getName());

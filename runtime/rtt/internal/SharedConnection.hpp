@@ -12,7 +12,9 @@
 #include <string>
 
 namespace RTT {
-namespace types { struct TypeOps; }
+namespace types {
+struct TypeOps;
+}
 namespace internal {
 
 /** Lives as long as a port is connected to it or somebody holds it. */
@@ -20,8 +22,8 @@ class RTT_API SharedConnectionBase {
 public:
     typedef boost::intrusive_ptr<SharedConnectionBase> shared_ptr;
 
-    SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage, const ConnPolicy& policy,
-                         const types::TypeOps& ops);
+    SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage,
+                         const ConnPolicy& policy, const types::TypeOps& ops);
 
     const std::string& getName() const { return policy_.name_id; }
     const ConnPolicy& getPolicy() const { return policy_; }

@@ -8,13 +8,16 @@
 #include <boost/function.hpp>
 #include <boost/shared_ptr.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
-template <class Signature> class Signal;
+template <class Signature>
+class Signal;
 
 /** Calls all connected functions, in the thread that emits and in the order of connection. Functions may connect and
     disconnect while it emits; that counts from the next emission. Emitting is real-time safe if the functions are. */
-template <class R, class... Args> class Signal<R(Args...)> : public SignalBase {
+template <class R, class... Args>
+class Signal<R(Args...)> : public SignalBase {
 public:
     typedef boost::function<void(Args...)> SlotFunction;  // results are ignored
     typedef boost::shared_ptr<Signal> shared_ptr;
@@ -23,8 +26,7 @@ public:
     /** The handle can connect it later. */
     Handle setup(const SlotFunction& function) { return make(function, false); }
 
-    void emit(Args... args) const
-    {
+    void emit(Args... args) const {
         if (auto all = this->snapshot())
             for (const ConnectionPtr& connection : *all)
                 if (connection->connected()) static_cast<const Slot&>(*connection).function(args...);
@@ -37,14 +39,14 @@ private:
         explicit Slot(const SlotFunction& f) : function(f) {}
         SlotFunction function;
     };
-    Handle make(const SlotFunction& function, bool connect)
-    {
+    Handle make(const SlotFunction& function, bool connect) {
         ConnectionPtr connection = std::make_shared<Slot>(function);
         this->add(connection, connect);
         return Handle(connection);
     }
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -11,8 +11,7 @@ namespace internal {
 
 SignalBase::Connection::~Connection() = default;
 
-bool SignalBase::Connection::connect()
-{
+bool SignalBase::Connection::connect() {
     std::lock_guard<std::mutex> lock(mutex_);
     if (!signal_ || connected_) return false;
     connected_.store(true, std::memory_order_release);
@@ -20,8 +19,7 @@ bool SignalBase::Connection::connect()
     return true;
 }
 
-bool SignalBase::Connection::disconnect()
-{
+bool SignalBase::Connection::disconnect() {
     std::lock_guard<std::mutex> lock(mutex_);
     if (!signal_ || !connected_) return false;
     connected_.store(false, std::memory_order_release);
@@ -29,33 +27,28 @@ bool SignalBase::Connection::disconnect()
     return true;
 }
 
-void SignalBase::Connection::orphan()
-{
+void SignalBase::Connection::orphan() {
     std::lock_guard<std::mutex> lock(mutex_);
     connected_.store(false, std::memory_order_release);
     signal_ = nullptr;
 }
 
-SignalBase::~SignalBase()
-{
+SignalBase::~SignalBase() {
     if (auto all = snapshot())
         for (const ConnectionPtr& connection : *all) connection->orphan();
 }
 
-void SignalBase::add(const ConnectionPtr& connection, bool connect)
-{
+void SignalBase::add(const ConnectionPtr& connection, bool connect) {
     connection->signal_ = this;
     if (connect) connection->connect();
 }
 
-std::shared_ptr<const SignalBase::Connections> SignalBase::snapshot() const
-{
+std::shared_ptr<const SignalBase::Connections> SignalBase::snapshot() const {
     if (!any_.load(std::memory_order_acquire)) return nullptr;
     return std::atomic_load(&connections_);
 }
 
-void SignalBase::change(const ConnectionPtr& connection, bool present)
-{
+void SignalBase::change(const ConnectionPtr& connection, bool present) {
     std::lock_guard<std::mutex> lock(mutex_);
     auto next = std::make_shared<Connections>();
     if (connections_)
@@ -78,8 +71,7 @@ ScopedHandle::ScopedHandle(const Handle& handle) : Handle(handle) {}
 ScopedHandle::~ScopedHandle() { disconnect(); }
 
 CleanupHandle::CleanupHandle(const Handle& handle) : Handle(handle) {}
-CleanupHandle::~CleanupHandle()
-{
+CleanupHandle::~CleanupHandle() {
     disconnect();
     if (connection_) connection_->orphan();
 }

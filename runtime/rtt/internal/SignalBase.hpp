@@ -10,7 +10,8 @@
 #include <mutex>
 #include <vector>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** The connections of a signal, without the type of their functions. */
 class RTT_API SignalBase {
@@ -55,6 +56,7 @@ private:
     std::atomic<bool> any_{false};
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -13,25 +13,18 @@ namespace internal {
 
 namespace {
 // One for all: readers come and go seldom, and only storages with several readers have a list.
-std::mutex& readersMutex()
-{
+std::mutex& readersMutex() {
     static std::mutex mutex;
     return mutex;
 }
 }  // namespace
 
 StorageCore::StorageCore(const ConnPolicy& policy, std::unique_ptr<SampleStore> store)
-    : store_(std::move(store)), policy_(policy)
-{
-}
+    : store_(std::move(store)), policy_(policy) {}
 
-StorageCore::~StorageCore()
-{
-    ChannelArray::retire(readers_.load(std::memory_order_relaxed));
-}
+StorageCore::~StorageCore() { ChannelArray::retire(readers_.load(std::memory_order_relaxed)); }
 
-void StorageCore::addReader(base::ChannelElementBase& reader)
-{
+void StorageCore::addReader(base::ChannelElementBase& reader) {
     const ChannelArray* old;
     {
         const std::lock_guard<std::mutex> lock(readersMutex());
@@ -46,8 +39,7 @@ void StorageCore::addReader(base::ChannelElementBase& reader)
     ChannelArray::retire(old);
 }
 
-void StorageCore::removeReader(const base::ChannelElementBase* reader)
-{
+void StorageCore::removeReader(const base::ChannelElementBase* reader) {
     const ChannelArray* old;
     {
         const std::lock_guard<std::mutex> lock(readersMutex());
@@ -62,8 +54,7 @@ void StorageCore::removeReader(const base::ChannelElementBase* reader)
     ChannelArray::retire(old);
 }
 
-bool StorageCore::signalReaders() const
-{
+bool StorageCore::signalReaders() const {
     const Reclaimer::Guard guard;
     const ChannelArray* readers = readers_.load(std::memory_order_acquire);
     if (!readers) return false;

@@ -23,10 +23,7 @@ public:
 
     SampleStore& store() const { return *store_; }
     const ConnPolicy& policy() const { return policy_; }
-    bool hasManyReaders() const
-    {
-        return policy_.buffer_policy == PerOutputPort || policy_.buffer_policy == Shared;
-    }
+    bool hasManyReaders() const { return policy_.buffer_policy == PerOutputPort || policy_.buffer_policy == Shared; }
 
     void addReader(base::ChannelElementBase& reader);
     void removeReader(const base::ChannelElementBase* reader);

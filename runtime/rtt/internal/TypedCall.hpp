@@ -14,21 +14,25 @@
 #include <type_traits>
 #include <utility>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** True for arguments that an operation changes for its caller. */
-template <class Arg> constexpr bool isOutput = std::is_lvalue_reference_v<Arg> && !std::is_const_v<std::remove_reference_t<Arg>>;
-template <class Arg> using ValueOf = std::remove_cv_t<std::remove_reference_t<Arg>>;
+template <class Arg>
+constexpr bool isOutput = std::is_lvalue_reference_v<Arg> && !std::is_const_v<std::remove_reference_t<Arg>>;
+template <class Arg>
+using ValueOf = std::remove_cv_t<std::remove_reference_t<Arg>>;
 
 /** Holds the result of a function: a value, the address of a referred one, or nothing. */
-template <class R> class ResultStore {
+template <class R>
+class ResultStore {
 public:
     ResultStore() = default;
     ~ResultStore() { clear(); }
     ResultStore(const ResultStore&) = delete;
     ResultStore& operator=(const ResultStore&) = delete;
-    template <class F> void take(F&& f)
-    {
+    template <class F>
+    void take(F&& f) {
         clear();
         new (bytes_) R(f());
         full_ = true;
@@ -37,49 +41,62 @@ public:
     const void* address() const { return full_ ? bytes_ : nullptr; }
 
 private:
-    void clear()
-    {
+    void clear() {
         if (full_) get().~R();
         full_ = false;
     }
     alignas(R) unsigned char bytes_[sizeof(R)];
     bool full_ = false;
 };
-template <class R> class ResultStore<R&> {
+template <class R>
+class ResultStore<R&> {
 public:
-    template <class F> void take(F&& f) { value_ = std::addressof(f()); }
+    template <class F>
+    void take(F&& f) {
+        value_ = std::addressof(f());
+    }
     R& get() const { return *value_; }
     const void* address() const { return value_; }
 
 private:
     R* value_ = nullptr;
 };
-template <> class ResultStore<void> {
+template <>
+class ResultStore<void> {
 public:
-    template <class F> void take(F&& f) { f(); }
+    template <class F>
+    void take(F&& f) {
+        f();
+    }
     void get() const {}
     const void* address() const { return nullptr; }
 };
 
 /** Copies of the arguments, told apart by their position. */
-template <std::size_t, class T> struct Argument {
+template <std::size_t, class T>
+struct Argument {
     T value;
 };
-template <class Indices, class... T> struct ArgumentPack;
-template <std::size_t... I, class... T> struct ArgumentPack<std::index_sequence<I...>, T...> : Argument<I, T>... {
+template <class Indices, class... T>
+struct ArgumentPack;
+template <std::size_t... I, class... T>
+struct ArgumentPack<std::index_sequence<I...>, T...> : Argument<I, T>... {
     explicit ArgumentPack(const T&... values) : Argument<I, T>{values}... {}
 };
-template <std::size_t I, class T> T& argumentAt(Argument<I, T>& argument) { return argument.value; }
+template <std::size_t I, class T>
+T& argumentAt(Argument<I, T>& argument) {
+    return argument.value;
+}
 
-template <class Signature> class TypedCall;
-template <class R, class... Args> class TypedCall<R(Args...)> final : public SentCall {
+template <class Signature>
+class TypedCall;
+template <class R, class... Args>
+class TypedCall<R(Args...)> final : public SentCall {
 public:
     typedef boost::intrusive_ptr<TypedCall> shared_ptr;
 
     explicit TypedCall(typename Callee<R(Args...)>::shared_ptr callee, const std::remove_reference_t<Args>&... args)
-        : arguments(args...), callee_(std::move(callee))
-    {
-    }
+        : arguments(args...), callee_(std::move(callee)) {}
     const void* resultAddress() const override { return result.address(); }
     void* argumentAddress(unsigned index) override { return addressAt(index, std::index_sequence_for<Args...>()); }
 
@@ -88,13 +105,13 @@ public:
 
 private:
     void run() override { runWith(std::index_sequence_for<Args...>()); }
-    template <std::size_t... I> void runWith(std::index_sequence<I...>)
-    {
+    template <std::size_t... I>
+    void runWith(std::index_sequence<I...>) {
         // Arguments by value are moved: only those by reference are looked at again.
         result.take([this]() -> R { return (*callee_)(static_cast<Args&&>(argumentAt<I>(arguments))...); });
     }
-    template <std::size_t... I> void* addressAt(unsigned index, std::index_sequence<I...>)
-    {
+    template <std::size_t... I>
+    void* addressAt(unsigned index, std::index_sequence<I...>) {
         void* const all[] = {std::addressof(argumentAt<I>(arguments))..., nullptr};
         return all[index];
     }
@@ -102,6 +119,7 @@ private:
     typename Callee<R(Args...)>::shared_ptr callee_;
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

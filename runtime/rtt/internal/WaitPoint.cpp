@@ -4,14 +4,15 @@
 
 #include <rtt/os/detail/futex.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
-void WaitPoint::wait(std::uint32_t ticket)
-{
+void WaitPoint::wait(std::uint32_t ticket) {
     while (epoch_.load() == ticket) os::detail::futexWait(epoch_, ticket, os::detail::kForever);
     waiters_.fetch_sub(1);
 }
 
 void WaitPoint::wake() { os::detail::futexWakeAll(epoch_); }
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT

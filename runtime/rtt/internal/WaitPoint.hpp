@@ -8,7 +8,8 @@
 #include <atomic>
 #include <cstdint>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /**
  * Where threads wait for something an engine is told. Shared by reference count, because whoever announces the end of
@@ -20,8 +21,7 @@ namespace RTT { namespace internal {
  */
 class RTT_API WaitPoint {
 public:
-    std::uint32_t prepare()
-    {
+    std::uint32_t prepare() {
         waiters_.fetch_add(1);
         return epoch_.load();
     }
@@ -29,8 +29,7 @@ public:
     /** Sleeps until a notify() after prepare(). Blocks. */
     void wait(std::uint32_t ticket);
     /** Wakes all waiters. Real-time safe; a system call only if somebody waits. */
-    void notify()
-    {
+    void notify() {
         epoch_.fetch_add(1);
         if (waiters_.load() != 0) wake();
     }
@@ -42,6 +41,7 @@ private:
     std::atomic<std::uint32_t> waiters_{0};
 };
 
-}}  // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -22,64 +22,57 @@ typedef ConnectionManager::Obstacle Obstacle;
 
 namespace {
 
-std::string typeName(const PortInterface& port)
-{
+std::string typeName(const PortInterface& port) {
     const types::TypeInfo* type = port.getTypeInfo();
     const std::string name = type ? type->getTypeName() : "unknown_t";
     return name == "unknown_t" && port.sampleOps() ? name + " (" + port.sampleOps()->id->name() + ")" : name;
 }
 
-bool sameType(const types::TypeOps* a, const types::TypeOps* b)
-{
+bool sameType(const types::TypeOps* a, const types::TypeOps* b) {
     return a && b && std::strcmp(a->id->name(), b->id->name()) == 0;
 }
 
-bool sameStorage(const ConnPolicy& a, const ConnPolicy& b)
-{
+bool sameStorage(const ConnPolicy& a, const ConnPolicy& b) {
     return a.type == b.type && a.lock_policy == b.lock_policy && (a.type == ConnPolicy::DATA || a.size == b.size);
 }
 
-bool refuseMix(const PortInterface& output, const PortInterface& input, const ConnPolicy& policy)
-{
+bool refuseMix(const PortInterface& output, const PortInterface& input, const ConnPolicy& policy) {
     log(Error) << "cannot connect output port " << output.getFullName() << " with input port " << input.getFullName()
                << " by a " << static_cast<BufferPolicy>(policy.buffer_policy)
                << " connection: one of them already has connections with another buffer policy" << endlog();
     return false;
 }
 
-bool refuseOther(const PortInterface& owner, const ConnPolicy& wanted, const ConnPolicy& existing)
-{
+bool refuseOther(const PortInterface& owner, const ConnPolicy& wanted, const ConnPolicy& existing) {
     log(Error) << "incompatible connection policies for the shared buffer of port " << owner.getFullName()
                << ": the new connection requests " << wanted << ", but the port already has " << existing << endlog();
     return false;
 }
 
 /** False, and an error, if the two can never be connected directly. */
-bool checkEnds(OutputPortInterface& output, InputPortInterface& input)
-{
+bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
     if (!output.isLocal())
         log(Error) << "output port " << output.getFullName()
                    << " is a proxy for one in another process: connections start at a local output port" << endlog();
     else if (!input.isLocal())
         log(Error) << "input port " << input.getFullName() << " lives in another process (protocol "
-                   << input.serverProtocol() << "), and no transport for its type " << typeName(input)
-                   << " is loaded" << endlog();
+                   << input.serverProtocol() << "), and no transport for its type " << typeName(input) << " is loaded"
+                   << endlog();
     else if (!sameType(output.sampleOps(), input.sampleOps()))
         log(Error) << "output port " << output.getFullName() << " of type " << typeName(output)
                    << " is not compatible with input port " << input.getFullName() << " of type " << typeName(input)
                    << endlog();
-    else return true;
+    else
+        return true;
     return false;
 }
 
-bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const ConnPolicy& policy)
-{
+bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const ConnPolicy& policy) {
     const ConnPolicy both = policy;  // the first stream fills in the name, the second one joins it
     return ConnFactory::createStream(input, both) && ConnFactory::createStream(output, both);
 }
 
-bool connected(const OutputPortInterface& output, const InputPortInterface& input, const char* how)
-{
+bool connected(const OutputPortInterface& output, const InputPortInterface& input, const char* how) {
     log(how ? Info : Debug) << "output port " << output.getFullName() << " is " << (how ? how : "now")
                             << " connected to " << input.getFullName() << endlog();
     return true;
@@ -87,8 +80,7 @@ bool connected(const OutputPortInterface& output, const InputPortInterface& inpu
 
 }  // namespace
 
-bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted)
-{
+bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted) {
     if (output.isLocal() && output.connectedTo(&input)) return connected(output, input, "already");
     if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
     if (output.isLocal() && input.isLocal() && wanted.transport != 0) return outOfBand(output, input, wanted);
@@ -108,12 +100,12 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
         // was written before the connection was there.
         if (!output.initialise(*storage, policy.init)) return false;
         if (!input.channelReady(storage, policy)) {
-            log(Error) << "input port " << input.getFullName() << " could not read from the connection with output port "
-                       << output.getFullName() << endlog();
+            log(Error) << "input port " << input.getFullName()
+                       << " could not read from the connection with output port " << output.getFullName() << endlog();
             return false;
         }
-        const Obstacle obstacle = ConnectionManager::join(*output.getManager(), *input.getManager(), storage, policy,
-                                                          shared.get());
+        const Obstacle obstacle =
+            ConnectionManager::join(*output.getManager(), *input.getManager(), storage, policy, shared.get());
         Reclaimer::collect();
         if (obstacle == ConnectionManager::Retry) continue;
         if (obstacle == ConnectionManager::AlreadyConnected) return connected(output, input, "already");
@@ -127,8 +119,7 @@ namespace {
 
 /** The shared connection that the ports are to join; null, with an error, if there can be none. */
 SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedConnectionBase::shared_ptr given,
-                                                  ConnPolicy const& policy)
-{
+                                                  ConnPolicy const& policy) {
     if (!given && !policy.name_id.empty()) given = SharedConnectionRepository::Instance().get(policy.name_id);
     if (!given) {
         const auto storage = port.buildStorage(policy);
@@ -147,8 +138,7 @@ SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedCon
     return given;
 }
 
-bool joinShared(PortInterface& port, const SharedConnectionBase::shared_ptr& connection)
-{
+bool joinShared(PortInterface& port, const SharedConnectionBase::shared_ptr& connection) {
     const Obstacle obstacle = port.getManager()->join(connection);
     if (obstacle == ConnectionManager::None || obstacle == ConnectionManager::AlreadyConnected) return true;
     log(Error) << "port " << port.getFullName() << " cannot join shared connection '" << connection->getName()
@@ -159,8 +149,7 @@ bool joinShared(PortInterface& port, const SharedConnectionBase::shared_ptr& con
 }  // namespace
 
 bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortInterface* input,
-                                         SharedConnectionBase::shared_ptr connection, ConnPolicy const& wanted)
-{
+                                         SharedConnectionBase::shared_ptr connection, ConnPolicy const& wanted) {
     if (output && input && !checkEnds(*output, *input)) return false;
     ConnPolicy policy = wanted;
     policy.buffer_policy = Shared;
@@ -187,7 +176,8 @@ bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortI
     const bool done = (!input || joinShared(*input, connection)) && (!output || joinShared(*output, connection));
     if (!done && input && !has[1]) (void)input->getManager()->removeChannel(connection->storage().get());
     Reclaimer::collect();
-    if (done && output && !has[0] && policy.init && output->hasLastWrittenValue()) (void)connection->storage()->signal();
+    if (done && output && !has[0] && policy.init && output->hasLastWrittenValue())
+        (void)connection->storage()->signal();
     return done;
 }
 

@@ -15,8 +15,7 @@ using base::ChannelElementBase;
 using base::PortInterface;
 
 namespace detail {
-std::mutex& GraphLock::mutex()
-{
+std::mutex& GraphLock::mutex() {
     static std::mutex* mutex = new std::mutex;
     return *mutex;
 }
@@ -24,15 +23,11 @@ std::mutex& GraphLock::mutex()
 
 namespace {
 
-bool isInput(const PortInterface* port)
-{
-    return dynamic_cast<const base::InputPortInterface*>(port) != nullptr;
-}
+bool isInput(const PortInterface* port) { return dynamic_cast<const base::InputPortInterface*>(port) != nullptr; }
 
 /** What a buffer policy means at one end: PerOutputPort is an ordinary connection for the reader, PerInputPort for the
     writer. */
-int policyAt(bool input, const ConnPolicy& policy)
-{
+int policyAt(bool input, const ConnPolicy& policy) {
     if (policy.buffer_policy == Shared) return Shared;
     const int own = input ? PerInputPort : PerOutputPort;
     return policy.buffer_policy == own ? own : PerConnection;
@@ -40,16 +35,14 @@ int policyAt(bool input, const ConnPolicy& policy)
 
 }  // namespace
 
-bool ConnectionManager::mixesBadly(const ConnPolicy& policy) const
-{
+bool ConnectionManager::mixesBadly(const ConnPolicy& policy) const {
     const bool input = isInput(port_);
     for (const Connection& c : connections_)
         if (policyAt(input, c.policy) != policyAt(input, policy)) return true;
     return false;
 }
 
-ChannelElementBase* ConnectionManager::findShared(const ConnPolicy& policy, ConnPolicy* existing) const
-{
+ChannelElementBase* ConnectionManager::findShared(const ConnPolicy& policy, ConnPolicy* existing) const {
     const bool input = isInput(port_);
     if (policyAt(input, policy) == PerConnection || policy.buffer_policy == Shared) return nullptr;
     for (const Connection& c : connections_) {
@@ -60,16 +53,14 @@ ChannelElementBase* ConnectionManager::findShared(const ConnPolicy& policy, Conn
     return nullptr;
 }
 
-ChannelElementBase::shared_ptr ConnectionManager::sharedStorage(const ConnPolicy& policy, ConnPolicy* existing) const
-{
+ChannelElementBase::shared_ptr ConnectionManager::sharedStorage(const ConnPolicy& policy, ConnPolicy* existing) const {
     const detail::GraphLock lock;
     return findShared(policy, existing);
 }
 
 ConnectionManager::Obstacle ConnectionManager::join(ConnectionManager& output, ConnectionManager& input,
                                                     const ChannelElementBase::shared_ptr& storage,
-                                                    const ConnPolicy& policy, const ChannelElementBase* expected)
-{
+                                                    const ConnPolicy& policy, const ChannelElementBase* expected) {
     const detail::GraphLock lock;
     for (const Connection& c : output.connections_)
         if (c.id->peer() == input.port_) return AlreadyConnected;
@@ -85,14 +76,15 @@ ConnectionManager::Obstacle ConnectionManager::join(ConnectionManager& output, C
     return None;
 }
 
-ConnectionManager::Obstacle ConnectionManager::join(const SharedConnectionBase::shared_ptr& connection)
-{
+ConnectionManager::Obstacle ConnectionManager::join(const SharedConnectionBase::shared_ptr& connection) {
     const detail::GraphLock lock;
     for (const Connection& c : connections_)
         if (c.shared) return c.shared == connection ? AlreadyConnected : OtherStorage;
     if (mixesBadly(connection->getPolicy())) return OtherBufferPolicy;
-    if (isInput(port_)) connection->storage()->connectTo(port_->endpoint_);
-    else connection->storage()->connectFrom(port_->endpoint_);
+    if (isInput(port_))
+        connection->storage()->connectTo(port_->endpoint_);
+    else
+        connection->storage()->connectFrom(port_->endpoint_);
     add({boost::shared_ptr<ConnID>(new SharedConnID(connection->getName())), connection->storage(),
          connection->getPolicy(), connection});
     return None;

@@ -15,15 +15,14 @@ namespace internal {
 
 namespace {
 
-std::string describe(const base::PortInterface& port)
-{
+std::string describe(const base::PortInterface& port) {
     return dynamic_cast<const base::InputPortInterface*>(&port) ? "input port " + port.getFullName()
                                                                 : "output port " + port.getFullName();
 }
 
 /** The channel element of the transport; null, with errors logged, if there is none. */
-base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port, ConnPolicy const& policy, bool sender)
-{
+base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port, ConnPolicy const& policy,
+                                                      bool sender) {
     const types::TypeInfo* type = port.getTypeInfo();
     if (policy.transport == 0) {
         log(Error) << describe(port) << ": need a transport for creating streams, found policy.transport 0" << endlog();
@@ -55,16 +54,14 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
     return element;
 }
 
-bool created(const base::PortInterface& port, ConnPolicy const& policy)
-{
+bool created(const base::PortInterface& port, ConnPolicy const& policy) {
     log(Info) << "created stream '" << policy.name_id << "' for " << describe(port) << endlog();
     return true;
 }
 
 }  // namespace
 
-bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy)
-{
+bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy) {
     const ElementPtr element = transportElement(output, policy, true);
     if (!element) return false;
     if (output.addConnection(new StreamConnID(policy.name_id), element, policy)) return created(output, policy);
@@ -72,13 +69,11 @@ bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy con
     return false;
 }
 
-bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy)
-{
+bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy) {
     const ElementPtr element = transportElement(input, policy, false);
     if (!element) return false;
     const ElementPtr storage = makeChannelOutput(input, policy);
-    if (storage && element->connectTo(storage) &&
-        input.channelReady(storage, policy, new StreamConnID(policy.name_id)))
+    if (storage && element->connectTo(storage) && input.channelReady(storage, policy, new StreamConnID(policy.name_id)))
         return created(input, policy);
     log(Error) << describe(input) << " could not read from the stream '" << policy.name_id << "'" << endlog();
     element->disconnect(nullptr, true);

@@ -13,9 +13,10 @@ struct ternary_function {
     typedef Arg3 third_argument_type;
     typedef Result result_type;
 };
-}
+}  // namespace std
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 template <class T>
 struct identity {
@@ -56,6 +57,7 @@ struct subs3 {
     R operator()(A a, B b) const { return a - b; }
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

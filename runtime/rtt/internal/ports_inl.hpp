@@ -13,32 +13,27 @@
 namespace RTT {
 
 template <typename T>
-InputPort<T>* InputPort<T>::clone() const
-{
+InputPort<T>* InputPort<T>::clone() const {
     return new InputPort<T>(getName(), getDefaultPolicy());
 }
 
 template <typename T>
-base::PortInterface* InputPort<T>::antiClone() const
-{
+base::PortInterface* InputPort<T>::antiClone() const {
     return new OutputPort<T>(getName());
 }
 
 template <typename T>
-base::DataSourceBase* InputPort<T>::getDataSource()
-{
+base::DataSourceBase* InputPort<T>::getDataSource() {
     return new internal::PortSource<T, InputPort<T>>(getEndpoint());
 }
 
 template <typename T>
-base::ChannelElementBase::shared_ptr InputPort<T>::buildStorage(ConnPolicy const& policy) const
-{
+base::ChannelElementBase::shared_ptr InputPort<T>::buildStorage(ConnPolicy const& policy) const {
     return internal::ConnFactory::buildStorage<T>(policy, nullptr);
 }
 
 template <typename T>
-Service* InputPort<T>::createPortObject()
-{
+Service* InputPort<T>::createPortObject() {
     Service* object = base::InputPortInterface::createPortObject();
     object->addSynchronousOperation("read", &InputPort<T>::readOperation, this)
         .doc("Reads a sample from the port.")
@@ -47,40 +42,34 @@ Service* InputPort<T>::createPortObject()
 }
 
 template <typename T>
-T OutputPort<T>::getLastWrittenValue() const
-{
+T OutputPort<T>::getLastWrittenValue() const {
     T value = T();
     copyLastWritten(&value);
     return value;
 }
 
 template <typename T>
-OutputPort<T>* OutputPort<T>::clone() const
-{
+OutputPort<T>* OutputPort<T>::clone() const {
     return new OutputPort<T>(getName(), keepsLastWrittenValue());
 }
 
 template <typename T>
-base::PortInterface* OutputPort<T>::antiClone() const
-{
+base::PortInterface* OutputPort<T>::antiClone() const {
     return new InputPort<T>(getName());
 }
 
 template <typename T>
-base::DataSourceBase* OutputPort<T>::getDataSource() const
-{
+base::DataSourceBase* OutputPort<T>::getDataSource() const {
     return new internal::PortSource<T, const OutputPort<T>>(getEndpoint());
 }
 
 template <typename T>
-base::ChannelElementBase::shared_ptr OutputPort<T>::buildStorage(ConnPolicy const& policy) const
-{
+base::ChannelElementBase::shared_ptr OutputPort<T>::buildStorage(ConnPolicy const& policy) const {
     return internal::ConnFactory::buildStorage<T>(policy, nullptr);
 }
 
 template <typename T>
-Service* OutputPort<T>::createPortObject()
-{
+Service* OutputPort<T>::createPortObject() {
     Service* object = base::OutputPortInterface::createPortObject();
     object->addSynchronousOperation("write", &OutputPort<T>::writeOperation, this)
         .doc("Writes a sample to the port.")

@@ -5,7 +5,8 @@
 
 #include <rtt/PropertyBag.hpp>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 /** Writes properties in some format. Not thread safe, not real-time safe. */
 class RTT_API MarshallInterface {
@@ -25,6 +26,7 @@ public:
     virtual bool deserialize(PropertyBag& bag) = 0;
 };
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

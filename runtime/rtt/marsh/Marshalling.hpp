@@ -13,9 +13,15 @@ namespace RTT {
 class Marshalling : public ServiceRequester {
 public:
     explicit Marshalling(TaskContext* owner = nullptr)
-        : ServiceRequester("marshalling", owner), loadProperties("loadProperties"), storeProperties("storeProperties"),
-          readProperties("readProperties"), readProperty("readProperty"), updateProperties("updateProperties"),
-          writeProperties("writeProperties"), writeProperty("writeProperty"), updateFile("updateFile") {
+        : ServiceRequester("marshalling", owner),
+          loadProperties("loadProperties"),
+          storeProperties("storeProperties"),
+          readProperties("readProperties"),
+          readProperty("readProperty"),
+          updateProperties("updateProperties"),
+          writeProperties("writeProperties"),
+          writeProperty("writeProperty"),
+          updateFile("updateFile") {
         addOperationCaller(loadProperties);
         addOperationCaller(storeProperties);
         addOperationCaller(readProperties);
@@ -36,6 +42,6 @@ public:
     OperationCaller<bool(const std::string&)> updateFile;
 };
 
-} // namespace RTT
+}  // namespace RTT
 
 #endif

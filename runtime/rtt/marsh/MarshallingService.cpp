@@ -7,7 +7,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 MarshallingService::MarshallingService(TaskContext* parent) : Service("marshalling", parent) {
     doc("Reads and writes property files");
@@ -177,6 +178,7 @@ bool MarshallingService::writeServiceProperty(const std::string& name, const std
     return service && PropertyLoader(service).save(filename, name);
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 ORO_SERVICE_NAMED_PLUGIN(RTT::marsh::MarshallingService, "marshalling")

@@ -7,7 +7,8 @@
 #include <rtt/TaskContext.hpp>
 #include <string>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 /**
  * The service "marshalling": the functions of PropertyLoader as operations of a component, for the properties of the
@@ -47,6 +48,7 @@ private:
     void addServiceOperations();
 };
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 #include "MarshallInterface.hpp"
 #include <string>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 /** Reads a property file. All errors go to the log with their places. */
 class RTT_API PropertyDemarshaller : public DemarshallInterface {
@@ -19,6 +20,7 @@ private:
     std::string filename_;
 };
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

@@ -7,19 +7,21 @@
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 namespace {
 
 /** Runs `action(sink)` and writes what the sink got to the log. */
-template <class Action> bool logged(Action action) {
+template <class Action>
+bool logged(Action action) {
     diag::Sink sink;
     const bool good = action(sink);
     logDiagnostics(sink);
     return good;
 }
 
-}
+}  // namespace
 
 PropertyLoader::PropertyLoader(TaskContext* target) : PropertyLoader(target->provides().get()) {}
 
@@ -43,11 +45,13 @@ bool PropertyLoader::store(const std::string& file) const {
 }
 
 bool PropertyLoader::save(const std::string& file, bool all) const {
-    return logged([&](diag::Sink& sink) { return saveToFile(*bag_, file, all ? SaveMode::merge : SaveMode::update, sink); });
+    return logged(
+        [&](diag::Sink& sink) { return saveToFile(*bag_, file, all ? SaveMode::merge : SaveMode::update, sink); });
 }
 
 bool PropertyLoader::save(const std::string& file, const std::string& name) const {
     return logged([&](diag::Sink& sink) { return saveOneToFile(*bag_, file, name, sink); });
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

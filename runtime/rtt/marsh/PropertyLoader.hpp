@@ -42,6 +42,7 @@ private:
     PropertyBag* bag_;
 };
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

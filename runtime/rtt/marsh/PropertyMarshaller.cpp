@@ -6,7 +6,8 @@
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 MarshallInterface::~MarshallInterface() = default;
 DemarshallInterface::~DemarshallInterface() = default;
@@ -42,4 +43,5 @@ bool PropertyDemarshaller::deserialize(PropertyBag& bag) {
     return good && copyProperties(bag, read);
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

@@ -6,7 +6,8 @@
 #include "MarshallInterface.hpp"
 #include <string>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 /** Writes a property file: each flush(), and the destructor, replaces the file by all that was serialized. */
 class RTT_API PropertyMarshaller : public MarshallInterface {
@@ -26,6 +27,7 @@ private:
     bool written_ = false;
 };
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

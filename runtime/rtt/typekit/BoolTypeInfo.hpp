@@ -6,7 +6,8 @@
 #include <rtt/types/TemplateTypeInfo.hpp>
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for bool, whose text is "true" or "false"; 1 and 0 are read, too. */
 struct BoolTypeInfo : TemplateTypeInfo<bool, true> {
@@ -31,6 +32,7 @@ struct BoolTypeInfo : TemplateTypeInfo<bool, true> {
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -4,7 +4,8 @@
 
 #include <rtt/typekit/detail/builtin_parts.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 bool RealTimeTypekitPlugin::loadTypes() {
     builtin::addNumbers();
@@ -36,6 +37,7 @@ bool RealTimeTypekitPlugin::loadGlobals() {
 
 std::string RealTimeTypekitPlugin::getName() { return "rtt-types"; }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 ORO_TYPEKIT_PLUGIN(RTT::types::RealTimeTypekitPlugin)

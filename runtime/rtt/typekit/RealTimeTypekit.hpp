@@ -5,7 +5,8 @@
 
 #include <rtt/types/TypekitPlugin.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** The typekit "rtt-types": numbers, texts, and the types of the runtime's own interfaces. */
 class RTT_API RealTimeTypekitPlugin : public TypekitPlugin {
@@ -17,6 +18,7 @@ public:
     std::string getName() override;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

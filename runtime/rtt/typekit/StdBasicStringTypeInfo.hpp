@@ -5,7 +5,8 @@
 
 #include <rtt/types/SequenceTypeInfo.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for strings: printed as they are, members size, capacity and the characters by index, resizable. */
 template <class T>
@@ -34,6 +35,7 @@ private:
     };
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

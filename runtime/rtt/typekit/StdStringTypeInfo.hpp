@@ -6,13 +6,15 @@
 #include "StdBasicStringTypeInfo.hpp"
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for std::string, registered as "string". */
 struct StdStringTypeInfo : StdBasicStringTypeInfo<std::string> {
     explicit StdStringTypeInfo(const std::string& name = "string") : StdBasicStringTypeInfo<std::string>(name) {}
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <rtt/types/TemplateTypeInfo.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for numbers and the like, which have stream operators. */
 template <typename T>
@@ -14,6 +15,7 @@ public:
     explicit StdTypeInfo(const std::string& name) : TemplateTypeInfo<T, true>(name) {}
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

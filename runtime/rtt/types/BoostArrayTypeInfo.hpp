@@ -5,7 +5,8 @@
 
 #include "SequenceTypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for boost::array<E, N> and std::array<E, N>. Not resizable. */
 template <typename T, bool has_ostream = false>
@@ -20,6 +21,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 #include "SequenceTypeInfo.hpp"
 #include "carray.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for carray<E>, the type of members that are C arrays. Not resizable, no ports. */
 template <typename T, bool has_ostream = false>
@@ -22,6 +23,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

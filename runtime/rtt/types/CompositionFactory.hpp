@@ -5,7 +5,8 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Takes values of one type apart for files and displays, and puts them together again. */
 class RTT_API CompositionFactory {
@@ -15,9 +16,11 @@ public:
     /** A simpler form of `source`, mostly a source of PropertyBag; null if there is none. */
     virtual base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const = 0;
     /** Sets `target` from such a form; false, and `target` unchanged where possible, if it does not fit. */
-    virtual bool composeType(base::DataSourceBase::shared_ptr source, base::DataSourceBase::shared_ptr target) const = 0;
+    virtual bool composeType(base::DataSourceBase::shared_ptr source,
+                             base::DataSourceBase::shared_ptr target) const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

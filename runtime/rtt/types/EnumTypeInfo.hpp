@@ -9,7 +9,8 @@
 #include "TemplateTypeInfo.hpp"
 #include <map>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Generator for an enum. Derive from it and fill `to_string` in the constructor: that text is what is printed, read,
@@ -28,7 +29,8 @@ public:
         info->setCompositionFactory(self);
         info->setStreamFactory(self);
         info->addConstructor(newConstructor(&EnumTypeInfo::fromInt, true));
-        if (TypeInfo* number = Types()->getTypeInfo<int>()) number->addConstructor(newConstructor(&EnumTypeInfo::toInt, true));
+        if (TypeInfo* number = Types()->getTypeInfo<int>())
+            number->addConstructor(newConstructor(&EnumTypeInfo::toInt, true));
         return false;
     }
 
@@ -70,6 +72,7 @@ private:
     static int toInt(T value) { return static_cast<int>(value); }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

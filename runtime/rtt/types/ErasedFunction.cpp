@@ -8,7 +8,8 @@
 #include "Types.hpp"
 #include <cstring>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 
@@ -46,7 +47,7 @@ private:
     bool ready_ = false;
 };
 
-} // namespace
+}  // namespace
 
 bool ErasedFunction::accepts(std::size_t position, const DataSourceBase& argument) const {
     const std::type_info* id = argument.getTypeId();
@@ -69,4 +70,5 @@ DataSourceBase::shared_ptr ErasedFunction::apply(const std::vector<DataSourceBas
     return made;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -10,7 +10,8 @@
 #include <memory>
 #include <utility>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Computes `result` (an existing value) from the arguments; false if there is no result, as for 1 / 0. */
 using ComputeFunction = bool (*)(const void* context, const void* const* arguments, void* result);
@@ -20,7 +21,7 @@ struct ErasedFunction {
     static constexpr std::size_t maxArity = 3;
 
     ComputeFunction call = nullptr;
-    std::shared_ptr<const void> context;   ///< the function object
+    std::shared_ptr<const void> context;  ///< the function object
     TypeRef result = nullptr;
     std::size_t arity = 0;
     std::array<TypeRef, maxArity> arguments{};
@@ -30,13 +31,14 @@ struct ErasedFunction {
      * A source that calls the function whenever it is evaluated; real-time safe if the function is.
      * Null if an argument is of another type or the result type is not registered.
      */
-    RTT_API base::DataSourceBase::shared_ptr
-    apply(const std::vector<base::DataSourceBase::shared_ptr>& arguments) const;
+    RTT_API base::DataSourceBase::shared_ptr apply(
+        const std::vector<base::DataSourceBase::shared_ptr>& arguments) const;
 };
 
 namespace detail {
 
-template <class F, class R, class... A> struct ErasedCall {
+template <class F, class R, class... A>
+struct ErasedCall {
     static bool call(const void* context, const void* const* arguments, void* result) {
         // Function objects may have a non-const call operator; they are not shared between threads.
         auto& f = *const_cast<F*>(static_cast<const F*>(context));
@@ -50,7 +52,8 @@ template <class F, class R, class... A> struct ErasedCall {
     }
 };
 
-template <class F, class R, class... A> ErasedFunction eraseAs(F f, Signature<R(A...)>) {
+template <class F, class R, class... A>
+ErasedFunction eraseAs(F f, Signature<R(A...)>) {
     static_assert(sizeof...(A) <= ErasedFunction::maxArity, "at most three arguments");
     ErasedFunction erased;
     erased.call = &ErasedCall<F, R, A...>::call;
@@ -61,13 +64,15 @@ template <class F, class R, class... A> ErasedFunction eraseAs(F f, Signature<R(
     return erased;
 }
 
-} // namespace detail
+}  // namespace detail
 
 /** From a function pointer or a function object whose signature can be told. */
-template <class F> ErasedFunction eraseFunction(F f) {
+template <class F>
+ErasedFunction eraseFunction(F f) {
     return detail::eraseAs(std::move(f), typename detail::SignatureOf<F>::type());
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -12,7 +12,8 @@
 #include "Types.hpp"
 #include "carray.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** A struct with the given members: live access by name, property bags, and the text form "{a = 1, b = 2}". */
 template <class T>
@@ -38,6 +39,7 @@ TypeInfoGenerator* makeArrayType(const char* name) {
     return detail::newArrayGenerator(name, arrayOps<E>(), typeOps<carray<E>>(), typeThunks<carray<E>>());
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

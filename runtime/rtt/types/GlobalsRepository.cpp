@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include "GlobalsRepository.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
     // Never destroyed: plugins may hold references to what is in it.
@@ -10,4 +11,5 @@ GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
     return *instance;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

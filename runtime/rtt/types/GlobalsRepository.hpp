@@ -6,7 +6,8 @@
 #include <rtt/ConfigurationInterface.hpp>
 #include <boost/shared_ptr.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Constants, attributes and properties that every script sees. Not thread safe: fill it before threads use it. */
 class RTT_API GlobalsRepository : public ConfigurationInterface {
@@ -18,6 +19,7 @@ private:
     GlobalsRepository() = default;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

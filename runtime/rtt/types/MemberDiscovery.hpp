@@ -19,7 +19,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 /** A table of members that was made at run time; kept until the process ends, as tables in generated code are. */
 class DiscoveredMembers {
@@ -37,7 +39,7 @@ public:
 
 private:
     std::size_t objectSize_;
-    std::deque<std::string> names_;   // a deque never moves its strings
+    std::deque<std::string> names_;  // a deque never moves its strings
     std::vector<Member> members_;
 };
 
@@ -49,35 +51,56 @@ public:
 
     NotingArchive(DiscoveredMembers& found, const void* object) : found_(found), object_(object) {}
 
-    template <class T> void register_type(const T* = nullptr) {}
+    template <class T>
+    void register_type(const T* = nullptr) {}
     unsigned int get_library_version() const { return 0; }
     void reset_object_address(const void*, const void*) {}
 
-    template <class T> NotingArchive& operator&(const boost::serialization::nvp<T>& pair) {
+    template <class T>
+    NotingArchive& operator&(const boost::serialization::nvp<T>& pair) {
         note(pair.name(), pair.value());
         return *this;
     }
-    template <class T> NotingArchive& operator>>(const boost::serialization::nvp<T>& pair) { return *this & pair; }
-    template <class T> NotingArchive& operator<<(const boost::serialization::nvp<T>& pair) { return *this & pair; }
+    template <class T>
+    NotingArchive& operator>>(const boost::serialization::nvp<T>& pair) {
+        return *this & pair;
+    }
+    template <class T>
+    NotingArchive& operator<<(const boost::serialization::nvp<T>& pair) {
+        return *this & pair;
+    }
     // Values without a name cannot be members.
-    template <class T> NotingArchive& operator&(const T&) { return *this; }
-    template <class T> NotingArchive& operator>>(const T&) { return *this; }
-    template <class T> NotingArchive& operator<<(const T&) { return *this; }
+    template <class T>
+    NotingArchive& operator&(const T&) {
+        return *this;
+    }
+    template <class T>
+    NotingArchive& operator>>(const T&) {
+        return *this;
+    }
+    template <class T>
+    NotingArchive& operator<<(const T&) {
+        return *this;
+    }
 
 private:
     std::ptrdiff_t offsetOf(const void* member) const {
         return static_cast<const char*>(member) - static_cast<const char*>(object_);
     }
-    template <class T> void note(const char* name, const T& member) {
+    template <class T>
+    void note(const char* name, const T& member) {
         found_.add(name, offsetOf(std::addressof(member)), &typeRef<std::remove_cv_t<T>>, 0);
     }
-    template <class E, std::size_t N> void note(const char* name, const E (&member)[N]) {
+    template <class E, std::size_t N>
+    void note(const char* name, const E (&member)[N]) {
         noteArray(name, &member[0], N);
     }
-    template <class E> void note(const char* name, const boost::serialization::array_wrapper<E>& wrapper) {
+    template <class E>
+    void note(const char* name, const boost::serialization::array_wrapper<E>& wrapper) {
         noteArray(name, wrapper.address(), wrapper.count());
     }
-    template <class E> void noteArray(const char* name, const E* first, std::size_t count) {
+    template <class E>
+    void noteArray(const char* name, const E* first, std::size_t count) {
         using Element = std::remove_cv_t<std::remove_all_extents_t<E>>;
         found_.add(name, offsetOf(first), &typeRef<Element>, count * sizeof(E) / sizeof(Element));
     }
@@ -87,7 +110,8 @@ private:
 };
 
 /** Runs T's serialization function once; the same table each time. */
-template <class T> const DiscoveredMembers* discoverMembers() {
+template <class T>
+const DiscoveredMembers* discoverMembers() {
     static const DiscoveredMembers* const members = [] {
         auto* found = new DiscoveredMembers(sizeof(T));
         const auto object = std::make_unique<T>();
@@ -98,6 +122,8 @@ template <class T> const DiscoveredMembers* discoverMembers() {
     return members;
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT
 
 #endif

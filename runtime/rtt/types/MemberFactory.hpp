@@ -5,7 +5,8 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Gives access to the members of values of one type. Every function has a default that knows no members. */
 class RTT_API MemberFactory {
@@ -23,6 +24,7 @@ public:
                                                        base::DataSourceBase::shared_ptr id) const;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

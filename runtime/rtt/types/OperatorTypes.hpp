@@ -7,18 +7,22 @@
 #include "Operators.hpp"
 #include <functional>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** For operators()->add(): an operator from a function or function object such as std::negate<T>(). */
-template <class F> UnaryOp* newUnaryOperator(const char* op, F function) {
+template <class F>
+UnaryOp* newUnaryOperator(const char* op, F function) {
     return new UnaryOp{op, eraseFunction(std::move(function))};
 }
 
 /** The same with two operands, such as std::plus<T>(). */
-template <class F> BinaryOp* newBinaryOperator(const char* op, F function) {
+template <class F>
+BinaryOp* newBinaryOperator(const char* op, F function) {
     return new BinaryOp{op, eraseFunction(std::move(function))};
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 #include "Types.hpp"
 #include <mutex>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 
@@ -87,4 +88,5 @@ DataSourceBase* OperatorRepository::applyBinary(const std::string& op, DataSourc
     return nullptr;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -8,7 +8,8 @@
 #include <memory>
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** A unary operator on one type. */
 struct UnaryOp {
@@ -25,7 +26,7 @@ struct BinaryOp {
 /** One built-in operator in a constant table. */
 struct OperatorRow {
     const char* op;
-    TypeRef result, first, second;   ///< second: null for unary operators
+    TypeRef result, first, second;  ///< second: null for unary operators
     ComputeFunction call;
 };
 
@@ -57,6 +58,7 @@ private:
 
 RTT_API OperatorRepository::shared_ptr operators();
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

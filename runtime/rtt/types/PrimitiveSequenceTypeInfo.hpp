@@ -5,7 +5,8 @@
 
 #include "SequenceTypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** As SequenceTypeInfo, for containers that never travel through ports. */
 template <typename T, bool has_ostream = false>
@@ -22,6 +23,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -8,15 +8,18 @@
 #include "Types.hpp"
 #include <boost/shared_ptr.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 /** The object registered for that C++ type, or a new one of that name. */
 RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id);
 
-template <class T, bool use_ostream> struct StreamBase : TemplateStreamFactory<T> {};
-template <class T> struct StreamBase<T, false> {};
-}
+template <class T, bool use_ostream>
+struct StreamBase : TemplateStreamFactory<T> {};
+template <class T>
+struct StreamBase<T, false> {};
+}  // namespace detail
 
 /**
  * Generator for a value type without ports: values, variables, properties, and the text form of operator<< if
@@ -57,6 +60,7 @@ private:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

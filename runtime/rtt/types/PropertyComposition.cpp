@@ -6,7 +6,8 @@
 #include "PropertyDecomposition.hpp"
 #include "Types.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 using base::PropertyBase;
@@ -46,7 +47,7 @@ bool addDecomposed(PropertyBase& item, PropertyBag& target, bool recurse) {
     return typeDecomposition(value, made->value(), recurse);
 }
 
-} // namespace
+}  // namespace
 
 bool typeDecomposition(DataSourceBase::shared_ptr source, PropertyBag& target, bool recurse) {
     if (!source || bagIn(source)) return false;
@@ -86,4 +87,5 @@ bool composePropertyBag(const PropertyBag& source, PropertyBag& target) {
     return internal::detail::addCopies(target, source, how);
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include <rtt/PropertyBag.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Adds a copy of each item of `source` to `target`; bags whose type names a registered type become a value of it.
@@ -13,6 +14,7 @@ namespace RTT { namespace types {
  */
 RTT_API bool composePropertyBag(const PropertyBag& source, PropertyBag& target);
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <rtt/PropertyBag.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Adds the members of a value to `target`, as properties that refer to the value where it can be changed, and sets
@@ -17,6 +18,7 @@ RTT_API bool propertyDecomposition(base::PropertyBase* source, PropertyBag& targ
 /** The same for each item of a bag: what has members becomes a bag, the others are copied. */
 RTT_API bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target);
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -13,7 +13,8 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -46,7 +47,7 @@ bool isIndexText(const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-} // namespace
+}  // namespace
 
 const TypeThunks* SequenceMembers::elementThunks() const {
     const TypeInfo* type = Types()->getTypeById(ops_.elementType());
@@ -154,4 +155,5 @@ std::istream& SequenceMembers::read(std::istream& is, SourcePtr) const {
     return is;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

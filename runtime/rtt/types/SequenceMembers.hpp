@@ -8,7 +8,8 @@
 #include "SequenceOps.hpp"
 #include "StreamFactory.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 struct TypeThunks;
 class TypeConstructor;
@@ -45,8 +46,9 @@ namespace detail {
 /** T(element, element…), T(int size) and T(int size, element), tried in this order. */
 RTT_API TypeConstructor* newSequenceConstructor(const SequenceOps& sequence, const TypeThunks& thunks);
 
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,23 +5,26 @@
 
 #include <cstddef>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** typeid(T).name(): the C++ type of a member, as a function so that tables can be constexpr. */
 using TypeRef = const char* (*)();
-template <class T> const char* typeRef();
+template <class T>
+const char* typeRef();
 
 /** How to reach the elements of a container whose type is not known here. One constant table per container type. */
 struct SequenceOps {
     std::size_t (*size)(const void* container);
     std::size_t (*capacity)(const void* container);
-    bool (*resize)(void* container, std::size_t size);          ///< null: the size is fixed
-    void* (*at)(void* container, std::size_t index);            ///< null: elements have no address (vector<bool>)
+    bool (*resize)(void* container, std::size_t size);  ///< null: the size is fixed
+    void* (*at)(void* container, std::size_t index);    ///< null: elements have no address (vector<bool>)
     void (*load)(const void* container, std::size_t index, void* element);
     void (*store)(void* container, std::size_t index, const void* element);
     TypeRef elementType;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

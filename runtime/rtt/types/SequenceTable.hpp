@@ -9,19 +9,24 @@
 #include "carray.hpp"
 #include <memory>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 
-template <class C, class = void> struct HasCapacity : std::false_type {};
-template <class C> struct HasCapacity<C, std::void_t<decltype(std::declval<const C&>().capacity())>> : std::true_type {};
+template <class C, class = void>
+struct HasCapacity : std::false_type {};
+template <class C>
+struct HasCapacity<C, std::void_t<decltype(std::declval<const C&>().capacity())>> : std::true_type {};
 
-template <class C, class = void> struct HasResize : std::false_type {};
-template <class C> struct HasResize<C, std::void_t<decltype(std::declval<C&>().resize(std::size_t(1)))>>
-    : std::true_type {};
+template <class C, class = void>
+struct HasResize : std::false_type {};
+template <class C>
+struct HasResize<C, std::void_t<decltype(std::declval<C&>().resize(std::size_t(1)))>> : std::true_type {};
 
 /** The functions of SequenceOps for containers with size() and operator[]. */
-template <class C> struct Sequence {
+template <class C>
+struct Sequence {
     using Element = typename C::value_type;
     static constexpr bool addressable =
         std::is_same_v<decltype(std::declval<C&>()[0]), std::add_lvalue_reference_t<Element>>;
@@ -31,8 +36,10 @@ template <class C> struct Sequence {
 
     static std::size_t size(const void* c) { return static_cast<std::size_t>(of(c).size()); }
     static std::size_t capacity(const void* c) {
-        if constexpr (HasCapacity<C>::value) return static_cast<std::size_t>(of(c).capacity());
-        else return size(c);
+        if constexpr (HasCapacity<C>::value)
+            return static_cast<std::size_t>(of(c).capacity());
+        else
+            return size(c);
     }
     static bool resize(void* c, std::size_t n) {
         of(c).resize(n);
@@ -47,12 +54,16 @@ template <class C> struct Sequence {
     using Resize = bool (*)(void*, std::size_t);
     using At = void* (*)(void*, std::size_t);
     static constexpr Resize resizeOrNull() {
-        if constexpr (HasResize<C>::value) return &resize;
-        else return nullptr;
+        if constexpr (HasResize<C>::value)
+            return &resize;
+        else
+            return nullptr;
     }
     static constexpr At atOrNull() {
-        if constexpr (addressable) return &at;
-        else return nullptr;
+        if constexpr (addressable)
+            return &at;
+        else
+            return nullptr;
     }
 };
 
@@ -60,19 +71,29 @@ RTT_API TypeInfoGenerator* newSequenceGenerator(const char* name, const Sequence
                                                 const TypeThunks& thunks);
 RTT_API TypeInfoGenerator* newArrayGenerator(const char* name, const SequenceOps& sequence, const TypeOps& ops,
                                              const TypeThunks& thunks);
-}
+}  // namespace detail
 
 /** For std::vector, std::array, boost::array and the like. */
-template <class C> const SequenceOps& sequenceOps() {
+template <class C>
+const SequenceOps& sequenceOps() {
     using S = detail::Sequence<C>;
-    static constexpr SequenceOps table = {&S::size,         &S::capacity, S::resizeOrNull(), S::atOrNull(),
-                                          &S::load,         &S::store,    &typeRef<typename C::value_type>};
+    static constexpr SequenceOps table = {&S::size,
+                                          &S::capacity,
+                                          S::resizeOrNull(),
+                                          S::atOrNull(),
+                                          &S::load,
+                                          &S::store,
+                                          &typeRef<typename C::value_type>};
     return table;
 }
 
 /** For carray<E>. */
-template <class E> const SequenceOps& arrayOps() { return sequenceOps<carray<E>>(); }
+template <class E>
+const SequenceOps& arrayOps() {
+    return sequenceOps<carray<E>>();
+}
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

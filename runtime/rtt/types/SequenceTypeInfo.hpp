@@ -7,7 +7,8 @@
 #include "SequenceTable.hpp"
 #include "TemplateTypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** What generators for containers add to their base: elements, property bags, text form, constructors. */
 template <class T>
@@ -16,7 +17,8 @@ public:
     SequenceTypeInfoBase() : SequenceMembers(sequenceOps<T>()) {}
 
 protected:
-    template <class Self> static void installMembers(TypeInfo* info, const boost::shared_ptr<Self>& self, bool streams) {
+    template <class Self>
+    static void installMembers(TypeInfo* info, const boost::shared_ptr<Self>& self, bool streams) {
         info->setMemberFactory(self);
         info->setCompositionFactory(self);
         if (streams) info->setStreamFactory(boost::shared_ptr<SequenceMembers>(self));
@@ -37,6 +39,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 #include "SequenceTypeInfo.hpp"
 #include <vector>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for std::vector<double>, registered as "array". */
 class StdVectorTypeInfo : public SequenceTypeInfo<std::vector<double>> {
@@ -14,6 +15,7 @@ public:
     explicit StdVectorTypeInfo(const std::string& name = "array") : SequenceTypeInfo<std::vector<double>>(name) {}
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

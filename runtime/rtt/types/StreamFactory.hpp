@@ -5,7 +5,8 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Writes values of one type as text and reads them. */
 class RTT_API StreamFactory {
@@ -25,8 +26,9 @@ namespace detail {
 RTT_API const void* valueOfType(const base::DataSourceBase::shared_ptr& source, const std::type_info& id);
 /** Its storage if it can be changed, else null. */
 RTT_API void* storageOfType(const base::DataSourceBase::shared_ptr& source, const std::type_info& id);
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -12,7 +12,8 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -38,7 +39,7 @@ SourcePtr partOf(const SourcePtr& item, const Member& member, const TypeThunks& 
     return at ? thunks.part(at + member.offset, member.count, item.get()) : nullptr;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<std::string> StructMembers::getMemberNames() const {
     std::vector<std::string> names;
@@ -59,8 +60,9 @@ SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) c
     const char* id = member.type();
     const TypeInfo* type = member.count ? Types()->getArrayType(id) : Types()->getTypeById(id);
     if (!type || !type->getThunks()) {
-        log(Error) << "member " << member.name << " of type " << item->getTypeName() << " is out of reach: its C++ type "
-                   << id << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
+        log(Error) << "member " << member.name << " of type " << item->getTypeName()
+                   << " is out of reach: its C++ type " << id
+                   << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
         return nullptr;
     }
     if (item->isAssignable()) return partOf(item, member, *type->getThunks());
@@ -105,8 +107,10 @@ std::ostream& StructMembers::write(std::ostream& os, SourcePtr source) const {
     for (std::size_t i = 0; i != count_; ++i) {
         os << (i ? ", " : "") << members_[i].name << " = ";
         const SourcePtr member = memberOf(source, members_[i]);
-        if (member && member->evaluate()) member->write(os);
-        else os << "(unknown_t)";
+        if (member && member->evaluate())
+            member->write(os);
+        else
+            os << "(unknown_t)";
     }
     return os << '}';
 }
@@ -116,4 +120,5 @@ std::istream& StructMembers::read(std::istream& is, SourcePtr) const {
     return is;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

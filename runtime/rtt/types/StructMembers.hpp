@@ -8,7 +8,8 @@
 #include "StreamFactory.hpp"
 #include "StructTable.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Members, property bags and the text form "{a = 1, b = 2}" of a struct described by a table of its fields.
@@ -43,6 +44,7 @@ private:
     const TypeThunks& thunks_;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -9,27 +9,31 @@
 #include <type_traits>
 #include <typeinfo>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypeInfoGenerator;
 struct TypeOps;
 struct TypeThunks;
 
-template <class T> const char* typeRef() { return typeid(T).name(); }
+template <class T>
+const char* typeRef() {
+    return typeid(T).name();
+}
 
 /** One field of a struct. */
 struct Member {
     const char* name;
     std::size_t offset;
-    TypeRef type;        ///< of the field, or of the element of an array
-    std::size_t count;   ///< 0: not an array
+    TypeRef type;       ///< of the field, or of the element of an array
+    std::size_t count;  ///< 0: not an array
     const char* doc;
     const char* unit;
 };
 
 struct Enumerator {
     const char* name;
-    long long value;     ///< of unsigned types of 64 bit: the same bits
+    long long value;  ///< of unsigned types of 64 bit: the same bits
     const char* doc;
 };
 
@@ -40,7 +44,8 @@ struct EnumOps {
     bool isUnsigned;
 };
 
-template <class E> const EnumOps& enumOps() {
+template <class E>
+const EnumOps& enumOps() {
     using Number = std::underlying_type_t<E>;
     static constexpr EnumOps table = {
         [](const void* value) { return static_cast<long long>(static_cast<Number>(*static_cast<const E*>(value))); },
@@ -56,8 +61,9 @@ RTT_API TypeInfoGenerator* newStructGenerator(const char* name, const Member* me
 RTT_API TypeInfoGenerator* newEnumGenerator(const char* name, const Enumerator* values, std::size_t count,
                                             const char* doc, const TypeOps& ops, const TypeThunks& thunks,
                                             const EnumOps& enumOps, TypeRef type);
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -7,7 +7,8 @@
 #include "StructMembers.hpp"
 #include "TemplateTypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Generator for a struct whose members a boost::serialization function names:
@@ -18,7 +19,8 @@ template <typename T, bool has_ostream = false>
 class StructTypeInfo : public TemplateTypeInfo<T, has_ostream>, public MemberFactory {
 public:
     explicit StructTypeInfo(std::string name)
-        : TemplateTypeInfo<T, has_ostream>(std::move(name)), found_(detail::discoverMembers<T>()),
+        : TemplateTypeInfo<T, has_ostream>(std::move(name)),
+          found_(detail::discoverMembers<T>()),
           members_(new StructMembers(found_->table(), found_->size(), typeOps<T>(), typeThunks<T>())) {}
 
     bool installTypeInfoObject(TypeInfo* info) override {
@@ -45,6 +47,7 @@ private:
     boost::shared_ptr<StructMembers> members_;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

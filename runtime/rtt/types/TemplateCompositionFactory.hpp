@@ -9,7 +9,8 @@
 #include "StreamFactory.hpp"
 #include "TypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Base of factories that turn a T into a property bag and back: override the two …Impl functions. */
 template <class T>
@@ -39,6 +40,7 @@ public:
     virtual bool decomposeTypeImpl(param_t source, PropertyBag& target) const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

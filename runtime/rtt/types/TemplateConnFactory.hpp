@@ -5,7 +5,8 @@
 
 #include "TypeThunks.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** The port factory of T over its thunks, to derive from and to give to TypeInfo::setPortFactory(). */
 template <class T>
@@ -18,6 +19,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

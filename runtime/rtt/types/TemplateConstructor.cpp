@@ -2,7 +2,9 @@
 // Copyright Oroforge contributors
 #include "TemplateConstructor.hpp"
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 namespace {
 
@@ -10,8 +12,8 @@ class ErasedConstructor : public TypeConstructor {
 public:
     ErasedConstructor(const ErasedFunction& function, bool automatic) : function_(function), automatic_(automatic) {}
 
-    base::DataSourceBase::shared_ptr
-    build(const std::vector<base::DataSourceBase::shared_ptr>& arguments) const override {
+    base::DataSourceBase::shared_ptr build(
+        const std::vector<base::DataSourceBase::shared_ptr>& arguments) const override {
         if (arguments.size() != function_.arity) return nullptr;
         // A single argument is a conversion already, and conversions are not chained.
         if (arguments.size() < 2) return function_.apply(arguments);
@@ -34,10 +36,12 @@ private:
     bool automatic_;
 };
 
-} // namespace
+}  // namespace
 
 TypeConstructor* newErasedConstructor(const ErasedFunction& function, bool automatic) {
     return new ErasedConstructor(function, automatic);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

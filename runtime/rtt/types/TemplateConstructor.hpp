@@ -7,7 +7,8 @@
 #include "TypeConstructor.hpp"
 #include "Types.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 RTT_API TypeConstructor* newErasedConstructor(const ErasedFunction& function, bool automatic);
@@ -17,10 +18,12 @@ RTT_API TypeConstructor* newErasedConstructor(const ErasedFunction& function, bo
  * A constructor from a function or function object of up to three values, for TypeInfo::addConstructor().
  * With one argument it is a conversion, too: silent if `automatic`, else with a warning in the log.
  */
-template <class F> TypeConstructor* newConstructor(F function, bool automatic = false) {
+template <class F>
+TypeConstructor* newConstructor(F function, bool automatic = false) {
     return detail::newErasedConstructor(eraseFunction(std::move(function)), automatic);
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

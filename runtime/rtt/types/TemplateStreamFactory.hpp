@@ -6,7 +6,8 @@
 #include "StreamFactory.hpp"
 #include "TypeStreamSelector.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** The text form of T by its stream operators. */
 template <class T>
@@ -30,6 +31,7 @@ public:
     bool isStreamable() const override { return detail::HasIstream<T>::value; }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 
 #include "PrimitiveTypeInfo.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Generator for a type that may be used everywhere, ports included. */
 template <typename T, bool use_ostream = false>
@@ -20,6 +21,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,8 @@
 #include "TypeThunks.hpp"
 #include "ValueFactory.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** The value factory of T over its thunks; hand-written typekits override what they want otherwise. */
 template <class T>
@@ -44,6 +45,7 @@ public:
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -28,7 +28,8 @@ public:
     virtual std::string getName() const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #include "TypekitRepository.hpp"
 

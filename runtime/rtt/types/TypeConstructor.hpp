@@ -5,7 +5,8 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Makes values of one type from arguments of other types: what scripts call as `type(arguments)`. */
 class RTT_API TypeConstructor {
@@ -13,7 +14,8 @@ public:
     virtual ~TypeConstructor();
 
     /** The value, computed whenever it is evaluated; null if this constructor does not take these arguments. */
-    virtual base::DataSourceBase::shared_ptr build(const std::vector<base::DataSourceBase::shared_ptr>& arguments) const = 0;
+    virtual base::DataSourceBase::shared_ptr build(
+        const std::vector<base::DataSourceBase::shared_ptr>& arguments) const = 0;
     /** The same for an implicit conversion. Constructors that are not automatic leave a warning in the log. */
     virtual base::DataSourceBase::shared_ptr convert(base::DataSourceBase::shared_ptr argument) const;
 };
@@ -22,6 +24,7 @@ namespace detail {
 RTT_API void warnConversion(const base::DataSourceBase& from, const base::DataSourceBase& to);
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -8,7 +8,8 @@
 #include <rtt/types/detail/type_info_state.hpp>
 #include <algorithm>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 TypeInfo::TypeInfo(std::string name, TypeId id) : state_(new State(std::move(name), id)) {}
 
@@ -62,7 +63,11 @@ void TypeInfo::setDescription(const std::string& text) {
 
 void TypeInfo::addConstructor(TypeConstructor* constructor) {
     std::shared_ptr<TypeConstructor> owned(constructor);
-    if (owned) state_->locked([&] { state_->constructors.push_back(owned); return true; });
+    if (owned)
+        state_->locked([&] {
+            state_->constructors.push_back(owned);
+            return true;
+        });
 }
 
 bool TypeInfo::addProtocol(int protocol, TypeTransporter* transporter) {
@@ -107,19 +112,34 @@ void TypeInfo::setArrayElement(const char* idName) { state_->arrayElement.store(
 const char* TypeInfo::getArrayElement() const { return state_->arrayElement.load(std::memory_order_acquire); }
 
 void TypeInfo::setValueFactory(ValueFactoryPtr factory) {
-    state_->locked([&] { state_->values.swap(factory); return true; });
+    state_->locked([&] {
+        state_->values.swap(factory);
+        return true;
+    });
 }
 void TypeInfo::setMemberFactory(MemberFactoryPtr factory) {
-    state_->locked([&] { state_->members.swap(factory); return true; });
+    state_->locked([&] {
+        state_->members.swap(factory);
+        return true;
+    });
 }
 void TypeInfo::setCompositionFactory(CompositionFactoryPtr factory) {
-    state_->locked([&] { state_->compositions.swap(factory); return true; });
+    state_->locked([&] {
+        state_->compositions.swap(factory);
+        return true;
+    });
 }
 void TypeInfo::setStreamFactory(StreamFactoryPtr factory) {
-    state_->locked([&] { state_->streams.swap(factory); return true; });
+    state_->locked([&] {
+        state_->streams.swap(factory);
+        return true;
+    });
 }
 void TypeInfo::setPortFactory(ConnFactoryPtr factory) {
-    state_->locked([&] { state_->ports.swap(factory); return true; });
+    state_->locked([&] {
+        state_->ports.swap(factory);
+        return true;
+    });
 }
 ValueFactoryPtr TypeInfo::getValueFactory() const {
     return state_->locked([this] { return state_->values; });
@@ -137,4 +157,5 @@ ConnFactoryPtr TypeInfo::getPortFactory() const {
     return state_->locked([this] { return state_->ports; });
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -19,8 +19,10 @@ class PropertyBase;
 class InputPortInterface;
 class OutputPortInterface;
 class ChannelElementBase;
+}  // namespace base
+namespace internal {
+class ConnFactory;
 }
-namespace internal { class ConnFactory; }
 
 namespace types {
 
@@ -156,6 +158,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -7,7 +7,8 @@
 #include <boost/shared_ptr.hpp>
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypeInfo;
 
@@ -34,6 +35,7 @@ private:
     boost::shared_ptr<TypeInfoGenerator> self_;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

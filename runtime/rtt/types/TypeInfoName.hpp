@@ -5,7 +5,8 @@
 
 #include "Types.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id);
@@ -28,6 +29,7 @@ private:
     std::string name_;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -13,7 +13,8 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * Types are never removed: pointers handed out stay valid, which the caches in DataSourceTypeInfo rely on.
@@ -171,6 +172,7 @@ TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id) {
     TypeInfo* known = Types()->getTypeById(&id);
     return known ? known : new TypeInfo(name, &id);
 }
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypeInfo;
 class TypeInfoGenerator;
@@ -40,7 +41,8 @@ public:
     /** The type of that C++ type, or null. */
     TypeInfo* getTypeById(const std::type_info* id) const;
     TypeInfo* getTypeById(const char* idName) const;
-    template <class T> TypeInfo* getTypeInfo() const {
+    template <class T>
+    TypeInfo* getTypeInfo() const {
         return getTypeById(&typeid(typename internal::remove_cr<T>::type));
     }
     /** The type that views on arrays of the given element type have, or null. */
@@ -70,6 +72,7 @@ private:
 /** Shortcut for TypeInfoRepository::Instance(). */
 RTT_API TypeInfoRepository::shared_ptr Types();
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -7,7 +7,8 @@
 #include "TypeTransporter.hpp"
 #include <utility>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** A transporter that turns samples into blocks of bytes and back. */
 class RTT_API TypeMarshaller : public TypeTransporter {
@@ -26,6 +27,7 @@ public:
     virtual unsigned int getSampleSize(base::DataSourceBase::shared_ptr sample, void* cookie) const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -15,9 +15,9 @@ namespace types {
 /** One constant table per C++ type. Neither its address nor that of `id` identifies the type: compare id->name() as text. */
 struct TypeOps {
     std::size_t size, align;
-    bool trivial;              ///< trivially copyable and destructible: memcpy will do
+    bool trivial;  ///< trivially copyable and destructible: memcpy will do
     const std::type_info* id;
-    void (*construct)(void* at);                          ///< value-initialises; null if not default constructible
+    void (*construct)(void* at);  ///< value-initialises; null if not default constructible
     void (*copyConstruct)(void* at, const void* from);
     void (*assign)(void* to, const void* from);
     void (*destroy)(void* at) noexcept;
@@ -33,10 +33,11 @@ struct Ops {
     static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
 
     using Construct = void (*)(void*);
-    static constexpr Construct constructOrNull()
-    {
-        if constexpr (std::is_default_constructible<T>::value) return &construct;
-        else return nullptr;
+    static constexpr Construct constructOrNull() {
+        if constexpr (std::is_default_constructible<T>::value)
+            return &construct;
+        else
+            return nullptr;
     }
 };
 
@@ -44,8 +45,7 @@ struct Ops {
 
 /** The table of T. Thread-safe, real-time safe. */
 template <class T>
-inline const TypeOps& typeOps() noexcept
-{
+inline const TypeOps& typeOps() noexcept {
     static constexpr TypeOps table = {
         sizeof(T),
         alignof(T),

@@ -8,24 +8,30 @@
 #include <type_traits>
 #include <utility>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
-template <class T, class = void> struct HasOstream : std::false_type {};
-template <class T> struct HasOstream<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
+template <class T, class = void>
+struct HasOstream : std::false_type {};
+template <class T>
+struct HasOstream<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
     : std::true_type {};
-template <class T, class = void> struct HasIstream : std::false_type {};
-template <class T> struct HasIstream<T, std::void_t<decltype(std::declval<std::istream&>() >> std::declval<T&>())>>
-    : std::true_type {};
-}
+template <class T, class = void>
+struct HasIstream : std::false_type {};
+template <class T>
+struct HasIstream<T, std::void_t<decltype(std::declval<std::istream&>() >> std::declval<T&>())>> : std::true_type {};
+}  // namespace detail
 
 /** Uses the stream operators of T if `use_ostream`; T need not have an operator>> then either. */
 template <class T, bool use_ostream>
 struct TypeStreamSelector {
     static std::ostream& write(std::ostream& os, const T& value) { return os << value; }
     static std::istream& read(std::istream& is, T& value) {
-        if constexpr (detail::HasIstream<T>::value) is >> value;
-        else is.setstate(std::ios::failbit);
+        if constexpr (detail::HasIstream<T>::value)
+            is >> value;
+        else
+            is.setstate(std::ios::failbit);
         return is;
     }
 };
@@ -36,6 +42,7 @@ struct TypeStreamSelector<T, false> {
     static std::istream& read(std::istream& is, T&) { return is; }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -18,7 +18,7 @@ class PropertyBase;
 class InputPortInterface;
 class OutputPortInterface;
 class ChannelElementBase;
-}
+}  // namespace base
 
 namespace types {
 
@@ -42,6 +42,7 @@ struct TypeThunks {
     boost::intrusive_ptr<base::ChannelElementBase> (*dataStorage)(const ConnPolicy& policy);
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

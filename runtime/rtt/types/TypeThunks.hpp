@@ -16,12 +16,14 @@
 #include "TypeThunkTable.hpp"
 #include "carray.hpp"
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 
 /** The thunks of an ordinary value type. */
-template <class T> struct Thunks {
+template <class T>
+struct Thunks {
     using Source = base::DataSourceBase;
     using Assignable = internal::AssignableDataSource<T>;
 
@@ -30,7 +32,9 @@ template <class T> struct Thunks {
         auto* made = new internal::ValueDataSource<T>();
         if (!from) return made;
         base::DataSourceBase::shared_ptr owned(made);
-        return made->update(from) ? static_cast<internal::ValueDataSource<T>*>(base::DataSourceBase::release(std::move(owned))) : nullptr;
+        return made->update(from)
+                   ? static_cast<internal::ValueDataSource<T>*>(base::DataSourceBase::release(std::move(owned)))
+                   : nullptr;
     }
     static Source* value() { return new internal::ValueDataSource<T>(); }
     static Source* reference(void* at) { return new internal::ReferenceDataSource<T>(*static_cast<T*>(at)); }
@@ -87,7 +91,8 @@ template <class T> struct Thunks {
 };
 
 /** Views on arrays: parts, variables and properties, no ports (a view must not travel to another component). */
-template <class E> struct Thunks<carray<E>> {
+template <class E>
+struct Thunks<carray<E>> {
     using T = carray<E>;
     using Source = base::DataSourceBase;
 
@@ -119,14 +124,16 @@ template <class E> struct Thunks<carray<E>> {
     }
 };
 
-} // namespace detail
+}  // namespace detail
 
 /** The table of T; its address is not identity. */
-template <class T> const TypeThunks& typeThunks() {
+template <class T>
+const TypeThunks& typeThunks() {
     static constexpr TypeThunks table = detail::Thunks<T>::table();
     return table;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -12,7 +12,7 @@ class ConnPolicy;
 namespace base {
 class PortInterface;
 class ChannelElementBase;
-}
+}  // namespace base
 
 namespace types {
 
@@ -30,6 +30,7 @@ public:
                                                                         bool is_sender) const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -26,7 +26,8 @@ public:
     virtual std::string getName() = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #include "TypekitRepository.hpp"
 

@@ -10,7 +10,8 @@
 #include <memory>
 #include <mutex>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace {
 
@@ -34,12 +35,13 @@ bool load(TypekitPlugin& typekit) {
 }
 
 /** False if there was one of that name already. */
-template <class Plugin> bool remember(std::map<std::string, Plugin*>& known, const std::string& name, Plugin* plugin) {
+template <class Plugin>
+bool remember(std::map<std::string, Plugin*>& known, const std::string& name, Plugin* plugin) {
     std::lock_guard<std::mutex> lock(loaded().mutex);
     return known.emplace(name, plugin).second;
 }
 
-}
+}  // namespace
 
 bool TypekitRepository::Import(TypekitPlugin* typekit) {
     std::unique_ptr<TypekitPlugin> owned(typekit);
@@ -79,4 +81,5 @@ bool TypekitRepository::hasTransport(const std::string& name) {
     return loaded().transports.count(name) != 0;
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

@@ -6,7 +6,8 @@
 #include <rtt/rtt-config.h>
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypekitPlugin;
 class TransportPlugin;
@@ -24,7 +25,8 @@ public:
     static bool hasTransport(const std::string& name);
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 // The same brackets as <rtt/plugin/c_linkage.hpp>, which this layer must not include.
 #if defined(__clang__)
@@ -39,16 +41,16 @@ public:
 #endif
 
 /** Makes the library a plugin that brings the typekit or transport CLASS, which must be default constructible. */
-#define ORO_TYPEKIT_PLUGIN(CLASS)                                                              \
-    ORO_TYPEKIT_C_LINKAGE_BEGIN_                                                               \
-    RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner);                                    \
-    RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner) {                                   \
-        return owner == nullptr && RTT::types::TypekitRepository::Import(new CLASS());         \
-    }                                                                                          \
-    RTT_EXPORT std::string getRTTPluginName();                                                 \
-    RTT_EXPORT std::string getRTTPluginName() { return CLASS().getName(); }                    \
-    RTT_EXPORT std::string getRTTTargetName();                                                 \
-    RTT_EXPORT std::string getRTTTargetName() { return OROCOS_TARGET_NAME; }                   \
+#define ORO_TYPEKIT_PLUGIN(CLASS)                                                      \
+    ORO_TYPEKIT_C_LINKAGE_BEGIN_                                                       \
+    RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner);                            \
+    RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner) {                           \
+        return owner == nullptr && RTT::types::TypekitRepository::Import(new CLASS()); \
+    }                                                                                  \
+    RTT_EXPORT std::string getRTTPluginName();                                         \
+    RTT_EXPORT std::string getRTTPluginName() { return CLASS().getName(); }            \
+    RTT_EXPORT std::string getRTTTargetName();                                         \
+    RTT_EXPORT std::string getRTTTargetName() { return OROCOS_TARGET_NAME; }           \
     ORO_TYPEKIT_C_LINKAGE_END_
 
 #endif

@@ -9,7 +9,7 @@ namespace RTT {
 namespace base {
 class AttributeBase;
 class PropertyBase;
-}
+}  // namespace base
 
 namespace types {
 
@@ -32,6 +32,7 @@ public:
     virtual base::DataSourceBase::shared_ptr buildReference(void* value) const = 0;
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

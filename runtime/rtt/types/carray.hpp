@@ -7,7 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /**
  * A view on an array that somebody else owns. Copying a view refers to the same array; assigning one copies the
@@ -21,7 +22,8 @@ public:
     carray() noexcept : data_(nullptr), count_(0) {}
     carray(value_type* data, std::size_t count) noexcept : data_(count ? data : nullptr), count_(count) {}
     carray(const carray&) noexcept = default;
-    template <std::size_t N> explicit carray(T (&array)[N]) noexcept : data_(array), count_(N) {}
+    template <std::size_t N>
+    explicit carray(T (&array)[N]) noexcept : data_(array), count_(N) {}
     /** From a wrapper with address() and count(), as boost::serialization's make_array() gives. */
     template <class W, class = decltype(std::declval<const W&>().address())>
     explicit carray(const W& wrapper) : data_(const_cast<T*>(wrapper.address())), count_(wrapper.count()) {}
@@ -52,8 +54,12 @@ private:
 };
 
 /** A view on `array`. */
-template <class T, std::size_t N> carray<T> make_carray(T (&array)[N]) { return carray<T>(array, N); }
+template <class T, std::size_t N>
+carray<T> make_carray(T (&array)[N]) {
+    return carray<T>(array, N);
+}
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -15,7 +15,8 @@
 #include <rtt/base/ChannelElementBase.hpp>
 #include <sstream>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 ValueFactory::~ValueFactory() = default;
 CompositionFactory::~CompositionFactory() = default;
@@ -84,6 +85,7 @@ void warnConversion(const base::DataSourceBase& from, const base::DataSourceBase
     log(Warning) << "conversion from " << from.getType() << " to " << to.getType() << endlog();
 }
 
-} // namespace detail
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

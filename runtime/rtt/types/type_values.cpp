@@ -17,7 +17,8 @@
 #include <ostream>
 #include <sstream>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 using base::DataSourceBase;
 
@@ -32,7 +33,7 @@ R callThunk(const TypeInfo& type, R (*TypeThunks::*thunk)(P...), A&&... argument
     const TypeThunks* table = type.getThunks();
     return table && table->*thunk ? (table->*thunk)(std::forward<A>(arguments)...) : R();
 }
-}
+}  // namespace
 
 TypeInfo::SourcePtr TypeInfo::construct(const std::vector<SourcePtr>& arguments) const {
     if (arguments.size() == 1 && holdsThisType(*this, arguments.front())) return arguments.front();
@@ -186,4 +187,5 @@ base::ChannelElementBase::shared_ptr TypeInfo::buildChannelInput(base::OutputPor
     return internal::ConnFactory::makeChannelInput(port, policy);
 }
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT

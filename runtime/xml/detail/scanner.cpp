@@ -39,9 +39,7 @@ public:
     }
 
 private:
-    diag::Location here() const {
-        return {file_, line_, static_cast<unsigned>(position_ - lineStart_ + 1)};
-    }
+    diag::Location here() const { return {file_, line_, static_cast<unsigned>(position_ - lineStart_ + 1)}; }
 
     bool fail(const diag::Location& where, const char* code, const std::string& message) {
         sink_.error(where, code, message);
@@ -127,7 +125,8 @@ private:
         tag.at = here();
         advance();
         tag.name = name();
-        if (tag.name.empty()) return fail(tag.at, "XML002", "found '<' without an element name; write '&lt;' for the character");
+        if (tag.name.empty())
+            return fail(tag.at, "XML002", "found '<' without an element name; write '&lt;' for the character");
         if (open_.empty() && !tags_.empty()) {
             sink_.error(tag.at, "XML005", "found a second root element <" + tag.name + ">, expected only one")
                 .note(tags_.front().at, "<" + tags_.front().name + "> is the first");
@@ -155,7 +154,8 @@ private:
         place.name_at = here();
         place.name = name();
         if (place.name.empty()) {
-            return fail(here(), "XML002", std::string("found '") + current() + "' in <" + tag.name + ">, expected an attribute name");
+            return fail(here(), "XML002",
+                        std::string("found '") + current() + "' in <" + tag.name + ">, expected an attribute name");
         }
         for (const AttributePlace& other : tag.attributes) {
             if (other.name != place.name) continue;
@@ -174,7 +174,8 @@ private:
         const std::size_t end = text_.find(quote, position_ + 1);
         const std::size_t bad = text_.find('<', position_ + 1);
         if (end == std::string::npos || bad < end) {
-            return fail(here(), "XML002", "the value of attribute '" + place.name + "' has no closing quote before the next '<'");
+            return fail(here(), "XML002",
+                        "the value of attribute '" + place.name + "' has no closing quote before the next '<'");
         }
         advance();
         place.value_at = here();

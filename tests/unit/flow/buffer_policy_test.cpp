@@ -12,8 +12,7 @@ using namespace RTT;
 using flow_test::LogCapture;
 
 namespace {
-ConnPolicy withPolicy(BufferPolicy buffer_policy, int size = 3)
-{
+ConnPolicy withPolicy(BufferPolicy buffer_policy, int size = 3) {
     ConnPolicy policy = ConnPolicy::buffer(size);
     policy.buffer_policy = buffer_policy;
     return policy;
@@ -25,8 +24,7 @@ struct Ports {
 };
 }  // namespace
 
-TEST(PerInputPort, FillsOneBufferFromAllWritersInOrder)
-{
+TEST(PerInputPort, FillsOneBufferFromAllWritersInOrder) {
     Ports p;
     ASSERT_TRUE(p.out1.createConnection(p.in1, withPolicy(PerInputPort)));
     ASSERT_TRUE(p.out2.createConnection(p.in1, withPolicy(PerInputPort)));
@@ -42,8 +40,7 @@ TEST(PerInputPort, FillsOneBufferFromAllWritersInOrder)
     EXPECT_EQ(p.got, 3);
 }
 
-TEST(PerInputPort, KeepsTheOtherWritersWhenOneLeaves)
-{
+TEST(PerInputPort, KeepsTheOtherWritersWhenOneLeaves) {
     Ports p;
     p.out1.createConnection(p.in1, withPolicy(PerInputPort));
     p.out2.createConnection(p.in1, withPolicy(PerInputPort));
@@ -55,8 +52,7 @@ TEST(PerInputPort, KeepsTheOtherWritersWhenOneLeaves)
     EXPECT_FALSE(p.out2.connected());
 }
 
-TEST(PerInputPort, RefusesAnotherStorage)
-{
+TEST(PerInputPort, RefusesAnotherStorage) {
     LogCapture log;
     Ports p;
     p.out1.createConnection(p.in1, withPolicy(PerInputPort));
@@ -64,8 +60,7 @@ TEST(PerInputPort, RefusesAnotherStorage)
     EXPECT_TRUE(log.contains("incompatible connection policies for the shared buffer of port in1")) << log.text();
 }
 
-TEST(PerInputPort, DoesNotMixWithOrdinaryConnections)
-{
+TEST(PerInputPort, DoesNotMixWithOrdinaryConnections) {
     LogCapture log;
     Ports p;
     p.out1.createConnection(p.in1, withPolicy(PerInputPort));
@@ -77,8 +72,7 @@ TEST(PerInputPort, DoesNotMixWithOrdinaryConnections)
     EXPECT_FALSE(q.out2.createConnection(q.in1, withPolicy(PerInputPort)));
 }
 
-TEST(PerOutputPort, LetsReadersCompeteForSamples)
-{
+TEST(PerOutputPort, LetsReadersCompeteForSamples) {
     Ports p;
     ASSERT_TRUE(p.out1.createConnection(p.in1, withPolicy(PerOutputPort)));
     ASSERT_TRUE(p.out1.createConnection(p.in2, withPolicy(PerOutputPort)));
@@ -92,8 +86,7 @@ TEST(PerOutputPort, LetsReadersCompeteForSamples)
     EXPECT_EQ(p.in2.read(p.got), NoData);
 }
 
-TEST(PerOutputPort, IsEmptiedByClearOfTheOutputPort)
-{
+TEST(PerOutputPort, IsEmptiedByClearOfTheOutputPort) {
     Ports p;
     p.out1.createConnection(p.in1, withPolicy(PerOutputPort));
     p.out1.write(1);
@@ -101,8 +94,7 @@ TEST(PerOutputPort, IsEmptiedByClearOfTheOutputPort)
     EXPECT_EQ(p.in1.read(p.got), NoData);
 }
 
-TEST(SharedConnection, HasManyWritersAndReaders)
-{
+TEST(SharedConnection, HasManyWritersAndReaders) {
     Ports p;
     ConnPolicy policy = withPolicy(Shared);
     ASSERT_TRUE(p.out1.createConnection(p.in1, policy));
@@ -122,8 +114,7 @@ TEST(SharedConnection, HasManyWritersAndReaders)
     EXPECT_EQ(p.in2.read(p.got), NewData);
 }
 
-TEST(SharedConnection, IsFoundByNameAndEndsWithItsLastPort)
-{
+TEST(SharedConnection, IsFoundByNameAndEndsWithItsLastPort) {
     ConnPolicy policy = withPolicy(Shared);
     policy.name_id = "pool";
     {
@@ -136,8 +127,7 @@ TEST(SharedConnection, IsFoundByNameAndEndsWithItsLastPort)
     EXPECT_FALSE(internal::SharedConnectionRepository::Instance().get("pool"));
 }
 
-TEST(SharedConnection, RefusesOtherTypesStoragesAndSecondConnections)
-{
+TEST(SharedConnection, RefusesOtherTypesStoragesAndSecondConnections) {
     LogCapture log;
     Ports p;
     ConnPolicy policy = withPolicy(Shared), other = withPolicy(Shared);

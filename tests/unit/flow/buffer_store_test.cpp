@@ -15,8 +15,7 @@ using internal::StoreSpec;
 
 class BufferStore : public testing::TestWithParam<StoreSpec::Lock> {
 protected:
-    void make(StoreSpec::Kind kind, std::size_t size, bool oldData = true)
-    {
+    void make(StoreSpec::Kind kind, std::size_t size, bool oldData = true) {
         StoreSpec spec;
         spec.kind = kind;
         spec.lock = GetParam();
@@ -24,16 +23,14 @@ protected:
         spec.oldData = oldData;
         store = SampleStore::make(types::typeOps<std::string>(), spec, nullptr);
     }
-    WriteStatus write(int i)
-    {
+    WriteStatus write(int i) {
         const std::string s = text(i);
         return store->write(&s);
     }
     FlowStatus read(bool copyOld = true) { return store->read(&out, copyOld); }
     static std::string text(int i) { return "a string too long to be stored in place, number " + std::to_string(i); }
     /** Reads a new sample and tells its number, or -1. */
-    int readNumber()
-    {
+    int readNumber() {
         if (read() != NewData) return -1;
         return std::stoi(out.substr(out.rfind(' ')));
     }
@@ -42,23 +39,19 @@ protected:
     std::string out = "untouched";
 };
 
-static std::string nameOf(const testing::TestParamInfo<StoreSpec::Lock>& info)
-{
+static std::string nameOf(const testing::TestParamInfo<StoreSpec::Lock>& info) {
     return info.param == StoreSpec::Unsync ? "UnSync" : info.param == StoreSpec::Locked ? "Locked" : "LockFree";
 }
 INSTANTIATE_TEST_SUITE_P(AllLocks, BufferStore,
-                         testing::Values(StoreSpec::Unsync, StoreSpec::Locked, StoreSpec::LockFree),
-                         nameOf);
+                         testing::Values(StoreSpec::Unsync, StoreSpec::Locked, StoreSpec::LockFree), nameOf);
 
-TEST_P(BufferStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite)
-{
+TEST_P(BufferStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite) {
     make(StoreSpec::Buffer, 3);
     EXPECT_EQ(read(), NoData);
     EXPECT_EQ(out, "untouched");
 }
 
-TEST_P(BufferStore, GivesSamplesInTheOrderOfWriting)
-{
+TEST_P(BufferStore, GivesSamplesInTheOrderOfWriting) {
     make(StoreSpec::Buffer, 3);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(write(i), WriteSuccess);
     EXPECT_EQ(store->size(), 3u);
@@ -66,8 +59,7 @@ TEST_P(BufferStore, GivesSamplesInTheOrderOfWriting)
     EXPECT_EQ(store->size(), 0u);
 }
 
-TEST_P(BufferStore, StaysInOrderOverManyTurns)
-{
+TEST_P(BufferStore, StaysInOrderOverManyTurns) {
     for (const std::size_t size : {1u, 2u, 3u, 5u, 8u}) {
         make(StoreSpec::Buffer, size);
         int written = 0, got = 0;
@@ -78,8 +70,7 @@ TEST_P(BufferStore, StaysInOrderOverManyTurns)
     }
 }
 
-TEST_P(BufferStore, GivesTheLastSampleAsOldWhenEmpty)
-{
+TEST_P(BufferStore, GivesTheLastSampleAsOldWhenEmpty) {
     make(StoreSpec::Buffer, 3);
     write(1);
     write(2);
@@ -93,8 +84,7 @@ TEST_P(BufferStore, GivesTheLastSampleAsOldWhenEmpty)
     EXPECT_EQ(read(true), OldData);
 }
 
-TEST_P(BufferStore, KeepsTheLastSampleWhileItFillsAgain)
-{
+TEST_P(BufferStore, KeepsTheLastSampleWhileItFillsAgain) {
     make(StoreSpec::Buffer, 2);
     write(1);
     read();
@@ -106,8 +96,7 @@ TEST_P(BufferStore, KeepsTheLastSampleWhileItFillsAgain)
     EXPECT_EQ(out, text(3));
 }
 
-TEST_P(BufferStore, WithoutOldDataGivesNoDataWhenEmpty)
-{
+TEST_P(BufferStore, WithoutOldDataGivesNoDataWhenEmpty) {
     make(StoreSpec::Buffer, 3, false);
     write(1);
     EXPECT_EQ(readNumber(), 1);
@@ -116,8 +105,7 @@ TEST_P(BufferStore, WithoutOldDataGivesNoDataWhenEmpty)
     EXPECT_EQ(out, "untouched");
 }
 
-TEST_P(BufferStore, RefusesTheNewestSampleWhenFull)
-{
+TEST_P(BufferStore, RefusesTheNewestSampleWhenFull) {
     make(StoreSpec::Buffer, 2);
     EXPECT_EQ(write(1), WriteSuccess);
     EXPECT_EQ(write(2), WriteSuccess);
@@ -130,8 +118,7 @@ TEST_P(BufferStore, RefusesTheNewestSampleWhenFull)
     EXPECT_EQ(readNumber(), -1);
 }
 
-TEST_P(BufferStore, CircularDropsTheOldestSampleWhenFull)
-{
+TEST_P(BufferStore, CircularDropsTheOldestSampleWhenFull) {
     make(StoreSpec::CircularBuffer, 2);
     for (int i = 1; i <= 5; ++i) EXPECT_EQ(write(i), WriteSuccess);
     EXPECT_EQ(store->dropped(), 3u);
@@ -141,8 +128,7 @@ TEST_P(BufferStore, CircularDropsTheOldestSampleWhenFull)
     EXPECT_EQ(out, text(5));
 }
 
-TEST_P(BufferStore, OfSizeZeroRefusesEverything)
-{
+TEST_P(BufferStore, OfSizeZeroRefusesEverything) {
     for (const StoreSpec::Kind kind : {StoreSpec::Buffer, StoreSpec::CircularBuffer}) {
         make(kind, 0);
         EXPECT_EQ(write(1), WriteFailure);
@@ -151,8 +137,7 @@ TEST_P(BufferStore, OfSizeZeroRefusesEverything)
     }
 }
 
-TEST_P(BufferStore, IsEmptyAfterClear)
-{
+TEST_P(BufferStore, IsEmptyAfterClear) {
     make(StoreSpec::Buffer, 3);
     write(1);
     read();
@@ -163,8 +148,7 @@ TEST_P(BufferStore, IsEmptyAfterClear)
     EXPECT_EQ(readNumber(), 0);
 }
 
-TEST_P(BufferStore, NeverDeliversTheSizingSample)
-{
+TEST_P(BufferStore, NeverDeliversTheSizingSample) {
     make(StoreSpec::Buffer, 2);
     write(1);
     const std::string sizing = "sizing sample";
@@ -175,8 +159,7 @@ TEST_P(BufferStore, NeverDeliversTheSizingSample)
     EXPECT_EQ(out, sizing);
 }
 
-TEST_P(BufferStore, LeavesAHeldSampleInItsPlace)
-{
+TEST_P(BufferStore, LeavesAHeldSampleInItsPlace) {
     make(StoreSpec::Buffer, 2);
     EXPECT_EQ(store->readHeld(), nullptr);
     write(1);

@@ -26,20 +26,17 @@ public:
     typedef typename base::ChannelElement<T>::param_t param_t;
     Sender() { ++alive; }
     ~Sender() override { --alive; }
-    WriteStatus write(param_t sample) override
-    {
+    WriteStatus write(param_t sample) override {
         if (broken) return NotConnected;
         sent.push_back(sample);
         return WriteSuccess;
     }
-    WriteStatus data_sample(param_t sample, bool) override
-    {
+    WriteStatus data_sample(param_t sample, bool) override {
         size = sample;
         return WriteSuccess;
     }
     /** A transport's thread would do this after signal(). */
-    bool signal() override
-    {
+    bool signal() override {
         typename base::ChannelElement<T>::shared_ptr input = this->getInput();
         typename base::ChannelElement<T>::value_t sample = T();
         while (input && input->read(sample, false) == NewData) write(sample);
@@ -48,8 +45,7 @@ public:
     bool inputReady() override { return true; }
     bool isRemoteElement() const override { return true; }
     std::string getRemoteURI() const override { return "test:" + std::to_string(sent.size()); }
-    void disconnect(bool forward) override
-    {
+    void disconnect(bool forward) override {
         ++closed;
         base::ChannelElement<T>::disconnect(forward);
     }
@@ -62,8 +58,7 @@ public:
 
 }  // namespace
 
-TEST(ChannelElement, SendsThroughABufferInFrontOfIt)
-{
+TEST(ChannelElement, SendsThroughABufferInFrontOfIt) {
     OutputPort<int> out("out");
     out.setDataSample(17);
     boost::intrusive_ptr<Sender<int>> sender(new Sender<int>);
@@ -82,8 +77,7 @@ TEST(ChannelElement, SendsThroughABufferInFrontOfIt)
     EXPECT_FALSE(sender->getInput());
 }
 
-TEST(ChannelElement, SendsWithoutBuffer)
-{
+TEST(ChannelElement, SendsWithoutBuffer) {
     OutputPort<int> out("out");
     boost::intrusive_ptr<Sender<int>> sender(new Sender<int>);
     out.write(5);
@@ -97,8 +91,7 @@ TEST(ChannelElement, SendsWithoutBuffer)
     EXPECT_FALSE(out.connected());
 }
 
-TEST(ChannelElement, ThatIsBrokenIsRemovedByTheNextWrite)
-{
+TEST(ChannelElement, ThatIsBrokenIsRemovedByTheNextWrite) {
     flow_test::LogCapture log;
     OutputPort<int> out("out");
     InputPort<int> in("in");
@@ -118,8 +111,7 @@ TEST(ChannelElement, ThatIsBrokenIsRemovedByTheNextWrite)
     EXPECT_TRUE(log.contains("its last channel was found broken during write()")) << log.text();
 }
 
-TEST(ChannelElement, ReceivesIntoTheStorageOfAnInputPort)
-{
+TEST(ChannelElement, ReceivesIntoTheStorageOfAnInputPort) {
     InputPort<int> in("in");
     boost::intrusive_ptr<base::ChannelElement<int>> receiver(new Sender<int>);
     base::ChannelElementBase::shared_ptr storage = internal::ConnFactory::makeChannelOutput(in, ConnPolicy::buffer(4));
@@ -136,8 +128,7 @@ TEST(ChannelElement, ReceivesIntoTheStorageOfAnInputPort)
     EXPECT_FALSE(receiver->getOutput());
 }
 
-TEST(ChannelElement, OfAnotherTypeIsNoNeighbour)
-{
+TEST(ChannelElement, OfAnotherTypeIsNoNeighbour) {
     boost::intrusive_ptr<Sender<int>> ints(new Sender<int>);
     boost::intrusive_ptr<Sender<double>> doubles(new Sender<double>);
     ints->connectTo(doubles);
@@ -146,8 +137,7 @@ TEST(ChannelElement, OfAnotherTypeIsNoNeighbour)
     ints->disconnect(true);
 }
 
-TEST(ChannelElement, IsDestroyedWithItsConnection)
-{
+TEST(ChannelElement, IsDestroyedWithItsConnection) {
     internal::Reclaimer::collect();  // what earlier tests left
     const int before = alive;
     {

@@ -24,8 +24,7 @@ struct Pair {
 };
 }  // namespace
 
-TEST(Connection, WithInitBeginsWithTheLastWrittenValue)
-{
+TEST(Connection, WithInitBeginsWithTheLastWrittenValue) {
     Pair p;
     p.out.write(4);
     p.out.createConnection(p.in, ConnPolicy::data());
@@ -33,24 +32,21 @@ TEST(Connection, WithInitBeginsWithTheLastWrittenValue)
     EXPECT_EQ(p.got, 4);
 }
 
-TEST(Connection, WithoutInitBeginsEmpty)
-{
+TEST(Connection, WithoutInitBeginsEmpty) {
     Pair p;
     p.out.write(4);
     p.out.createConnection(p.in, ConnPolicy::data(ConnPolicy::LOCK_FREE, false));
     EXPECT_EQ(p.read(), NoData);
 }
 
-TEST(Connection, WithInitBeginsEmptyIfNothingWasWritten)
-{
+TEST(Connection, WithInitBeginsEmptyIfNothingWasWritten) {
     Pair p;
     p.out.setDataSample(9);
     p.out.createConnection(p.in, ConnPolicy::data());
     EXPECT_EQ(p.read(), NoData);
 }
 
-TEST(Connection, UsesTheInputPortsPolicyIfNoneIsGiven)
-{
+TEST(Connection, UsesTheInputPortsPolicyIfNoneIsGiven) {
     OutputPort<int> out("out");
     InputPort<int> in("in", ConnPolicy::buffer(3));
     EXPECT_TRUE(in.connectTo(&out));
@@ -58,8 +54,7 @@ TEST(Connection, UsesTheInputPortsPolicyIfNoneIsGiven)
     EXPECT_EQ(out.write(3), WriteFailure);
 }
 
-TEST(Connection, WorksWithEveryPolicy)
-{
+TEST(Connection, WorksWithEveryPolicy) {
     for (const int type : {ConnPolicy::DATA, ConnPolicy::BUFFER, ConnPolicy::CIRCULAR_BUFFER})
         for (const int lock : {ConnPolicy::UNSYNC, ConnPolicy::LOCKED, ConnPolicy::LOCK_FREE})
             for (const bool pull : {ConnPolicy::PUSH, ConnPolicy::PULL}) {
@@ -76,8 +71,7 @@ TEST(Connection, WorksWithEveryPolicy)
             }
 }
 
-TEST(Connection, IsMadeByTheShortForms)
-{
+TEST(Connection, IsMadeByTheShortForms) {
     Pair a, b;
     EXPECT_TRUE(a.out.createDataConnection(a.in));
     EXPECT_TRUE(b.out.createBufferConnection(b.in, 2));
@@ -87,8 +81,7 @@ TEST(Connection, IsMadeByTheShortForms)
     EXPECT_EQ(b.got, 1);
 }
 
-TEST(Connection, IsNotMadeTwice)
-{
+TEST(Connection, IsNotMadeTwice) {
     Pair p;
     EXPECT_TRUE(p.out.createConnection(p.in, ConnPolicy::buffer(2)));
     EXPECT_TRUE(p.out.createConnection(p.in, ConnPolicy::data()));
@@ -96,8 +89,7 @@ TEST(Connection, IsNotMadeTwice)
     EXPECT_EQ(p.in.getManager()->getChannels().front().get<2>().type, ConnPolicy::BUFFER);
 }
 
-TEST(Connection, BetweenDifferentTypesIsRefusedNamingPortsAndTypes)
-{
+TEST(Connection, BetweenDifferentTypesIsRefusedNamingPortsAndTypes) {
     LogCapture log;
     OutputPort<double> out("thrust");
     InputPort<float> in("speed");
@@ -108,8 +100,7 @@ TEST(Connection, BetweenDifferentTypesIsRefusedNamingPortsAndTypes)
     EXPECT_TRUE(log.contains(" is not compatible with input port speed of type ")) << log.text();
 }
 
-TEST(Connection, OfTwoInputsIsRefused)
-{
+TEST(Connection, OfTwoInputsIsRefused) {
     LogCapture log;
     InputPort<int> a("a"), b("b");
     OutputPort<int> c("c"), d("d");
@@ -120,8 +111,7 @@ TEST(Connection, OfTwoInputsIsRefused)
     EXPECT_FALSE(a.connectTo(nullptr));
 }
 
-TEST(Connection, WithAnInvalidPolicyIsRefused)
-{
+TEST(Connection, WithAnInvalidPolicyIsRefused) {
     LogCapture log;
     Pair p;
     ConnPolicy policy;
@@ -136,8 +126,7 @@ TEST(Connection, WithAnInvalidPolicyIsRefused)
     EXPECT_TRUE(log.contains("invalid connection policy: unknown type")) << log.text();
 }
 
-TEST(Connection, ThatIsNotMandatoryMayFail)
-{
+TEST(Connection, ThatIsNotMandatoryMayFail) {
     OutputPort<int> out("out");
     InputPort<int> must("must"), may("may");
     ConnPolicy policy = ConnPolicy::buffer(1);
@@ -150,25 +139,23 @@ TEST(Connection, ThatIsNotMandatoryMayFail)
     EXPECT_EQ(out.write(4), WriteFailure);
 }
 
-TEST(Connection, OfBufferSizeZeroFailsAtEveryWrite)
-{
+TEST(Connection, OfBufferSizeZeroFailsAtEveryWrite) {
     Pair p;
     EXPECT_TRUE(p.out.createConnection(p.in, ConnPolicy::buffer(0)));
     EXPECT_EQ(p.out.write(1), WriteFailure);
     EXPECT_EQ(p.read(), NoData);
 }
 
-TEST(Connection, IsBrokenFromEitherSide)
-{
+TEST(Connection, IsBrokenFromEitherSide) {
     Pair p;
     for (int side = 0; side < 4; ++side) {
         ASSERT_TRUE(p.out.connectTo(&p.in));
         EXPECT_TRUE(p.out.connectedTo(&p.in) && p.in.connectedTo(&p.out));
         switch (side) {
-        case 0: p.out.disconnect(); break;
-        case 1: p.in.disconnect(); break;
-        case 2: EXPECT_TRUE(p.out.disconnect(&p.in)); break;
-        case 3: EXPECT_TRUE(p.in.disconnect(&p.out)); break;
+            case 0: p.out.disconnect(); break;
+            case 1: p.in.disconnect(); break;
+            case 2: EXPECT_TRUE(p.out.disconnect(&p.in)); break;
+            case 3: EXPECT_TRUE(p.in.disconnect(&p.out)); break;
         }
         EXPECT_FALSE(p.out.connected() || p.in.connected());
         EXPECT_FALSE(p.out.connectedTo(&p.in));
@@ -179,8 +166,7 @@ TEST(Connection, IsBrokenFromEitherSide)
     EXPECT_FALSE(p.in.disconnect(nullptr));
 }
 
-TEST(Connection, EndsOnlyWithTheNamedPeer)
-{
+TEST(Connection, EndsOnlyWithTheNamedPeer) {
     OutputPort<int> out("out");
     InputPort<int> a("a"), b("b");
     out.connectTo(&a);
@@ -193,8 +179,7 @@ TEST(Connection, EndsOnlyWithTheNamedPeer)
     EXPECT_EQ(b.read(got), NewData);
 }
 
-TEST(Connection, EndsWithEitherPort)
-{
+TEST(Connection, EndsWithEitherPort) {
     OutputPort<int> out("out");
     {
         InputPort<int> in("in");
@@ -212,8 +197,7 @@ TEST(Connection, EndsWithEitherPort)
     EXPECT_EQ(internal::Reclaimer::pending(), 0u);
 }
 
-TEST(Connection, IsShownToThoseWhoAsk)
-{
+TEST(Connection, IsShownToThoseWhoAsk) {
     Pair p;
     p.out.createConnection(p.in, ConnPolicy::buffer(7, ConnPolicy::LOCKED));
     const auto connections = p.out.getManager()->getConnections();
@@ -229,8 +213,7 @@ TEST(Connection, IsShownToThoseWhoAsk)
     EXPECT_FALSE(p.in.connected());
 }
 
-TEST(Connections, AreReadInTurnUntilOneHasSomethingNew)
-{
+TEST(Connections, AreReadInTurnUntilOneHasSomethingNew) {
     OutputPort<int> a("a"), b("b");
     InputPort<int> in("in");
     a.createConnection(in, ConnPolicy::buffer(5));
@@ -256,8 +239,7 @@ TEST(Connections, AreReadInTurnUntilOneHasSomethingNew)
     EXPECT_EQ(in.read(got), NoData);
 }
 
-TEST(Connections, GiveOldDataOfAnotherOneWhenTheCurrentOneIsGone)
-{
+TEST(Connections, GiveOldDataOfAnotherOneWhenTheCurrentOneIsGone) {
     OutputPort<int> a("a"), b("b"), c("c");
     InputPort<int> in("in");
     a.createConnection(in);
@@ -273,8 +255,7 @@ TEST(Connections, GiveOldDataOfAnotherOneWhenTheCurrentOneIsGone)
     EXPECT_EQ(got, 1);
 }
 
-TEST(Stream, WithoutTransportIsRefused)
-{
+TEST(Stream, WithoutTransportIsRefused) {
     LogCapture log;
     Pair p;
     EXPECT_FALSE(p.out.createStream(ConnPolicy()));

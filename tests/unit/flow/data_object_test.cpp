@@ -22,8 +22,7 @@ typedef testing::Types<base::DataObjectLockFree<std::string>, base::DataObjectLo
     DataObjectTypes;
 TYPED_TEST_SUITE(DataObjects, DataObjectTypes);
 
-TYPED_TEST(DataObjects, HoldOneSample)
-{
+TYPED_TEST(DataObjects, HoldOneSample) {
     TypeParam object("initial");
     std::string got = "untouched";
     EXPECT_EQ(object.Get(got), NoData);
@@ -45,8 +44,7 @@ class Buffers : public testing::Test {};
 typedef testing::Types<base::BufferLockFree<int>, base::BufferLocked<int>, base::BufferUnSync<int>> BufferTypes;
 TYPED_TEST_SUITE(Buffers, BufferTypes);
 
-TYPED_TEST(Buffers, QueueSamples)
-{
+TYPED_TEST(Buffers, QueueSamples) {
     TypeParam buffer(3);
     EXPECT_TRUE(buffer.empty());
     EXPECT_EQ(buffer.Push(std::vector<int>{1, 2, 3, 4}), 3);
@@ -69,8 +67,7 @@ TYPED_TEST(Buffers, QueueSamples)
     EXPECT_EQ(buffer.PopWithoutRelease(), nullptr);
 }
 
-TYPED_TEST(Buffers, DropTheOldestIfCircular)
-{
+TYPED_TEST(Buffers, DropTheOldestIfCircular) {
     TypeParam buffer(2, 0, base::BufferBase::Options(true));
     for (int i = 1; i <= 5; ++i) EXPECT_TRUE(buffer.Push(i));
     std::vector<int> got;
@@ -79,8 +76,7 @@ TYPED_TEST(Buffers, DropTheOldestIfCircular)
     EXPECT_EQ(buffer.dropped(), 3);
 }
 
-TEST(Buffers, HoldBooleans)
-{
+TEST(Buffers, HoldBooleans) {
     base::BufferLockFree<bool> buffer(3);
     EXPECT_EQ(buffer.Push(std::vector<bool>{true, false}), 2);
     std::vector<bool> got;

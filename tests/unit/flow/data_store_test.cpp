@@ -27,14 +27,15 @@ struct Case {
 
 double value(double*, int i) { return i + 0.5; }
 char value(char*, int i) { return static_cast<char>('a' + i); }
-std::string value(std::string*, int i) { return "a string too long to be stored in place, number " + std::to_string(i); }
+std::string value(std::string*, int i) {
+    return "a string too long to be stored in place, number " + std::to_string(i);
+}
 std::vector<double> value(std::vector<double>*, int i) { return std::vector<double>(100, i); }
 struct Bytes13 {
     char text[13];
     bool operator==(const Bytes13& o) const { return std::string(text, 13) == std::string(o.text, 13); }
 };
-Bytes13 value(Bytes13*, int i)
-{
+Bytes13 value(Bytes13*, int i) {
     Bytes13 b = {};
     for (int n = 0; n < 13; ++n) b.text[n] = static_cast<char>('A' + i + n);
     return b;
@@ -43,8 +44,7 @@ struct Big {
     double numbers[100];
     bool operator==(const Big& o) const { return std::equal(numbers, numbers + 100, o.numbers); }
 };
-Big value(Big*, int i)
-{
+Big value(Big*, int i) {
     Big b;
     for (double& n : b.numbers) n = ++i;
     return b;
@@ -57,14 +57,12 @@ class DataStore : public testing::Test {
 protected:
     typedef typename C::Type T;
     static T sample(int i) { return value(static_cast<T*>(nullptr), i); }
-    static std::unique_ptr<SampleStore> make()
-    {
+    static std::unique_ptr<SampleStore> make() {
         StoreSpec spec;
         spec.lock = C::lock;
         return SampleStore::make(types::typeOps<T>(), spec, nullptr);
     }
-    bool write(int i)
-    {
+    bool write(int i) {
         const T s = sample(i);
         return store->write(&s) == WriteSuccess;
     }
@@ -74,23 +72,21 @@ protected:
     T out = sample(9);
 };
 
-typedef testing::Types<
-    Case<StoreSpec::LockFree, double>, Case<StoreSpec::LockFree, char>, Case<StoreSpec::LockFree, std::string>,
-    Case<StoreSpec::LockFree, std::vector<double>>, Case<StoreSpec::LockFree, Bytes13>, Case<StoreSpec::LockFree, Big>,
-    Case<StoreSpec::Locked, double>, Case<StoreSpec::Locked, std::string>, Case<StoreSpec::Unsync, double>,
-    Case<StoreSpec::Unsync, std::string>>
+typedef testing::Types<Case<StoreSpec::LockFree, double>, Case<StoreSpec::LockFree, char>,
+                       Case<StoreSpec::LockFree, std::string>, Case<StoreSpec::LockFree, std::vector<double>>,
+                       Case<StoreSpec::LockFree, Bytes13>, Case<StoreSpec::LockFree, Big>,
+                       Case<StoreSpec::Locked, double>, Case<StoreSpec::Locked, std::string>,
+                       Case<StoreSpec::Unsync, double>, Case<StoreSpec::Unsync, std::string>>
     DataCases;
 TYPED_TEST_SUITE(DataStore, DataCases);
 
-TYPED_TEST(DataStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite)
-{
+TYPED_TEST(DataStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite) {
     EXPECT_EQ(this->read(), NoData);
     EXPECT_EQ(this->out, this->sample(9));
     EXPECT_EQ(this->store->size(), 0u);
 }
 
-TYPED_TEST(DataStore, GivesASampleAsNewOnceAndThenAsOld)
-{
+TYPED_TEST(DataStore, GivesASampleAsNewOnceAndThenAsOld) {
     ASSERT_TRUE(this->write(1));
     EXPECT_EQ(this->store->size(), 1u);
     EXPECT_EQ(this->read(), NewData);
@@ -101,8 +97,7 @@ TYPED_TEST(DataStore, GivesASampleAsNewOnceAndThenAsOld)
     EXPECT_EQ(this->store->size(), 0u);
 }
 
-TYPED_TEST(DataStore, CopiesOldDataOnlyIfAsked)
-{
+TYPED_TEST(DataStore, CopiesOldDataOnlyIfAsked) {
     this->write(1);
     this->read();
     this->out = this->sample(9);
@@ -110,31 +105,27 @@ TYPED_TEST(DataStore, CopiesOldDataOnlyIfAsked)
     EXPECT_EQ(this->out, this->sample(9));
 }
 
-TYPED_TEST(DataStore, CopiesNewDataAlsoIfOldOneIsNotWanted)
-{
+TYPED_TEST(DataStore, CopiesNewDataAlsoIfOldOneIsNotWanted) {
     this->write(1);
     EXPECT_EQ(this->read(false), NewData);
     EXPECT_EQ(this->out, this->sample(1));
 }
 
-TYPED_TEST(DataStore, KeepsOnlyTheLastOfManyWrites)
-{
+TYPED_TEST(DataStore, KeepsOnlyTheLastOfManyWrites) {
     for (int i = 0; i < 20; ++i) ASSERT_TRUE(this->write(i % 7));
     EXPECT_EQ(this->read(), NewData);
     EXPECT_EQ(this->out, this->sample(19 % 7));
     EXPECT_EQ(this->read(), OldData);
 }
 
-TYPED_TEST(DataStore, IsNewAgainIfTheSameValueIsWrittenAgain)
-{
+TYPED_TEST(DataStore, IsNewAgainIfTheSameValueIsWrittenAgain) {
     this->write(1);
     this->read();
     this->write(1);
     EXPECT_EQ(this->read(), NewData);
 }
 
-TYPED_TEST(DataStore, ForgetsTheSampleOnClear)
-{
+TYPED_TEST(DataStore, ForgetsTheSampleOnClear) {
     this->write(1);
     this->read();
     this->store->clear();
@@ -146,8 +137,7 @@ TYPED_TEST(DataStore, ForgetsTheSampleOnClear)
     EXPECT_EQ(this->out, this->sample(2));
 }
 
-TYPED_TEST(DataStore, NeverDeliversTheSizingSample)
-{
+TYPED_TEST(DataStore, NeverDeliversTheSizingSample) {
     const auto sizing = this->sample(5);
     this->store->setSample(&sizing, true);
     EXPECT_EQ(this->read(), NoData);
@@ -156,8 +146,7 @@ TYPED_TEST(DataStore, NeverDeliversTheSizingSample)
     EXPECT_EQ(this->out, sizing);
 }
 
-TYPED_TEST(DataStore, ForgetsASampleWhenSizedAnewButNotWhenAlreadySized)
-{
+TYPED_TEST(DataStore, ForgetsASampleWhenSizedAnewButNotWhenAlreadySized) {
     const auto sizing = this->sample(5);
     this->store->setSample(&sizing, false);
     this->write(1);
@@ -167,8 +156,7 @@ TYPED_TEST(DataStore, ForgetsASampleWhenSizedAnewButNotWhenAlreadySized)
     EXPECT_EQ(this->read(), NoData);
 }
 
-TEST(SampleStore, IsRefusedForATypeWithoutDefaultValueUnlessItGetsAFirstSample)
-{
+TEST(SampleStore, IsRefusedForATypeWithoutDefaultValueUnlessItGetsAFirstSample) {
     struct NoDefault {
         explicit NoDefault(int v) : value(v) {}
         ~NoDefault() {}
@@ -186,13 +174,11 @@ TEST(SampleStore, IsRefusedForATypeWithoutDefaultValueUnlessItGetsAFirstSample)
     EXPECT_EQ(out.value, 4);
 }
 
-TEST(SampleStore, SurvivesASampleThatCannotBeAssigned)
-{
+TEST(SampleStore, SurvivesASampleThatCannotBeAssigned) {
     struct Thrower {
         Thrower() = default;
         Thrower(const Thrower&) = default;
-        Thrower& operator=(const Thrower& o)
-        {
+        Thrower& operator=(const Thrower& o) {
             if (o.value < 0) throw 1;
             value = o.value;
             return *this;

@@ -8,14 +8,8 @@
 
 namespace flow_test {
 
-LogCapture::LogCapture()
-{
-    RTT::Logger::Instance()->setStdStream(stream_);
-}
+LogCapture::LogCapture() { RTT::Logger::Instance()->setStdStream(stream_); }
 
-LogCapture::~LogCapture()
-{
-    RTT::Logger::Instance()->setStdStream(std::cerr);
-}
+LogCapture::~LogCapture() { RTT::Logger::Instance()->setStdStream(std::cerr); }
 
 }  // namespace flow_test

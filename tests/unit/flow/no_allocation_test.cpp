@@ -14,11 +14,11 @@ thread_local bool watching = false;
 thread_local unsigned allocations = 0;
 
 // Not inlined, nor is the other: the compiler would take what the replaced operators do for a mismatch.
-[[gnu::noinline]] void* allocate(std::size_t size, std::size_t alignment)
-{
+[[gnu::noinline]] void* allocate(std::size_t size, std::size_t alignment) {
     if (watching) ++allocations;
-    void* p = alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
-                                                    : std::malloc(size ? size : 1);
+    void* p = alignment > alignof(std::max_align_t)
+                  ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
+                  : std::malloc(size ? size : 1);
     if (!p) throw std::bad_alloc();
     return p;
 }
@@ -40,8 +40,7 @@ namespace {
 typedef std::vector<double> Samples;
 
 template <class F>
-unsigned allocationsOf(F f)
-{
+unsigned allocationsOf(F f) {
     allocations = 0;
     watching = true;
     f();
@@ -51,16 +50,14 @@ unsigned allocationsOf(F f)
 
 }  // namespace
 
-TEST(RealTime, TheCountSeesAnAllocation)
-{
+TEST(RealTime, TheCountSeesAnAllocation) {
     Samples kept;
     EXPECT_GE(allocationsOf([&] { kept = Samples(100); }), 1u);
 }
 
 class RealTimePath : public testing::TestWithParam<ConnPolicy> {};
 
-TEST_P(RealTimePath, NeverAllocatesOnceSized)
-{
+TEST_P(RealTimePath, NeverAllocatesOnceSized) {
     const Samples sample(1000, 1.5);
     Samples got = sample;
     OutputPort<Samples> out("out");
@@ -82,6 +79,7 @@ TEST_P(RealTimePath, NeverAllocatesOnceSized)
 INSTANTIATE_TEST_SUITE_P(AllStorages, RealTimePath,
                          testing::Values(ConnPolicy::data(), ConnPolicy::data(ConnPolicy::LOCKED),
                                          ConnPolicy::data(ConnPolicy::UNSYNC), ConnPolicy::buffer(4),
-                                         ConnPolicy::buffer(4, ConnPolicy::LOCKED), ConnPolicy::buffer(4, ConnPolicy::UNSYNC),
-                                         ConnPolicy::circularBuffer(4), ConnPolicy::circularBuffer(4, ConnPolicy::LOCKED),
+                                         ConnPolicy::buffer(4, ConnPolicy::LOCKED),
+                                         ConnPolicy::buffer(4, ConnPolicy::UNSYNC), ConnPolicy::circularBuffer(4),
+                                         ConnPolicy::circularBuffer(4, ConnPolicy::LOCKED),
                                          ConnPolicy::circularBuffer(4, ConnPolicy::UNSYNC)));

@@ -11,23 +11,20 @@ using namespace RTT;
 
 namespace {
 template <class T>
-std::string text(const T& value)
-{
+std::string text(const T& value) {
     std::ostringstream os;
     os << value;
     return os.str();
 }
 template <class T>
-T parsed(const std::string& word, T before)
-{
+T parsed(const std::string& word, T before) {
     std::istringstream is(word);
     is >> before;
     return before;
 }
 }  // namespace
 
-TEST(ConnPolicy, IsLockFreePushDataPerConnectionByDefault)
-{
+TEST(ConnPolicy, IsLockFreePushDataPerConnectionByDefault) {
     const ConnPolicy policy;
     EXPECT_EQ(policy.type, ConnPolicy::DATA);
     EXPECT_EQ(policy.lock_policy, ConnPolicy::LOCK_FREE);
@@ -40,8 +37,7 @@ TEST(ConnPolicy, IsLockFreePushDataPerConnectionByDefault)
     EXPECT_EQ(policy.transport, 0);
 }
 
-TEST(ConnPolicy, FactoriesDifferInInit)
-{
+TEST(ConnPolicy, FactoriesDifferInInit) {
     EXPECT_TRUE(ConnPolicy::data().init);
     EXPECT_FALSE(ConnPolicy::buffer(3).init);
     EXPECT_FALSE(ConnPolicy::circularBuffer(3).init);
@@ -51,8 +47,7 @@ TEST(ConnPolicy, FactoriesDifferInInit)
     EXPECT_TRUE(ConnPolicy::data(ConnPolicy::LOCKED, false, ConnPolicy::PULL).pull);
 }
 
-TEST(ConnPolicy, StartsFromTheProcessWideDefaultButNotFromItsName)
-{
+TEST(ConnPolicy, StartsFromTheProcessWideDefaultButNotFromItsName) {
     const ConnPolicy saved = ConnPolicy::Default();
     ConnPolicy::Default().mandatory = false;
     ConnPolicy::Default().transport = 3;
@@ -65,8 +60,7 @@ TEST(ConnPolicy, StartsFromTheProcessWideDefaultButNotFromItsName)
     EXPECT_TRUE(ConnPolicy().mandatory);
 }
 
-TEST(ConnPolicy, PrintsItself)
-{
+TEST(ConnPolicy, PrintsItself) {
     EXPECT_EQ(text(ConnPolicy()), "PUSH PerConnection LOCK_FREE DATA");
     ConnPolicy policy = ConnPolicy::buffer(10, ConnPolicy::LOCKED, false, ConnPolicy::PULL);
     policy.name_id = "/chat";
@@ -75,8 +69,7 @@ TEST(ConnPolicy, PrintsItself)
     EXPECT_EQ(text(policy), "PULL Shared LOCKED BUFFER[10] (name_id=/chat) (max_threads=4)");
 }
 
-TEST(BufferPolicy, IsPrintedAndReadByName)
-{
+TEST(BufferPolicy, IsPrintedAndReadByName) {
     EXPECT_EQ(text(PerInputPort), "PerInputPort");
     EXPECT_EQ(text(UnspecifiedBufferPolicy), "(unspecified buffer policy)");
     EXPECT_EQ(text(static_cast<BufferPolicy>(7)), "(unknown buffer policy)");
@@ -84,15 +77,13 @@ TEST(BufferPolicy, IsPrintedAndReadByName)
     EXPECT_EQ(parsed("nonsense", Shared), UnspecifiedBufferPolicy);
 }
 
-TEST(FlowStatus, IsPrintedAndReadByName)
-{
+TEST(FlowStatus, IsPrintedAndReadByName) {
     EXPECT_EQ(text(NoData) + text(OldData) + text(NewData), "NoDataOldDataNewData");
     EXPECT_EQ(parsed("OldData", NewData), OldData);
     EXPECT_EQ(parsed("nonsense", NewData), NoData);
 }
 
-TEST(WriteStatus, IsPrintedAndReadByName)
-{
+TEST(WriteStatus, IsPrintedAndReadByName) {
     EXPECT_EQ(text(WriteSuccess) + text(WriteFailure) + text(NotConnected), "WriteSuccessWriteFailureNotConnected");
     EXPECT_EQ(parsed("NotConnected", WriteSuccess), NotConnected);
     EXPECT_EQ(parsed("nonsense", NotConnected), WriteSuccess);

@@ -21,15 +21,13 @@ using namespace RTT;
 namespace {
 
 template <class Condition>
-bool soon(Condition condition)
-{
+bool soon(Condition condition) {
     for (int i = 0; i < 4000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return condition();
 }
 
 struct Component : TaskContext {
-    explicit Component(const std::string& name = "component") : TaskContext(name)
-    {
+    explicit Component(const std::string& name = "component") : TaskContext(name) {
         addPort(out).doc("what comes out");
         addEventPort(in, [this](base::PortInterface* port) {
             EXPECT_EQ(port, &in);
@@ -49,8 +47,7 @@ struct Component : TaskContext {
 
 }  // namespace
 
-TEST(ComponentPorts, KnowTheirComponent)
-{
+TEST(ComponentPorts, KnowTheirComponent) {
     Component c;
     EXPECT_EQ(c.in.getFullName(), "component.in");
     EXPECT_EQ(c.in.getInterface()->getOwner(), &c);
@@ -62,8 +59,7 @@ TEST(ComponentPorts, KnowTheirComponent)
     EXPECT_EQ(c.ports()->getPortDescription("out"), "what comes out");
 }
 
-TEST(ComponentPorts, HaveAServiceWithOperations)
-{
+TEST(ComponentPorts, HaveAServiceWithOperations) {
     Component c, peer("peer");
     c.out.connectTo(&peer.in);
     ASSERT_TRUE(c.provides()->hasService("out"));
@@ -91,8 +87,7 @@ TEST(ComponentPorts, HaveAServiceWithOperations)
     EXPECT_FALSE(c.out.connected());
 }
 
-TEST(ComponentPorts, AreReplacedByAPortOfTheSameName)
-{
+TEST(ComponentPorts, AreReplacedByAPortOfTheSameName) {
     flow_test::LogCapture log;
     Component c, peer("peer");
     peer.out.connectTo(&c.in);
@@ -104,8 +99,7 @@ TEST(ComponentPorts, AreReplacedByAPortOfTheSameName)
     EXPECT_EQ(c.ports()->getPort("in"), &other);
 }
 
-TEST(ComponentPorts, ComeAndGoAtRunTime)
-{
+TEST(ComponentPorts, ComeAndGoAtRunTime) {
     Component c;
     {
         InputPort<double> temporary("temporary");
@@ -119,8 +113,7 @@ TEST(ComponentPorts, ComeAndGoAtRunTime)
     c.ports()->removePort("none");
 }
 
-TEST(EventPort, CallsBackOncePerSample)
-{
+TEST(EventPort, CallsBackOncePerSample) {
     Component c, peer("peer");
     peer.out.createConnection(c.in, ConnPolicy::buffer(20));
     ASSERT_TRUE(c.start());
@@ -133,8 +126,7 @@ TEST(EventPort, CallsBackOncePerSample)
     EXPECT_EQ(c.sum, 10);
 }
 
-TEST(EventPort, WithoutCallbackTriggersTheComponent)
-{
+TEST(EventPort, WithoutCallbackTriggersTheComponent) {
     Component c, peer("peer");
     peer.out.connectTo(&c.wake);
     ASSERT_TRUE(c.start());
@@ -145,8 +137,7 @@ TEST(EventPort, WithoutCallbackTriggersTheComponent)
     EXPECT_EQ(c.calls, 0);
 }
 
-TEST(EventPort, KeepsDataButNotTheSignalOfASampleWrittenBeforeStart)
-{
+TEST(EventPort, KeepsDataButNotTheSignalOfASampleWrittenBeforeStart) {
     Component c, peer("peer");
     peer.out.connectTo(&c.in);
     peer.out.write(3);
@@ -158,8 +149,7 @@ TEST(EventPort, KeepsDataButNotTheSignalOfASampleWrittenBeforeStart)
     EXPECT_EQ(got, 3);
 }
 
-TEST(EventPort, IsSignalledByInitOfANewConnection)
-{
+TEST(EventPort, IsSignalledByInitOfANewConnection) {
     Component c, peer("peer");
     peer.out.write(3);
     ASSERT_TRUE(c.start());
@@ -168,8 +158,7 @@ TEST(EventPort, IsSignalledByInitOfANewConnection)
     EXPECT_EQ(c.sum, 3);
 }
 
-TEST(EventPort, IsNotSignalledForADroppedSample)
-{
+TEST(EventPort, IsNotSignalledForADroppedSample) {
     Component c, peer("peer");
     peer.out.createConnection(c.in, ConnPolicy::buffer(0));
     ASSERT_TRUE(c.start());
@@ -178,11 +167,9 @@ TEST(EventPort, IsNotSignalledForADroppedSample)
     EXPECT_EQ(c.calls, 0);
 }
 
-TEST(EventPort, MayRunItsComponentInTheWritersThreadWhichMayDisconnectThePort)
-{
+TEST(EventPort, MayRunItsComponentInTheWritersThreadWhichMayDisconnectThePort) {
     struct Sequential : Component {
-        void updateHook() override
-        {
+        void updateHook() override {
             Component::updateHook();
             wake.disconnect();
             out.write(updates);
@@ -200,12 +187,10 @@ TEST(EventPort, MayRunItsComponentInTheWritersThreadWhichMayDisconnectThePort)
     EXPECT_FALSE(c.wake.connected());
 }
 
-TEST(EventPort, DropsTheCallbackOfASampleThatStopOvertook)
-{
+TEST(EventPort, DropsTheCallbackOfASampleThatStopOvertook) {
     struct Stopping : Component {
         using Component::Component;
-        bool dataOnPortHook(base::PortInterface* port) override
-        {
+        bool dataOnPortHook(base::PortInterface* port) override {
             const bool wanted = Component::dataOnPortHook(port);
             stop();
             return wanted;
@@ -220,8 +205,7 @@ TEST(EventPort, DropsTheCallbackOfASampleThatStopOvertook)
     EXPECT_EQ(c.calls, 0);
 }
 
-TEST(EventPort, CallsBackAComponentThatIsNotRunningIfItsHookWantsThat)
-{
+TEST(EventPort, CallsBackAComponentThatIsNotRunningIfItsHookWantsThat) {
     struct Always : Component {
         bool dataOnPortHook(base::PortInterface*) override { return true; }
     } c;
@@ -231,18 +215,14 @@ TEST(EventPort, CallsBackAComponentThatIsNotRunningIfItsHookWantsThat)
     EXPECT_TRUE(soon([&] { return c.calls == 1; }));
 }
 
-TEST(EventPort, IsDestroyedSafelyWhileItIsWrittenTo)
-{
+TEST(EventPort, IsDestroyedSafelyWhileItIsWrittenTo) {
     OutputPort<int> out("out");
     struct Writer {
         explicit Writer(OutputPort<int>& port)
             : thread([this, &port] {
                   for (int i = 0; !stop; ++i) port.write(i);
-              })
-        {
-        }
-        ~Writer()
-        {
+              }) {}
+        ~Writer() {
             stop = true;
             thread.join();
         }

@@ -18,8 +18,7 @@ using namespace flow_test;
 
 namespace {
 
-std::vector<ConnPolicy> policies()
-{
+std::vector<ConnPolicy> policies() {
     std::vector<ConnPolicy> all;
     for (const int lock : {ConnPolicy::LOCKED, ConnPolicy::LOCK_FREE}) {
         all.push_back(ConnPolicy::data(lock));
@@ -31,8 +30,7 @@ std::vector<ConnPolicy> policies()
 }
 
 template <class S>
-void trafficDuringStorm(const ConnPolicy& policy)
-{
+void trafficDuringStorm(const ConnPolicy& policy) {
     OutputPort<S> out1("out1"), out2("out2");
     InputPort<S> in1("in1"), in2("in2");
     std::atomic<bool> stop{false};
@@ -90,18 +88,15 @@ void trafficDuringStorm(const ConnPolicy& policy)
 
 }  // namespace
 
-TEST(PortStress, ConnectAndDisconnectFromBothEndsDuringTrafficOfPlainSamples)
-{
+TEST(PortStress, ConnectAndDisconnectFromBothEndsDuringTrafficOfPlainSamples) {
     for (const ConnPolicy& policy : policies()) trafficDuringStorm<Plain>(policy);
 }
 
-TEST(PortStress, ConnectAndDisconnectFromBothEndsDuringTrafficOfDeepSamples)
-{
+TEST(PortStress, ConnectAndDisconnectFromBothEndsDuringTrafficOfDeepSamples) {
     for (const ConnPolicy& policy : policies()) trafficDuringStorm<Deep>(policy);
 }
 
-TEST(PortStress, SharedStoragesDuringTraffic)
-{
+TEST(PortStress, SharedStoragesDuringTraffic) {
     for (const BufferPolicy kind : {PerInputPort, PerOutputPort, Shared}) {
         ConnPolicy policy = ConnPolicy::circularBuffer(5);
         policy.buffer_policy = kind;
@@ -110,8 +105,7 @@ TEST(PortStress, SharedStoragesDuringTraffic)
     }
 }
 
-TEST(PortStress, ReadersDisappearWhileTheyAreWrittenTo)
-{
+TEST(PortStress, ReadersDisappearWhileTheyAreWrittenTo) {
     OutputPort<Deep> out("out");
     std::atomic<bool> stop{false};
     std::thread writer([&] {
@@ -134,8 +128,7 @@ TEST(PortStress, ReadersDisappearWhileTheyAreWrittenTo)
     EXPECT_FALSE(out.connected());
 }
 
-TEST(PortStress, WritersDisappearWhileTheyAreReadFrom)
-{
+TEST(PortStress, WritersDisappearWhileTheyAreReadFrom) {
     InputPort<Deep> in("in");
     std::atomic<bool> stop{false};
     std::atomic<unsigned> torn{0};
@@ -159,8 +152,7 @@ TEST(PortStress, WritersDisappearWhileTheyAreReadFrom)
     EXPECT_FALSE(in.connected());
 }
 
-TEST(PortStress, BufferedSamplesArriveOnceAndInOrder)
-{
+TEST(PortStress, BufferedSamplesArriveOnceAndInOrder) {
     OutputPort<Plain> out("out");
     InputPort<Plain> in("in");
     out.createConnection(in, ConnPolicy::buffer(16));

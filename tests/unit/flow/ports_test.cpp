@@ -13,8 +13,7 @@
 
 using namespace RTT;
 
-TEST(OutputPort, SaysNotConnectedButRemembersTheValue)
-{
+TEST(OutputPort, SaysNotConnectedButRemembersTheValue) {
     OutputPort<double> out("out");
     EXPECT_EQ(out.write(2.5), NotConnected);
     double last = 0;
@@ -22,8 +21,7 @@ TEST(OutputPort, SaysNotConnectedButRemembersTheValue)
     EXPECT_EQ(last, 2.5);
 }
 
-TEST(OutputPort, HasNoLastValueBeforeTheFirstWrite)
-{
+TEST(OutputPort, HasNoLastValueBeforeTheFirstWrite) {
     OutputPort<double> out("out");
     double last = 7;
     EXPECT_FALSE(out.getLastWrittenValue(last));
@@ -31,8 +29,7 @@ TEST(OutputPort, HasNoLastValueBeforeTheFirstWrite)
     EXPECT_EQ(out.getLastWrittenValue(), 0.0);
 }
 
-TEST(OutputPort, RemembersNothingIfToldSo)
-{
+TEST(OutputPort, RemembersNothingIfToldSo) {
     OutputPort<double> out("out", false);
     EXPECT_FALSE(out.keepsLastWrittenValue());
     out.write(1);
@@ -47,8 +44,7 @@ TEST(OutputPort, RemembersNothingIfToldSo)
     EXPECT_FALSE(out.getLastWrittenValue(last));
 }
 
-TEST(OutputPort, RemembersOnlyTheNextValueIfToldSo)
-{
+TEST(OutputPort, RemembersOnlyTheNextValueIfToldSo) {
     OutputPort<double> out("out", false);
     out.keepNextWrittenValue(true);
     out.write(1);
@@ -58,8 +54,7 @@ TEST(OutputPort, RemembersOnlyTheNextValueIfToldSo)
     EXPECT_FALSE(out.getLastWrittenValue(last));
 }
 
-TEST(OutputPort, ForgetsTheLastValueOnClearAndOnSetDataSample)
-{
+TEST(OutputPort, ForgetsTheLastValueOnClearAndOnSetDataSample) {
     OutputPort<double> out("out");
     double last = 7;
     out.write(1);
@@ -71,8 +66,7 @@ TEST(OutputPort, ForgetsTheLastValueOnClearAndOnSetDataSample)
     EXPECT_EQ(last, 7);
 }
 
-TEST(InputPort, GivesNoDataAndLeavesTheArgumentWhenNotConnected)
-{
+TEST(InputPort, GivesNoDataAndLeavesTheArgumentWhenNotConnected) {
     InputPort<double> in("in");
     double got = 7;
     EXPECT_EQ(in.read(got), NoData);
@@ -82,8 +76,7 @@ TEST(InputPort, GivesNoDataAndLeavesTheArgumentWhenNotConnected)
     EXPECT_FALSE(in.connected());
 }
 
-TEST(Ports, BringASampleAcross)
-{
+TEST(Ports, BringASampleAcross) {
     OutputPort<double> out("out");
     InputPort<double> in("in");
     ASSERT_TRUE(out.connectTo(&in));
@@ -101,8 +94,7 @@ TEST(Ports, BringASampleAcross)
     EXPECT_EQ(in.read(got), NoData);
 }
 
-TEST(Ports, CarryTypesThatNoTypekitKnows)
-{
+TEST(Ports, CarryTypesThatNoTypekitKnows) {
     typedef struct {
         unsigned long time;
         float padding[32];
@@ -119,8 +111,7 @@ TEST(Ports, CarryTypesThatNoTypekitKnows)
     EXPECT_EQ(got.padding[31], 1.5f);
 }
 
-TEST(Ports, ReadNewestSkipsOlderSamples)
-{
+TEST(Ports, ReadNewestSkipsOlderSamples) {
     OutputPort<int> out("out");
     InputPort<int> in("in");
     out.connectTo(&in, ConnPolicy::buffer(10));
@@ -131,8 +122,7 @@ TEST(Ports, ReadNewestSkipsOlderSamples)
     EXPECT_EQ(in.readNewest(got), OldData);
 }
 
-TEST(Ports, SizeSamplesWithoutDeliveringThem)
-{
+TEST(Ports, SizeSamplesWithoutDeliveringThem) {
     typedef std::vector<double> Samples;
     OutputPort<Samples> out("out");
     InputPort<Samples> early("early"), late("late");
@@ -148,8 +138,7 @@ TEST(Ports, SizeSamplesWithoutDeliveringThem)
     }
 }
 
-TEST(Ports, AreNamedAndDescribed)
-{
+TEST(Ports, AreNamedAndDescribed) {
     InputPort<int> in;
     EXPECT_EQ(in.getName(), "unnamed");
     EXPECT_TRUE(in.setName("in"));
@@ -164,8 +153,7 @@ TEST(Ports, AreNamedAndDescribed)
     EXPECT_EQ(in.serverProtocol(), 0);
 }
 
-TEST(Ports, AreClonedInBothDirections)
-{
+TEST(Ports, AreClonedInBothDirections) {
     InputPort<int> in("in", ConnPolicy::buffer(4));
     OutputPort<int> out("out", false);
     std::unique_ptr<InputPort<int>> in2(in.clone());
@@ -179,8 +167,7 @@ TEST(Ports, AreClonedInBothDirections)
     EXPECT_EQ(out2->getName(), "in");
 }
 
-TEST(Ports, ReadAndWriteDataSources)
-{
+TEST(Ports, ReadAndWriteDataSources) {
     OutputPort<double> out("out");
     InputPort<double> in("in");
     out.connectTo(&in);
@@ -191,8 +178,7 @@ TEST(Ports, ReadAndWriteDataSources)
     EXPECT_EQ(value->get(), 1.5);
 }
 
-TEST(Ports, RefuseDataSourcesOfAnotherType)
-{
+TEST(Ports, RefuseDataSourcesOfAnotherType) {
     flow_test::LogCapture log;
     OutputPort<double> out("out");
     InputPort<double> in("in");
@@ -208,8 +194,7 @@ TEST(Ports, RefuseDataSourcesOfAnotherType)
     EXPECT_EQ(got, 2.0);
 }
 
-TEST(Ports, GiveDataSourcesOfThemselves)
-{
+TEST(Ports, GiveDataSourcesOfThemselves) {
     OutputPort<double> out("out");
     internal::DataSource<double>::shared_ptr last, read;
     {

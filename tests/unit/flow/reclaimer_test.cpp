@@ -15,8 +15,7 @@ void countDown(void* counter) { --*static_cast<std::atomic<int>*>(counter); }
 void countUp(void* counter) { ++*static_cast<std::atomic<int>*>(counter); }
 }  // namespace
 
-TEST(Reclaimer, DestroysAtOnceWhenNobodyIsInside)
-{
+TEST(Reclaimer, DestroysAtOnceWhenNobodyIsInside) {
     std::atomic<int> objects{1};
     Reclaimer::retire(&objects, countDown);
     EXPECT_EQ(objects, 1);
@@ -24,8 +23,7 @@ TEST(Reclaimer, DestroysAtOnceWhenNobodyIsInside)
     EXPECT_EQ(objects, 0);
 }
 
-TEST(Reclaimer, KeepsWhatAThreadInsideMayUse)
-{
+TEST(Reclaimer, KeepsWhatAThreadInsideMayUse) {
     std::atomic<int> objects{1};
     {
         const Reclaimer::Guard outer;
@@ -40,8 +38,7 @@ TEST(Reclaimer, KeepsWhatAThreadInsideMayUse)
     EXPECT_EQ(objects, 0);
 }
 
-TEST(Reclaimer, DestroysWhatWasRetiredBeforeAThreadCameIn)
-{
+TEST(Reclaimer, DestroysWhatWasRetiredBeforeAThreadCameIn) {
     std::atomic<int> objects{1};
     Reclaimer::retire(&objects, countDown);
     const Reclaimer::Guard guard;
@@ -49,8 +46,7 @@ TEST(Reclaimer, DestroysWhatWasRetiredBeforeAThreadCameIn)
     EXPECT_EQ(objects, 0);
 }
 
-TEST(Reclaimer, RunsDeferredCallsAfterTheOutermostGuard)
-{
+TEST(Reclaimer, RunsDeferredCallsAfterTheOutermostGuard) {
     std::atomic<int> calls{0};
     {
         const Reclaimer::Guard outer;
@@ -63,8 +59,7 @@ TEST(Reclaimer, RunsDeferredCallsAfterTheOutermostGuard)
     EXPECT_EQ(calls, 1);
 }
 
-TEST(Reclaimer, SynchronizeWaitsForThoseInside)
-{
+TEST(Reclaimer, SynchronizeWaitsForThoseInside) {
     std::atomic<int> stage{0};
     std::thread inside([&] {
         const Reclaimer::Guard guard;
@@ -78,8 +73,7 @@ TEST(Reclaimer, SynchronizeWaitsForThoseInside)
     inside.join();
 }
 
-TEST(Reclaimer, TwoThatSynchronizeInsideDoNotWaitForEachOther)
-{
+TEST(Reclaimer, TwoThatSynchronizeInsideDoNotWaitForEachOther) {
     std::atomic<int> inside{0};
     auto both = [&] {
         const Reclaimer::Guard guard;
@@ -92,8 +86,7 @@ TEST(Reclaimer, TwoThatSynchronizeInsideDoNotWaitForEachOther)
     b.join();
 }
 
-TEST(Reclaimer, NeverDestroysWhatReadersSee)
-{
+TEST(Reclaimer, NeverDestroysWhatReadersSee) {
     struct Object {
         std::atomic<int> alive{1};
         int payload = 42;

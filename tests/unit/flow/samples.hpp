@@ -23,8 +23,7 @@ struct Deep {
 };
 
 template <class S>
-void fill(S& sample, std::uint64_t writer, std::uint64_t serial)
-{
+void fill(S& sample, std::uint64_t writer, std::uint64_t serial) {
     sample.writer = writer;
     sample.serial = serial;
     sample.sum = writer * 31 + serial;
@@ -35,8 +34,7 @@ void fill(S& sample, std::uint64_t writer, std::uint64_t serial)
 }
 
 template <class S>
-bool intact(const S& sample)
-{
+bool intact(const S& sample) {
     std::uint64_t sum = sample.writer * 31 + sample.serial;
     for (std::size_t i = 0; i < 5; ++i) sum += sample.filler[i];
     return sum == sample.sum;

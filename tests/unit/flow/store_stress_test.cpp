@@ -30,8 +30,7 @@ struct Result {
 
 /** Reads until the writers are done and there is nothing new. */
 template <class S>
-Result readAll(SampleStore& store, const std::atomic<unsigned>& writing, bool record)
-{
+Result readAll(SampleStore& store, const std::atomic<unsigned>& writing, bool record) {
     Result result;
     S sample;
     std::uint64_t last[kWriters] = {};
@@ -61,15 +60,13 @@ Result readAll(SampleStore& store, const std::atomic<unsigned>& writing, bool re
 template <class S>
 class Storm {
 public:
-    explicit Storm(StoreSpec spec)
-    {
+    explicit Storm(StoreSpec spec) {
         spec.maxThreads = kWriters + kReaders;
         store = SampleStore::make(types::typeOps<S>(), spec, nullptr);
     }
 
     /** With `insist` a writer repeats what is refused. */
-    void run(std::uint64_t each, bool insist, bool record)
-    {
+    void run(std::uint64_t each, bool insist, bool record) {
         std::atomic<unsigned> writing{kWriters};
         std::vector<std::thread> threads;
         results.resize(kReaders);
@@ -87,25 +84,23 @@ public:
                 --writing;
             });
         for (std::uint64_t r = 0; r < kReaders; ++r)
-            threads.emplace_back([=, this_ = this, &writing] { this_->results[r] = readAll<S>(*this_->store, writing, record); });
+            threads.emplace_back(
+                [=, this_ = this, &writing] { this_->results[r] = readAll<S>(*this_->store, writing, record); });
         for (std::thread& t : threads) t.join();
     }
 
-    void expectIntact() const
-    {
+    void expectIntact() const {
         for (const Result& r : results) {
             EXPECT_EQ(r.torn, 0u);
             EXPECT_EQ(r.disordered, 0u);
         }
     }
-    std::uint64_t total() const
-    {
+    std::uint64_t total() const {
         std::uint64_t sum = 0;
         for (const Result& r : results) sum += r.got;
         return sum;
     }
-    void expectEachOnce(std::uint64_t each) const
-    {
+    void expectEachOnce(std::uint64_t each) const {
         for (std::uint64_t w = 0; w < kWriters; ++w) {
             std::vector<unsigned> seen(each + 1, 0);
             for (const Result& r : results)
@@ -119,8 +114,7 @@ public:
     std::atomic<std::uint64_t> refused{0};
 };
 
-StoreSpec spec(StoreSpec::Kind kind, StoreSpec::Lock lock)
-{
+StoreSpec spec(StoreSpec::Kind kind, StoreSpec::Lock lock) {
     StoreSpec s;
     s.kind = kind;
     s.lock = lock;
@@ -129,8 +123,7 @@ StoreSpec spec(StoreSpec::Kind kind, StoreSpec::Lock lock)
 }
 
 template <class S>
-void stormOnData(StoreSpec::Lock lock)
-{
+void stormOnData(StoreSpec::Lock lock) {
     Storm<S> storm(spec(StoreSpec::Data, lock));
     const std::uint64_t each = stressCount(20000);
     storm.run(each, false, true);
@@ -146,8 +139,7 @@ void stormOnData(StoreSpec::Lock lock)
 }
 
 template <class S>
-void stormOnBuffer(StoreSpec::Lock lock)
-{
+void stormOnBuffer(StoreSpec::Lock lock) {
     Storm<S> storm(spec(StoreSpec::Buffer, lock));
     const std::uint64_t each = stressCount(10000);
     storm.run(each, true, true);
@@ -158,8 +150,7 @@ void stormOnBuffer(StoreSpec::Lock lock)
 }
 
 template <class S>
-void stormOnCircular(StoreSpec::Lock lock)
-{
+void stormOnCircular(StoreSpec::Lock lock) {
     Storm<S> storm(spec(StoreSpec::CircularBuffer, lock));
     const std::uint64_t each = stressCount(10000);
     storm.run(each, false, false);
@@ -179,8 +170,7 @@ TEST(StoreStress, LockedBuffer) { stormOnBuffer<Deep>(StoreSpec::Locked); }
 TEST(StoreStress, LockFreeCircularBuffer) { stormOnCircular<Deep>(StoreSpec::LockFree); }
 TEST(StoreStress, LockedCircularBuffer) { stormOnCircular<Deep>(StoreSpec::Locked); }
 
-TEST(StoreStress, SizingAndClearingDuringTraffic)
-{
+TEST(StoreStress, SizingAndClearingDuringTraffic) {
     for (const StoreSpec::Kind kind : {StoreSpec::Data, StoreSpec::CircularBuffer}) {
         Storm<Deep> storm(spec(kind, StoreSpec::LockFree));
         std::atomic<bool> stop{false};

@@ -38,7 +38,8 @@ TEST(IncludeName, IsRelativeToTheIncludeDirectory) {
 }
 
 TEST(StandardHeaders, AreThoseOfTheNamesUsed) {
-    EXPECT_EQ(standardHeaders({"std::vector<std::uint8_t>", "my::vectors"}), (std::vector<std::string>{"cstdint", "vector"}));
+    EXPECT_EQ(standardHeaders({"std::vector<std::uint8_t>", "my::vectors"}),
+              (std::vector<std::string>{"cstdint", "vector"}));
     EXPECT_TRUE(standardHeaders({"double", "std::stringish"}).empty());
 }
 

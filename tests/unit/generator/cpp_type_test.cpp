@@ -41,7 +41,8 @@ TEST(SplitQualified, SplitsAtColons) {
 
 TEST(Literals, FollowTheirNotation) {
     for (const char* good : {"0", "-1.5", "+.5", "1.", "1e9", "1.5E-3"}) EXPECT_TRUE(isNumberText(good)) << good;
-    for (const char* bad : {"", ".", "-", "1e", "0x1", "1,5", "nan", "inf", " 1"}) EXPECT_FALSE(isNumberText(bad)) << bad;
+    for (const char* bad : {"", ".", "-", "1e", "0x1", "1,5", "nan", "inf", " 1"})
+        EXPECT_FALSE(isNumberText(bad)) << bad;
     EXPECT_TRUE(isIntegerText("-12"));
     EXPECT_FALSE(isIntegerText("1.0"));
     EXPECT_FALSE(isBooleanText("1"));

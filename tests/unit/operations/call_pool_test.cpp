@@ -12,8 +12,7 @@ using RTT::internal::CallPool;
 
 namespace {
 
-TEST(CallPool, GivesBlocksOfItsOwnUntilTheyAreUsedUpThenOfTheHeap)
-{
+TEST(CallPool, GivesBlocksOfItsOwnUntilTheyAreUsedUpThenOfTheHeap) {
     std::vector<void*> blocks;
     while (CallPool::owns(blocks.emplace_back(CallPool::take(100)))) ASSERT_LT(blocks.size(), 10000u);
     EXPECT_EQ(blocks.size(), CallPool::kSmall + CallPool::kLarge + 1) << "the large ones serve small calls, too";
@@ -23,16 +22,14 @@ TEST(CallPool, GivesBlocksOfItsOwnUntilTheyAreUsedUpThenOfTheHeap)
     CallPool::give(again);
 }
 
-TEST(CallPool, LargeCallsComeFromTheHeap)
-{
+TEST(CallPool, LargeCallsComeFromTheHeap) {
     void* block = CallPool::take(5000);
     EXPECT_FALSE(CallPool::owns(block));
     std::memset(block, 1, 5000);
     CallPool::give(block);
 }
 
-TEST(CallPoolStress, NoBlockIsGivenTwice)
-{
+TEST(CallPoolStress, NoBlockIsGivenTwice) {
     std::vector<std::thread> threads;
     for (int t = 0; t != 4; ++t)
         threads.emplace_back([t] {

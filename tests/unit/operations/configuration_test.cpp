@@ -10,8 +10,7 @@ using testing::ElementsAre;
 
 namespace {
 
-TEST(Attributes, FollowTheVariable)
-{
+TEST(Attributes, FollowTheVariable) {
     ConfigurationInterface c;
     int variable = 1;
     EXPECT_TRUE(c.addAttribute("a", variable));
@@ -23,8 +22,7 @@ TEST(Attributes, FollowTheVariable)
     EXPECT_EQ(variable, 3);
 }
 
-TEST(Attributes, OfAttributeObjectsShareTheirValue)
-{
+TEST(Attributes, OfAttributeObjectsShareTheirValue) {
     ConfigurationInterface c;
     Attribute<int> own("own", 5), empty;
     EXPECT_TRUE(c.addAttribute(own));
@@ -34,8 +32,7 @@ TEST(Attributes, OfAttributeObjectsShareTheirValue)
     EXPECT_EQ(own.get(), 6);
 }
 
-TEST(Constants, ShowChangesOfTheVariableButCannotChangeIt)
-{
+TEST(Constants, ShowChangesOfTheVariableButCannotChangeIt) {
     ConfigurationInterface c;
     double variable = 1.0;
     EXPECT_TRUE(c.addConstant("c", variable));
@@ -46,8 +43,7 @@ TEST(Constants, ShowChangesOfTheVariableButCannotChangeIt)
     EXPECT_FALSE(constant->getDataSource()->isAssignable());
 }
 
-TEST(Values, OfEqualNameAreKeptAndTheFirstIsFound)
-{
+TEST(Values, OfEqualNameAreKeptAndTheFirstIsFound) {
     ConfigurationInterface c;
     int one = 1, two = 2;
     c.addAttribute("a", one);
@@ -59,8 +55,7 @@ TEST(Values, OfEqualNameAreKeptAndTheFirstIsFound)
     EXPECT_FALSE(c.removeAttribute("a"));
 }
 
-TEST(Values, SetValueTakesOwnershipAndRefusesTheIncomplete)
-{
+TEST(Values, SetValueTakesOwnershipAndRefusesTheIncomplete) {
     ConfigurationInterface c;
     EXPECT_TRUE(c.setValue(new Attribute<int>("a", 1)));
     EXPECT_FALSE(c.setValue(new Attribute<int>("", 1)));
@@ -69,8 +64,7 @@ TEST(Values, SetValueTakesOwnershipAndRefusesTheIncomplete)
     EXPECT_THAT(c.getAttributeNames(), ElementsAre("a"));
 }
 
-TEST(Properties, FollowTheVariable)
-{
+TEST(Properties, FollowTheVariable) {
     ConfigurationInterface c;
     double gain = 1.5;
     Property<double>& property = c.addProperty("gain", gain).doc("the gain");
@@ -81,8 +75,7 @@ TEST(Properties, FollowTheVariable)
     EXPECT_TRUE(c.properties()->ownsProperty(&property));
 }
 
-TEST(Properties, OfTheUserAreReferredTo)
-{
+TEST(Properties, OfTheUserAreReferredTo) {
     ConfigurationInterface c;
     Property<int> own("own", "text", 4), same("own", "other", 5), unready;
     EXPECT_TRUE(c.addProperty(own));

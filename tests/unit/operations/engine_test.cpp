@@ -19,8 +19,7 @@ struct Note : base::DisposableInterface {
     explicit Note(std::function<void()> action = {}) : onExecute(std::move(action)) {}
     std::function<void()> onExecute;
     std::atomic<int> executed{0}, disposed{0};
-    void executeAndDispose() override
-    {
+    void executeAndDispose() override {
         if (onExecute) onExecute();
         ++executed;
     }
@@ -31,8 +30,7 @@ struct Steps : base::ExecutableInterface {
     explicit Steps(std::function<bool()> step) : onExecute(std::move(step)) {}
     std::function<bool()> onExecute;
     std::atomic<int> executions{0};
-    bool execute() override
-    {
+    bool execute() override {
         ++executions;
         return onExecute();
     }
@@ -41,8 +39,7 @@ struct Steps : base::ExecutableInterface {
 /** Steps are made by calling update(). */
 void makeManual(Probe& probe) { ASSERT_TRUE(probe.setActivity(new extras::SlaveActivity())); }
 
-TEST(EngineStep, MessagesThenFunctionsThenUpdateHook)
-{
+TEST(EngineStep, MessagesThenFunctionsThenUpdateHook) {
     Probe probe;
     makeManual(probe);
     probe.onUpdate = [&] { probe.note("update"); };
@@ -61,8 +58,7 @@ TEST(EngineStep, MessagesThenFunctionsThenUpdateHook)
     EXPECT_FALSE(function.isLoaded());
 }
 
-TEST(EngineStep, MessagesThatMessagesSendAreExecutedInTheSameStep)
-{
+TEST(EngineStep, MessagesThatMessagesSendAreExecutedInTheSameStep) {
     Probe probe;
     makeManual(probe);
     Note second([&] { probe.note("second"); });
@@ -72,8 +68,7 @@ TEST(EngineStep, MessagesThatMessagesSendAreExecutedInTheSameStep)
     EXPECT_EQ(probe.takeHooks(), "first second");
 }
 
-TEST(EngineStep, TriggerExecutesMessagesOnly)
-{
+TEST(EngineStep, TriggerExecutesMessagesOnly) {
     Probe probe;
     makeManual(probe);
     ASSERT_TRUE(probe.start());
@@ -91,16 +86,15 @@ TEST(EngineStep, TriggerExecutesMessagesOnly)
     EXPECT_TRUE(probe.engine()->removeFunction(&function));
 }
 
-TEST(EngineStep, CountsStepsByTheirReason)
-{
+TEST(EngineStep, CountsStepsByTheirReason) {
     Probe probe;
     makeManual(probe);
     const auto counter = [&](const char* name) {
         auto* attribute = Attribute<unsigned>::narrow(probe.getAttribute(name));
         return attribute ? attribute->get() : ~0u;
     };
-    const unsigned cycles = counter("CycleCounter"), timeouts = counter("TimeOutCounter"), triggers = counter("TriggerCounter"),
-                   ios = counter("IOCounter");
+    const unsigned cycles = counter("CycleCounter"), timeouts = counter("TimeOutCounter"),
+                   triggers = counter("TriggerCounter"), ios = counter("IOCounter");
     probe.engine()->work(base::RunnableInterface::TimeOut);
     probe.engine()->work(base::RunnableInterface::Trigger);
     probe.engine()->work(base::RunnableInterface::Trigger);
@@ -111,8 +105,7 @@ TEST(EngineStep, CountsStepsByTheirReason)
     EXPECT_EQ(counter("IOCounter"), ios + 1);
 }
 
-TEST(EngineFunctions, AreExecutedOncePerStepUntilDone)
-{
+TEST(EngineFunctions, AreExecutedOncePerStepUntilDone) {
     Probe probe;
     makeManual(probe);
     int left = 3;
@@ -130,8 +123,7 @@ TEST(EngineFunctions, AreExecutedOncePerStepUntilDone)
     EXPECT_FALSE(function.isLoaded());
 }
 
-TEST(EngineFunctions, OneMayRemoveItselfOrAnotherWhileItExecutes)
-{
+TEST(EngineFunctions, OneMayRemoveItselfOrAnotherWhileItExecutes) {
     Probe probe;
     std::atomic<int> others{0};
     Steps other([&] { return ++others, true; });
@@ -150,8 +142,7 @@ TEST(EngineFunctions, OneMayRemoveItselfOrAnotherWhileItExecutes)
     probe.getActivity()->stop();  // it is still in the function that removed itself
 }
 
-TEST(EngineFunctions, RemovingFromAnotherThreadWaitsUntilItIsNotExecuting)
-{
+TEST(EngineFunctions, RemovingFromAnotherThreadWaitsUntilItIsNotExecuting) {
     Probe probe;
     probe.setPeriod(0.001);
     std::atomic<bool> inside{false};
@@ -170,8 +161,7 @@ TEST(EngineFunctions, RemovingFromAnotherThreadWaitsUntilItIsNotExecuting)
     EXPECT_EQ(function.executions, executions);
 }
 
-TEST(EngineRefuses, NullAndWhatComesInFatalError)
-{
+TEST(EngineRefuses, NullAndWhatComesInFatalError) {
     Probe probe;
     EXPECT_FALSE(probe.engine()->process(static_cast<base::DisposableInterface*>(nullptr)));
     EXPECT_FALSE(probe.engine()->runFunction(nullptr));
@@ -183,15 +173,13 @@ TEST(EngineRefuses, NullAndWhatComesInFatalError)
     EXPECT_FALSE(function.isLoaded());
 }
 
-TEST(EngineRefuses, WhatNoActivityWouldExecute)
-{
+TEST(EngineRefuses, WhatNoActivityWouldExecute) {
     ExecutionEngine engine;
     Note message;
     EXPECT_FALSE(engine.process(&message));
 }
 
-TEST(EngineDestruction, DisposesOfWhatIsStillQueued)
-{
+TEST(EngineDestruction, DisposesOfWhatIsStillQueued) {
     Note message;
     {
         Probe probe;
@@ -202,8 +190,7 @@ TEST(EngineDestruction, DisposesOfWhatIsStillQueued)
     EXPECT_EQ(message.disposed, 1);
 }
 
-TEST(EngineFatal, DisposesOfWhatIsStillQueued)
-{
+TEST(EngineFatal, DisposesOfWhatIsStillQueued) {
     Probe probe;
     makeManual(probe);
     Note message;
@@ -212,8 +199,7 @@ TEST(EngineFatal, DisposesOfWhatIsStillQueued)
     EXPECT_EQ(message.disposed, 1);
 }
 
-TEST(EngineIdentity, IsSelfOnlyInTheThreadOfTheActivity)
-{
+TEST(EngineIdentity, IsSelfOnlyInTheThreadOfTheActivity) {
     Probe probe;
     EXPECT_FALSE(probe.engine()->isSelf());
     std::atomic<int> self{-1};
@@ -225,8 +211,7 @@ TEST(EngineIdentity, IsSelfOnlyInTheThreadOfTheActivity)
 
 // --- what leads to updateHook() ---
 
-TEST(Triggering, StartTriggersOneUpdateUnlessTriggerOnStartIsOff)
-{
+TEST(Triggering, StartTriggersOneUpdateUnlessTriggerOnStartIsOff) {
     Probe probe;
     ASSERT_TRUE(probe.start());
     EXPECT_TRUE(eventually([&] { return probe.updates == 1; }));
@@ -237,8 +222,7 @@ TEST(Triggering, StartTriggersOneUpdateUnlessTriggerOnStartIsOff)
     EXPECT_EQ(probe.updates, 1);
 }
 
-TEST(Triggering, TriggerUpdatesOnlyComponentsThatAreNotPeriodic)
-{
+TEST(Triggering, TriggerUpdatesOnlyComponentsThatAreNotPeriodic) {
     Probe probe;
     ASSERT_TRUE(probe.start());
     ASSERT_TRUE(eventually([&] { return probe.updates == 1; }));
@@ -248,8 +232,7 @@ TEST(Triggering, TriggerUpdatesOnlyComponentsThatAreNotPeriodic)
     EXPECT_FALSE(probe.trigger());
 }
 
-TEST(Triggering, PeriodUpdates)
-{
+TEST(Triggering, PeriodUpdates) {
     Probe probe;
     ASSERT_TRUE(probe.setPeriod(0.002));
     EXPECT_EQ(probe.getPeriod(), 0.002);
@@ -257,13 +240,13 @@ TEST(Triggering, PeriodUpdates)
     EXPECT_TRUE(eventually([&] { return probe.updates > 5; }));
 }
 
-TEST(Triggering, SentOperationIsExecutedBetweenPeriodsWithoutUpdate)
-{
+TEST(Triggering, SentOperationIsExecutedBetweenPeriodsWithoutUpdate) {
     Probe probe;
     ASSERT_TRUE(probe.setPeriod(100.0));
     ASSERT_TRUE(probe.start());
     std::atomic<int> executed{0};
-    probe.addOperation("op", [&] { ++executed; }, OwnThread);
+    probe.addOperation(
+        "op", [&] { ++executed; }, OwnThread);
     OperationCaller<void()> op = probe.getOperation("op");
     op.send();
     EXPECT_TRUE(eventually([&] { return executed == 1; }));
@@ -277,8 +260,7 @@ struct Eventful : testing::Test {
     ~Eventful() override { probe.ports()->removePort("in"); }
 };
 
-TEST_F(Eventful, NewDataWithoutCallbackUpdates)
-{
+TEST_F(Eventful, NewDataWithoutCallbackUpdates) {
     probe.addEventPort(in);
     ASSERT_TRUE(out.connectTo(&in));
     ASSERT_TRUE(probe.start());
@@ -287,8 +269,7 @@ TEST_F(Eventful, NewDataWithoutCallbackUpdates)
     EXPECT_TRUE(eventually([&] { return probe.updates == 2; }));
 }
 
-TEST_F(Eventful, NewDataWithCallbackCallsItInTheOwnThreadAndDoesNotUpdate)
-{
+TEST_F(Eventful, NewDataWithCallbackCallsItInTheOwnThreadAndDoesNotUpdate) {
     std::atomic<int> calls{0};
     std::atomic<bool> own{false};
     std::atomic<base::PortInterface*> port{nullptr};
@@ -308,8 +289,7 @@ TEST_F(Eventful, NewDataWithCallbackCallsItInTheOwnThreadAndDoesNotUpdate)
     EXPECT_EQ(probe.updates, 1);
 }
 
-TEST_F(Eventful, NewDataWhileNotRunningIsNotAnnouncedButKept)
-{
+TEST_F(Eventful, NewDataWhileNotRunningIsNotAnnouncedButKept) {
     std::atomic<int> calls{0};
     probe.addEventPort(in, [&](base::PortInterface*) { ++calls; });
     ASSERT_TRUE(out.connectTo(&in));
@@ -322,8 +302,7 @@ TEST_F(Eventful, NewDataWhileNotRunningIsNotAnnouncedButKept)
     EXPECT_EQ(value, 7);
 }
 
-TEST_F(Eventful, PortIsQueuedAtMostOnce)
-{
+TEST_F(Eventful, PortIsQueuedAtMostOnce) {
     int calls = 0;
     makeManual(probe);
     probe.addEventPort(in, [&](base::PortInterface*) { ++calls; });
@@ -337,8 +316,7 @@ TEST_F(Eventful, PortIsQueuedAtMostOnce)
     EXPECT_EQ(calls, 2);
 }
 
-TEST_F(Eventful, CallbackThatThrowsLeadsToException)
-{
+TEST_F(Eventful, CallbackThatThrowsLeadsToException) {
     probe.addEventPort(in, [](base::PortInterface*) { throw 42; });
     ASSERT_TRUE(out.connectTo(&in));
     ASSERT_TRUE(probe.start());
@@ -348,13 +326,15 @@ TEST_F(Eventful, CallbackThatThrowsLeadsToException)
 }
 
 // A component in the middle of its updateHook() does not expect its port callbacks because it calls another component.
-TEST_F(Eventful, CallbackIsNotCalledWhileTheComponentWaitsForAnOperation)
-{
+TEST_F(Eventful, CallbackIsNotCalledWhileTheComponentWaitsForAnOperation) {
     Probe server("server");
-    server.addOperation("slow", [&] {
-        out.write(1);
-        usleep(5000);
-    }, OwnThread);
+    server.addOperation(
+        "slow",
+        [&] {
+            out.write(1);
+            usleep(5000);
+        },
+        OwnThread);
     OperationCaller<void()> slow(server.getOperation("slow"), probe.engine());
     std::atomic<bool> waiting{false}, nested{false};
     std::atomic<int> calls{0};

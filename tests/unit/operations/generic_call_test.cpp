@@ -19,13 +19,15 @@ struct GenericCall : testing::Test {
     ExecutionEngine* global = GlobalEngine::Instance();
     typedef base::DataSourceBase::shared_ptr Source;
 
-    GenericCall()
-    {
-        c.addOperation("add", [](int a, int b) { return a + b; }, OwnThread);
-        c.addOperation("divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
+    GenericCall() {
+        c.addOperation(
+            "add", [](int a, int b) { return a + b; }, OwnThread);
+        c.addOperation(
+            "divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
         c.addOperation("hello", [](const std::string& name) { return "hello " + name; });
         c.addOperation("nothing", [this] { ++calls; });
-        c.addOperation("bad", []() -> int { throw std::runtime_error("planted"); }, OwnThread);
+        c.addOperation(
+            "bad", []() -> int { throw std::runtime_error("planted"); }, OwnThread);
         c.provides()->addSynchronousOperation("only_call", [] { return 1; });
     }
     OperationInterfacePart* part(const char* name) { return c.getOperation(name); }
@@ -33,8 +35,7 @@ struct GenericCall : testing::Test {
     int calls = 0;
 };
 
-TEST_F(GenericCall, ProducedSourceCallsWithEachEvaluation)
-{
+TEST_F(GenericCall, ProducedSourceCallsWithEachEvaluation) {
     ValueDataSource<int>::shared_ptr a(new ValueDataSource<int>(1));
     Source source = part("add")->produce({a, constant(10)}, global);
     auto* sum = DataSource<int>::narrow(source.get());
@@ -45,26 +46,24 @@ TEST_F(GenericCall, ProducedSourceCallsWithEachEvaluation)
     EXPECT_EQ(sum->get(), 15);
 }
 
-TEST_F(GenericCall, SourceWithoutResultIsEvaluatedToo)
-{
+TEST_F(GenericCall, SourceWithoutResultIsEvaluatedToo) {
     Source source = part("nothing")->produce({}, nullptr);
     EXPECT_TRUE(source->evaluate());
     EXPECT_TRUE(source->evaluate());
     EXPECT_EQ(calls, 2);
 }
 
-TEST_F(GenericCall, ArgumentsByReferenceAreWrittenBack)
-{
+TEST_F(GenericCall, ArgumentsByReferenceAreWrittenBack) {
     ValueDataSource<int>::shared_ptr rest(new ValueDataSource<int>(0));
     Source source = part("divide")->produce({constant(17), constant(5), rest}, global);
     ASSERT_TRUE(source->evaluate());
     EXPECT_EQ(rest->get(), 2);
 }
 
-TEST_F(GenericCall, WrongArgumentsAreToldApart)
-{
+TEST_F(GenericCall, WrongArgumentsAreToldApart) {
     EXPECT_THROW(part("add")->produce({constant(1)}, global), wrong_number_of_args_exception);
-    EXPECT_THROW(part("add")->produce({constant(1), new ConstantDataSource<std::string>("x")}, global), wrong_types_of_args_exception);
+    EXPECT_THROW(part("add")->produce({constant(1), new ConstantDataSource<std::string>("x")}, global),
+                 wrong_types_of_args_exception);
     EXPECT_THROW(part("add")->produce({constant(1), nullptr}, global), wrong_types_of_args_exception);
     EXPECT_THROW(part("divide")->produce({constant(1), constant(1), constant(1)}, global), non_lvalue_args_exception);
     EXPECT_THROW(part("only_call")->produceSend({}, global), no_asynchronous_operation_exception);
@@ -76,8 +75,7 @@ TEST_F(GenericCall, WrongArgumentsAreToldApart)
     }
 }
 
-TEST_F(GenericCall, SendHandleAndCollect)
-{
+TEST_F(GenericCall, SendHandleAndCollect) {
     Source handle = part("divide")->produceHandle();
     ValueDataSource<int>::shared_ptr result(new ValueDataSource<int>(0)), rest(new ValueDataSource<int>(0));
     Source sending = part("divide")->produceSend({constant(17), constant(5), rest}, global);
@@ -88,8 +86,7 @@ TEST_F(GenericCall, SendHandleAndCollect)
     EXPECT_EQ(rest->get(), 2);
 }
 
-TEST_F(GenericCall, CallerC)
-{
+TEST_F(GenericCall, CallerC) {
     int a = 2, sum = 0;
     OperationCallerC add(part("add"), "add", global);
     EXPECT_FALSE(add.ready());
@@ -113,8 +110,7 @@ TEST_F(GenericCall, CallerC)
     EXPECT_THROW(OperationCallerC(part("bad"), "bad", global).call(), std::runtime_error);
 }
 
-TEST_F(GenericCall, CallerCSendsAndHandleCollects)
-{
+TEST_F(GenericCall, CallerCSendsAndHandleCollects) {
     int rest = 0, result = 0;
     SendHandleC handle = OperationCallerC(part("divide"), "divide", global).argC(17).argC(5).arg(rest).send();
     EXPECT_EQ(handle.collect(), SendSuccess);
@@ -128,8 +124,7 @@ TEST_F(GenericCall, CallerCSendsAndHandleCollects)
     EXPECT_FALSE(OperationCallerC(part("only_call"), "only_call", global).send().ready());
 }
 
-TEST_F(GenericCall, DescriptionOutlivesTheOperationObject)
-{
+TEST_F(GenericCall, DescriptionOutlivesTheOperationObject) {
     {
         Operation<int(int)> member("member", [](int n) { return n; });
         c.addOperation(member).doc("text");

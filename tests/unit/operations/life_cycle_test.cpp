@@ -20,15 +20,14 @@ constexpr State kStopped = TaskContext::Stopped;
 constexpr State kRunning = TaskContext::Running;
 constexpr State kRunTimeError = TaskContext::RunTimeError;
 
-const char* nameOf(State state)
-{
-    static const char* const names[] = {"Init", "PreOperational", "FatalError", "Exception", "Stopped", "Running", "RunTimeError"};
+const char* nameOf(State state) {
+    static const char* const names[] = {"Init",    "PreOperational", "FatalError",  "Exception",
+                                        "Stopped", "Running",        "RunTimeError"};
     return names[state];
 }
 
 /** Brings a component that was constructed PreOperational into a state. */
-void bringTo(Probe& probe, State state)
-{
+void bringTo(Probe& probe, State state) {
     if (state == kFatal) probe.fatal();
     if (state == kException) probe.exception();
     if (state >= kStopped) {
@@ -42,8 +41,7 @@ void bringTo(Probe& probe, State state)
     probe.takeHooks();
 }
 
-bool act(Probe& probe, const std::string& call)
-{
+bool act(Probe& probe, const std::string& call) {
     if (call == "configure") return probe.configure();
     if (call == "start") return probe.start();
     if (call == "stop") return probe.stop();
@@ -68,8 +66,7 @@ std::ostream& operator<<(std::ostream& os, const Transition& t) { return os << n
 
 class LifeCycle : public testing::TestWithParam<Transition> {};
 
-TEST_P(LifeCycle, TransitionOfComponentConstructedPreOperational)
-{
+TEST_P(LifeCycle, TransitionOfComponentConstructedPreOperational) {
     const Transition& t = GetParam();
     Probe probe("probe", kPreOperational);
     bringTo(probe, t.from);
@@ -144,30 +141,27 @@ const Transition kTable[] = {
     {kFatal, "error", true, kFatal, ""},
     {kFatal, "exception", true, kFatal, ""},
 };
-INSTANTIATE_TEST_SUITE_P(Table, LifeCycle, testing::ValuesIn(kTable), [](const auto& info) {
-    return std::string(nameOf(info.param.from)) + "_" + info.param.call;
-});
+INSTANTIATE_TEST_SUITE_P(Table, LifeCycle, testing::ValuesIn(kTable),
+                         [](const auto& info) { return std::string(nameOf(info.param.from)) + "_" + info.param.call; });
 
-TEST(LifeCycleStart, IsStoppedByDefaultAndActive)
-{
+TEST(LifeCycleStart, IsStoppedByDefaultAndActive) {
     Probe probe;
     EXPECT_EQ(probe.getTaskState(), kStopped);
     EXPECT_TRUE(probe.isActive());
     EXPECT_EQ(probe.takeHooks(), "");
 }
 
-TEST(LifeCycleRecover, KeepsTheConfigurationOfAComponentConstructedStopped)
-{
+TEST(LifeCycleRecover, KeepsTheConfigurationOfAComponentConstructedStopped) {
     Probe probe;
     ASSERT_TRUE(probe.start());
     probe.exception();
-    EXPECT_EQ(probe.takeHooks(), "start stop exception") << "cleanupHook() is for components that were constructed PreOperational";
+    EXPECT_EQ(probe.takeHooks(), "start stop exception")
+        << "cleanupHook() is for components that were constructed PreOperational";
     EXPECT_TRUE(probe.recover());
     EXPECT_EQ(probe.getTaskState(), kStopped);
 }
 
-TEST(LifeCycleRefusal, FailedConfigurationLeadsToPreOperationalAlsoFromStopped)
-{
+TEST(LifeCycleRefusal, FailedConfigurationLeadsToPreOperationalAlsoFromStopped) {
     Probe probe;
     probe.onConfigure = [] { return false; };
     EXPECT_FALSE(probe.configure());
@@ -175,8 +169,7 @@ TEST(LifeCycleRefusal, FailedConfigurationLeadsToPreOperationalAlsoFromStopped)
     EXPECT_EQ(probe.getTargetState(), kPreOperational);
 }
 
-TEST(LifeCycleRefusal, FailedStartStaysStopped)
-{
+TEST(LifeCycleRefusal, FailedStartStaysStopped) {
     Probe probe;
     probe.onStart = [] { return false; };
     EXPECT_FALSE(probe.start());
@@ -197,8 +190,7 @@ std::ostream& operator<<(std::ostream& os, const Throwing& t) { return os << t.h
 class HookThrows : public testing::TestWithParam<Throwing> {};
 
 // No hook is called a second time because it threw: cleanupHook() at most once per configuration.
-TEST_P(HookThrows, LeadsToExceptionOnce)
-{
+TEST_P(HookThrows, LeadsToExceptionOnce) {
     const Throwing& t = GetParam();
     Probe probe("probe", kPreOperational);
     bringTo(probe, t.from);
@@ -230,8 +222,7 @@ const Throwing kThrowing[] = {
 INSTANTIATE_TEST_SUITE_P(Table, HookThrows, testing::ValuesIn(kThrowing),
                          [](const auto& info) { return std::string(info.param.hook); });
 
-TEST(HookThrowsWithinException, StopHookThatThrowsThereLeadsToFatalError)
-{
+TEST(HookThrowsWithinException, StopHookThatThrowsThereLeadsToFatalError) {
     Probe probe("probe", kPreOperational);
     bringTo(probe, kRunning);
     probe.onStop = [] { throw 42; };
@@ -240,8 +231,7 @@ TEST(HookThrowsWithinException, StopHookThatThrowsThereLeadsToFatalError)
     EXPECT_FALSE(probe.isActive());
 }
 
-TEST(HookThrowsInStep, UpdateHookThatThrowsLeadsToException)
-{
+TEST(HookThrowsInStep, UpdateHookThatThrowsLeadsToException) {
     Probe probe("probe", kPreOperational);
     ASSERT_TRUE(probe.configure());
     probe.onUpdate = [] { throw std::runtime_error("planted"); };
@@ -253,8 +243,7 @@ TEST(HookThrowsInStep, UpdateHookThatThrowsLeadsToException)
     EXPECT_TRUE(probe.isActive()) << "the thread goes on: operations are still executed";
 }
 
-TEST(HookThrowsInStep, ErrorHookThatThrowsLeadsToException)
-{
+TEST(HookThrowsInStep, ErrorHookThatThrowsLeadsToException) {
     Probe probe;
     probe.onUpdate = [&] { probe.error(); };
     probe.onError = [] { throw 42; };
@@ -262,24 +251,21 @@ TEST(HookThrowsInStep, ErrorHookThatThrowsLeadsToException)
     EXPECT_TRUE(eventually([&] { return probe.inException(); }));
 }
 
-TEST(HookContradicts, ConfigureHookThatCallsExceptionAndReturnsTrueIsAnException)
-{
+TEST(HookContradicts, ConfigureHookThatCallsExceptionAndReturnsTrueIsAnException) {
     Probe probe("probe", kPreOperational);
     probe.onConfigure = [&] { return probe.exception(), true; };
     EXPECT_FALSE(probe.configure());
     EXPECT_TRUE(probe.inException());
 }
 
-TEST(HookContradicts, StartHookThatCallsExceptionAndReturnsFalseStaysInException)
-{
+TEST(HookContradicts, StartHookThatCallsExceptionAndReturnsFalseStaysInException) {
     Probe probe;
     probe.onStart = [&] { return probe.exception(), false; };
     EXPECT_FALSE(probe.start());
     EXPECT_TRUE(probe.inException());
 }
 
-TEST(RunTimeError, ErrorHookTakesThePlaceOfUpdateHookFromTheSameStepOn)
-{
+TEST(RunTimeError, ErrorHookTakesThePlaceOfUpdateHookFromTheSameStepOn) {
     Probe probe;
     probe.onUpdate = [&] { probe.error(); };
     ASSERT_TRUE(probe.start());
@@ -294,8 +280,7 @@ TEST(RunTimeError, ErrorHookTakesThePlaceOfUpdateHookFromTheSameStepOn)
     EXPECT_TRUE(eventually([&] { return probe.updates == 2; }));
 }
 
-TEST(Stop, WaitsForTheStepThatIsExecuting)
-{
+TEST(Stop, WaitsForTheStepThatIsExecuting) {
     Probe probe;
     std::atomic<bool> entered{false}, left{false};
     probe.onUpdate = [&] {
@@ -310,8 +295,7 @@ TEST(Stop, WaitsForTheStepThatIsExecuting)
     EXPECT_TRUE(probe.isActive()) << "the thread goes on";
 }
 
-TEST(Stop, FromTheOwnUpdateHook)
-{
+TEST(Stop, FromTheOwnUpdateHook) {
     Probe probe;
     std::atomic<int> result{-1};
     probe.onUpdate = [&] { result = probe.stop(); };
@@ -324,8 +308,7 @@ TEST(Stop, FromTheOwnUpdateHook)
     EXPECT_TRUE(eventually([&] { return probe.updates >= 2; }));
 }
 
-TEST(Stop, SucceedsThoughTheLastStepCalledError)
-{
+TEST(Stop, SucceedsThoughTheLastStepCalledError) {
     Probe probe;
     std::atomic<bool> entered{false};
     probe.onUpdate = [&] {
@@ -339,8 +322,7 @@ TEST(Stop, SucceedsThoughTheLastStepCalledError)
     EXPECT_EQ(probe.getTaskState(), kStopped);
 }
 
-TEST(Fatal, StopsTheActivityForGood)
-{
+TEST(Fatal, StopsTheActivityForGood) {
     Probe probe;
     ASSERT_TRUE(probe.start());
     probe.fatal();

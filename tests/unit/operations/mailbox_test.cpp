@@ -14,8 +14,7 @@ namespace {
 void* item(std::uintptr_t number) { return reinterpret_cast<void*>(number); }
 std::uintptr_t numberOf(const Mailbox::Item& taken) { return reinterpret_cast<std::uintptr_t>(taken.what); }
 
-TEST(Mailbox, GivesItemsInOrder)
-{
+TEST(Mailbox, GivesItemsInOrder) {
     Mailbox box;
     EXPECT_TRUE(box.empty());
     for (std::uintptr_t i = 1; i != 4; ++i) EXPECT_TRUE(box.put({Mailbox::Kind::Message, item(i)}));
@@ -29,8 +28,7 @@ TEST(Mailbox, GivesItemsInOrder)
     EXPECT_TRUE(box.empty());
 }
 
-TEST(Mailbox, RefusesWhatDoesNotFitAndGoesOnAfterwards)
-{
+TEST(Mailbox, RefusesWhatDoesNotFitAndGoesOnAfterwards) {
     Mailbox box;
     Mailbox::Item taken;
     for (int round = 0; round != 3; ++round) {
@@ -45,8 +43,7 @@ TEST(Mailbox, RefusesWhatDoesNotFitAndGoesOnAfterwards)
 }
 
 // Each producer's items arrive once and in its order, whoever takes them.
-void storm(unsigned producers, unsigned consumers, std::uintptr_t each)
-{
+void storm(unsigned producers, unsigned consumers, std::uintptr_t each) {
     Mailbox box;
     std::atomic<std::uintptr_t> taken{0};
     std::vector<std::vector<std::uintptr_t>> received(consumers);
@@ -54,7 +51,8 @@ void storm(unsigned producers, unsigned consumers, std::uintptr_t each)
     for (unsigned p = 0; p != producers; ++p)
         threads.emplace_back([&, p] {
             for (std::uintptr_t i = 1; i <= each; ++i)
-                while (!box.put({Mailbox::Kind::Message, item((std::uintptr_t(p) << 32) | i)})) std::this_thread::yield();
+                while (!box.put({Mailbox::Kind::Message, item((std::uintptr_t(p) << 32) | i)}))
+                    std::this_thread::yield();
         });
     for (unsigned c = 0; c != consumers; ++c)
         threads.emplace_back([&, c] {

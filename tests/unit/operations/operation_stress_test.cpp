@@ -13,12 +13,13 @@ namespace {
 
 constexpr int kCalls = 20000;
 
-TEST(OperationStress, CallsInBothDirections)
-{
+TEST(OperationStress, CallsInBothDirections) {
     Probe a("a"), b("b");
     long served[2] = {0, 0};  // each touched in its component's thread only
-    a.addOperation("next", [&](long n) { return ++served[0], n + 1; }, OwnThread);
-    b.addOperation("next", [&](long n) { return ++served[1], n + 1; }, OwnThread);
+    a.addOperation(
+        "next", [&](long n) { return ++served[0], n + 1; }, OwnThread);
+    b.addOperation(
+        "next", [&](long n) { return ++served[1], n + 1; }, OwnThread);
     OperationCaller<long(long)> toB(b.getOperation("next"), a.engine()), toA(a.getOperation("next"), b.engine());
     std::atomic<int> done{0};
     const auto work = [&](OperationCaller<long(long)>& other) {
@@ -36,11 +37,11 @@ TEST(OperationStress, CallsInBothDirections)
     EXPECT_EQ(served[1], kCalls);
 }
 
-TEST(OperationStress, SendsAndCollectsFromManyThreads)
-{
+TEST(OperationStress, SendsAndCollectsFromManyThreads) {
     Probe server("server");
     long sum = 0;  // touched in the server's thread only
-    server.addOperation("add", [&](int n) { return sum += n, n; }, OwnThread);
+    server.addOperation(
+        "add", [&](int n) { return sum += n, n; }, OwnThread);
     std::vector<std::thread> clients;
     for (int c = 0; c != 3; ++c)
         clients.emplace_back([&] {
@@ -61,11 +62,11 @@ TEST(OperationStress, SendsAndCollectsFromManyThreads)
     EXPECT_EQ(sum, 3 * 8 * 1000);
 }
 
-TEST(OperationStress, ComponentsThatFailWhileTheyAreCalledLeaveNobodyWaiting)
-{
+TEST(OperationStress, ComponentsThatFailWhileTheyAreCalledLeaveNobodyWaiting) {
     for (int round = 0; round != 100; ++round) {
         Probe server("server");
-        server.addOperation("op", [] { return 1; }, OwnThread);
+        server.addOperation(
+            "op", [] { return 1; }, OwnThread);
         std::atomic<bool> started{false};
         std::thread client([&] {
             OperationCaller<int()> op(server.getOperation("op"), internal::GlobalEngine::Instance());
@@ -84,10 +85,10 @@ TEST(OperationStress, ComponentsThatFailWhileTheyAreCalledLeaveNobodyWaiting)
     }
 }
 
-TEST(OperationStress, StartAndStopWhileCalled)
-{
+TEST(OperationStress, StartAndStopWhileCalled) {
     Probe server("server");
-    server.addOperation("op", [](int n) { return n; }, OwnThread);
+    server.addOperation(
+        "op", [](int n) { return n; }, OwnThread);
     std::atomic<bool> stop{false};
     std::thread client([&] {
         OperationCaller<int(int)> op(server.getOperation("op"), internal::GlobalEngine::Instance());

@@ -26,8 +26,7 @@ struct Calculator {
 
 int doubled(int x) { return 2 * x; }
 
-TEST(AddOperation, TakesEverythingThatCanBeCalled)
-{
+TEST(AddOperation, TakesEverythingThatCanBeCalled) {
     Probe c;
     Calculator calculator;
     boost::shared_ptr<Calculator> shared(new Calculator);
@@ -56,14 +55,12 @@ TEST(AddOperation, TakesEverythingThatCanBeCalled)
     EXPECT_EQ(mutableLambda(), 2);
 }
 
-TEST(AddOperation, TakesOperationObjects)
-{
+TEST(AddOperation, TakesOperationObjects) {
     struct WithOperations : Probe {
         Operation<int(int)> one{"one"}, two{"two", &doubled}, three{"three", &WithOperations::triple, this},
             four{"four", boost::bind(&WithOperations::triple, this, boost::placeholders::_1)};
         int triple(int x) { return 3 * x; }
-        WithOperations()
-        {
+        WithOperations() {
             one.calls([](int x) { return x; });
             addOperation(one).doc("first").arg("x", "a number");
             addOperation(two);
@@ -78,8 +75,7 @@ TEST(AddOperation, TakesOperationObjects)
     EXPECT_EQ(c.getOperation("one")->description(), "first");
 }
 
-TEST(AddOperation, RefusesUnboundAndUnnamedOnes)
-{
+TEST(AddOperation, RefusesUnboundAndUnnamedOnes) {
     Probe c;
     Operation<void()> unbound("unbound"), unnamed("", [] {});
     c.addOperation(unbound);
@@ -88,8 +84,7 @@ TEST(AddOperation, RefusesUnboundAndUnnamedOnes)
     EXPECT_FALSE(c.provides()->hasOperation(""));
 }
 
-TEST(AddOperation, ReplacesOneOfTheSameName)
-{
+TEST(AddOperation, ReplacesOneOfTheSameName) {
     Probe c;
     c.addOperation("op", [] { return 1; });
     OperationCaller<int()> before = c.getOperation("op");
@@ -99,8 +94,7 @@ TEST(AddOperation, ReplacesOneOfTheSameName)
     EXPECT_EQ(after(), 2);
 }
 
-TEST(RemoveOperation, LeavesNothingBehind)
-{
+TEST(RemoveOperation, LeavesNothingBehind) {
     Probe c;
     c.addOperation("op", [] { return 1; });
     OperationCaller<int()> op = c.getOperation("op");
@@ -110,8 +104,7 @@ TEST(RemoveOperation, LeavesNothingBehind)
     EXPECT_EQ(op(), 1);
 }
 
-TEST(Arguments, ByReferenceAreWrittenBack)
-{
+TEST(Arguments, ByReferenceAreWrittenBack) {
     Probe c;
     Calculator calculator;
     c.addOperation("swap", &Calculator::swap, &calculator);
@@ -126,8 +119,7 @@ TEST(Arguments, ByReferenceAreWrittenBack)
     EXPECT_EQ(&name(text), &text);
 }
 
-TEST(Arguments, CanBeMany)
-{
+TEST(Arguments, CanBeMany) {
     Probe c;
     c.addOperation("sum", [](int a, int b, int c, int d, int e, int f, int g, int h, int i) {
         return a + b + c + d + e + f + g + h + i;
@@ -136,8 +128,7 @@ TEST(Arguments, CanBeMany)
     EXPECT_EQ(sum(1, 2, 3, 4, 5, 6, 7, 8, 9), 45);
 }
 
-TEST(Caller, FromEverySource)
-{
+TEST(Caller, FromEverySource) {
     Probe c;
     c.addOperation("op", [](int x) { return x > 0; });
     const auto service = c.provides();
@@ -169,8 +160,7 @@ TEST(Caller, FromEverySource)
     EXPECT_FALSE(copied.ready());
 }
 
-TEST(Caller, IsNotReadyForMissingOperationsAndOtherSignatures)
-{
+TEST(Caller, IsNotReadyForMissingOperationsAndOtherSignatures) {
     Probe c;
     c.addOperation("op", [](int x) { return x; });
     EXPECT_FALSE(OperationCaller<int(int)>(c.getOperation("missing")).ready());
@@ -181,8 +171,7 @@ TEST(Caller, IsNotReadyForMissingOperationsAndOtherSignatures)
     EXPECT_EQ(wrong(1, 2), "");
 }
 
-TEST(Caller, KeepsWorkingWhenTheOperationObjectOfADestroyedServiceIsGone)
-{
+TEST(Caller, KeepsWorkingWhenTheOperationObjectOfADestroyedServiceIsGone) {
     OperationCaller<int()> op;
     {
         Service::shared_ptr service(new Service("free"));
@@ -192,16 +181,14 @@ TEST(Caller, KeepsWorkingWhenTheOperationObjectOfADestroyedServiceIsGone)
     EXPECT_EQ(op(), 3);
 }
 
-TEST(ClientThread, IsTheDefaultAndRunsInTheCaller)
-{
+TEST(ClientThread, IsTheDefaultAndRunsInTheCaller) {
     Probe c;
     c.addOperation("who", [] { return std::this_thread::get_id(); });
     OperationCaller<std::thread::id()> who = c.getOperation("who");
     EXPECT_EQ(who(), std::this_thread::get_id());
 }
 
-TEST(ClientThread, ExceptionsReachTheCallerUnchanged)
-{
+TEST(ClientThread, ExceptionsReachTheCallerUnchanged) {
     struct Special {
         int code;
     };
@@ -218,10 +205,12 @@ TEST(ClientThread, ExceptionsReachTheCallerUnchanged)
     EXPECT_TRUE(c.isRunning());
 }
 
-TEST(Documentation, IsCompletedForMissingArguments)
-{
+TEST(Documentation, IsCompletedForMissingArguments) {
     Probe c;
-    c.addOperation("op", [](int, const double&, int&) { return 1u; }).doc("does it").arg("a", "first").arg("b", "second");
+    c.addOperation("op", [](int, const double&, int&) { return 1u; })
+        .doc("does it")
+        .arg("a", "first")
+        .arg("b", "second");
     OperationInterfacePart* part = c.getOperation("op");
     ASSERT_TRUE(part);
     EXPECT_EQ(part->getName(), "op");
@@ -236,8 +225,7 @@ TEST(Documentation, IsCompletedForMissingArguments)
     EXPECT_EQ(arguments[2].description, "");
 }
 
-TEST(Documentation, ExcessArgumentsAreIgnored)
-{
+TEST(Documentation, ExcessArgumentsAreIgnored) {
     Probe c;
     c.addOperation("op", [](int) {}).arg("a", "first").arg("b", "there is none");
     EXPECT_EQ(c.getOperation("op")->getArgumentList().size(), 1u);

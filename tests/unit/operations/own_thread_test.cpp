@@ -21,8 +21,7 @@ struct OwnThreadCall : testing::Test {
     ExecutionEngine* global = internal::GlobalEngine::Instance();
 
     /** Runs `action` in the client's thread and waits for it. */
-    void inClient(std::function<void()> action)
-    {
+    void inClient(std::function<void()> action) {
         std::atomic<bool> done{false};
         client.onUpdate = [&] {
             action();
@@ -35,9 +34,9 @@ struct OwnThreadCall : testing::Test {
     }
 };
 
-TEST_F(OwnThreadCall, IsExecutedByTheThreadOfTheComponent)
-{
-    server.addOperation("is_self", [this] { return server.engine()->isSelf(); }, OwnThread);
+TEST_F(OwnThreadCall, IsExecutedByTheThreadOfTheComponent) {
+    server.addOperation(
+        "is_self", [this] { return server.engine()->isSelf(); }, OwnThread);
     OperationCaller<bool()> op(server.getOperation("is_self"), global);
     EXPECT_TRUE(op());
     bool answer = false;
@@ -48,19 +47,20 @@ TEST_F(OwnThreadCall, IsExecutedByTheThreadOfTheComponent)
     EXPECT_TRUE(answer);
 }
 
-TEST_F(OwnThreadCall, FromTheOwnThreadIsDirect)
-{
-    server.addOperation("inner", [] { return std::this_thread::get_id(); }, OwnThread);
+TEST_F(OwnThreadCall, FromTheOwnThreadIsDirect) {
+    server.addOperation(
+        "inner", [] { return std::this_thread::get_id(); }, OwnThread);
     OperationCaller<std::thread::id()> inner(server.getOperation("inner"), server.engine());
-    server.addOperation("outer", [&] { return inner() == std::this_thread::get_id(); }, OwnThread);
+    server.addOperation(
+        "outer", [&] { return inner() == std::this_thread::get_id(); }, OwnThread);
     OperationCaller<bool()> outer(server.getOperation("outer"), global);
     EXPECT_TRUE(outer());
 }
 
-TEST_F(OwnThreadCall, WorksWhateverTheStateOfTheComponent)
-{
+TEST_F(OwnThreadCall, WorksWhateverTheStateOfTheComponent) {
     Probe raw("raw", TaskContext::PreOperational);
-    raw.addOperation("op", [] { return 5; }, OwnThread);
+    raw.addOperation(
+        "op", [] { return 5; }, OwnThread);
     OperationCaller<int()> op(raw.getOperation("op"), global);
     EXPECT_EQ(op(), 5);
     raw.configure();
@@ -69,28 +69,28 @@ TEST_F(OwnThreadCall, WorksWhateverTheStateOfTheComponent)
     EXPECT_EQ(op(), 5);
 }
 
-TEST_F(OwnThreadCall, ArgumentsByReferenceAreWrittenBack)
-{
-    server.addOperation("divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
+TEST_F(OwnThreadCall, ArgumentsByReferenceAreWrittenBack) {
+    server.addOperation(
+        "divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
     OperationCaller<int(int, int, int&)> divide(server.getOperation("divide"), global);
     int rest = 0;
     EXPECT_EQ(divide(17, 5, rest), 3);
     EXPECT_EQ(rest, 2);
 }
 
-TEST_F(OwnThreadCall, ExceptionPutsTheServerIntoExceptionAndReachesTheCallerAsRuntimeError)
-{
+TEST_F(OwnThreadCall, ExceptionPutsTheServerIntoExceptionAndReachesTheCallerAsRuntimeError) {
     ASSERT_TRUE(server.start());
-    server.addOperation("bad", []() -> int { throw std::logic_error("planted"); }, OwnThread);
+    server.addOperation(
+        "bad", []() -> int { throw std::logic_error("planted"); }, OwnThread);
     OperationCaller<int()> bad(server.getOperation("bad"), global);
     EXPECT_THROW(bad(), std::runtime_error);
     EXPECT_TRUE(server.inException());
     EXPECT_TRUE(server.isActive());
 }
 
-TEST_F(OwnThreadCall, WithoutCallerThrows)
-{
-    server.addOperation("op", [] {}, OwnThread);
+TEST_F(OwnThreadCall, WithoutCallerThrows) {
+    server.addOperation(
+        "op", [] {}, OwnThread);
     OperationCaller<void()> op = server.getOperation("op");
     try {
         op();
@@ -100,9 +100,9 @@ TEST_F(OwnThreadCall, WithoutCallerThrows)
     }
 }
 
-TEST_F(OwnThreadCall, ToAComponentInFatalErrorThrows)
-{
-    server.addOperation("op", [] {}, OwnThread);
+TEST_F(OwnThreadCall, ToAComponentInFatalErrorThrows) {
+    server.addOperation(
+        "op", [] {}, OwnThread);
     OperationCaller<void()> op(server.getOperation("op"), global);
     server.fatal();
     try {
@@ -115,63 +115,67 @@ TEST_F(OwnThreadCall, ToAComponentInFatalErrorThrows)
     }
 }
 
-TEST_F(OwnThreadCall, WaitingWhenTheComponentFailsForGoodThrows)
-{
+TEST_F(OwnThreadCall, WaitingWhenTheComponentFailsForGoodThrows) {
     std::atomic<bool> entered{false};
-    server.addOperation("op", [] {}, OwnThread);
-    server.addOperation("doom", [&] {
-        entered = true;
-        usleep(20000);
-        server.fatal();
-    }, OwnThread);
+    server.addOperation(
+        "op", [] {}, OwnThread);
+    server.addOperation(
+        "doom",
+        [&] {
+            entered = true;
+            usleep(20000);
+            server.fatal();
+        },
+        OwnThread);
     OperationCaller<void()> op(server.getOperation("op"), global), doom(server.getOperation("doom"), global);
     doom.send();
     ASSERT_TRUE(eventually([&] { return entered.load(); }));
     EXPECT_THROW(op(), SendError);
 }
 
-TEST_F(OwnThreadCall, BothDirectionsNested)
-{
+TEST_F(OwnThreadCall, BothDirectionsNested) {
     // client.ping -> server.pong(n) -> client.ping(n - 1) …: each thread answers while it waits.
     OperationCaller<int(int)> ping, pong;
-    client.addOperation("ping", [&](int n) { return n == 0 ? 0 : 1 + pong(n - 1); }, OwnThread);
-    server.addOperation("pong", [&](int n) { return n == 0 ? 0 : 1 + ping(n - 1); }, OwnThread);
+    client.addOperation(
+        "ping", [&](int n) { return n == 0 ? 0 : 1 + pong(n - 1); }, OwnThread);
+    server.addOperation(
+        "pong", [&](int n) { return n == 0 ? 0 : 1 + ping(n - 1); }, OwnThread);
     ping = OperationCaller<int(int)>(client.getOperation("ping"), server.engine());
     pong = OperationCaller<int(int)>(server.getOperation("pong"), client.engine());
     OperationCaller<int(int)> start(client.getOperation("ping"), global);
     EXPECT_EQ(start(20), 20);
 }
 
-TEST_F(OwnThreadCall, ChangingTheThreadAffectsNewCallers)
-{
-    server.addOperation("op", [this] { return server.engine()->isSelf(); }, OwnThread);
+TEST_F(OwnThreadCall, ChangingTheThreadAffectsNewCallers) {
+    server.addOperation(
+        "op", [this] { return server.engine()->isSelf(); }, OwnThread);
     ASSERT_TRUE(server.provides()->setOperationThread("op", ClientThread));
     OperationCaller<bool()> op(server.getOperation("op"), global);
     EXPECT_FALSE(op());
     EXPECT_FALSE(server.provides()->setOperationThread("missing", ClientThread));
 }
 
-TEST_F(OwnThreadCall, OfASubService)
-{
-    server.provides("sub")->addOperation("op", [this] { return server.engine()->isSelf(); }, OwnThread);
+TEST_F(OwnThreadCall, OfASubService) {
+    server.provides("sub")->addOperation(
+        "op", [this] { return server.engine()->isSelf(); }, OwnThread);
     OperationCaller<bool()> op(server.provides("sub")->getOperation("op"), global);
     EXPECT_TRUE(op());
 }
 
-TEST_F(OwnThreadCall, OfAServiceAddedAfterItGotItsOperations)
-{
+TEST_F(OwnThreadCall, OfAServiceAddedAfterItGotItsOperations) {
     Service::shared_ptr service(new Service("late"));
-    service->addOperation("op", [this] { return server.engine()->isSelf(); }, OwnThread);
+    service->addOperation(
+        "op", [this] { return server.engine()->isSelf(); }, OwnThread);
     ASSERT_TRUE(server.provides()->addService(service));
     OperationCaller<bool()> op(service->getOperation("op"), global);
     EXPECT_TRUE(op());
 }
 
-TEST_F(OwnThreadCall, OnASlaveIsExecutedByItsMaster)
-{
+TEST_F(OwnThreadCall, OnASlaveIsExecutedByItsMaster) {
     Probe slave("slave");
     ASSERT_TRUE(slave.setActivity(new extras::SlaveActivity(server.getActivity())));
-    slave.addOperation("who", [this] { return server.engine()->isSelf(); }, OwnThread);
+    slave.addOperation(
+        "who", [this] { return server.engine()->isSelf(); }, OwnThread);
     OperationCaller<bool()> who(slave.getOperation("who"), global);
     EXPECT_TRUE(who());
     slave.getActivity()->stop();
@@ -179,9 +183,9 @@ TEST_F(OwnThreadCall, OnASlaveIsExecutedByItsMaster)
 
 struct Send : OwnThreadCall {};
 
-TEST_F(Send, CollectGivesResultAndReferences)
-{
-    server.addOperation("divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
+TEST_F(Send, CollectGivesResultAndReferences) {
+    server.addOperation(
+        "divide", [](int a, int b, int& rest) { return rest = a % b, a / b; }, OwnThread);
     OperationCaller<int(int, int, int&)> divide(server.getOperation("divide"), global);
     int unused = 0, result = 0, rest = 0;
     SendHandle<int(int, int, int&)> handle = divide.send(17, 5, unused);
@@ -194,13 +198,15 @@ TEST_F(Send, CollectGivesResultAndReferences)
     EXPECT_EQ(unused, 0) << "send() takes copies";
 }
 
-TEST_F(Send, CollectIfDoneDoesNotWait)
-{
+TEST_F(Send, CollectIfDoneDoesNotWait) {
     std::atomic<bool> go{false};
-    server.addOperation("wait", [&] {
-        while (!go) usleep(100);
-        return 1;
-    }, OwnThread);
+    server.addOperation(
+        "wait",
+        [&] {
+            while (!go) usleep(100);
+            return 1;
+        },
+        OwnThread);
     OperationCaller<int()> wait(server.getOperation("wait"), global);
     auto handle = wait.send();
     int result = 0;
@@ -211,10 +217,10 @@ TEST_F(Send, CollectIfDoneDoesNotWait)
     EXPECT_EQ(result, 1);
 }
 
-TEST_F(Send, ManyAreExecutedInOrder)
-{
+TEST_F(Send, ManyAreExecutedInOrder) {
     std::vector<int> order;
-    server.addOperation("note", [&](int n) { order.push_back(n); }, OwnThread);
+    server.addOperation(
+        "note", [&](int n) { order.push_back(n); }, OwnThread);
     OperationCaller<void(int)> note(server.getOperation("note"), global);
     std::vector<SendHandle<void(int)>> handles;
     for (int i = 0; i != 16; ++i) handles.push_back(note.send(i));
@@ -222,17 +228,16 @@ TEST_F(Send, ManyAreExecutedInOrder)
     for (int i = 0; i != 16; ++i) EXPECT_EQ(order[i], i);
 }
 
-TEST_F(Send, WithoutHandleIsExecutedAllTheSame)
-{
+TEST_F(Send, WithoutHandleIsExecutedAllTheSame) {
     std::atomic<int> executed{0};
-    server.addOperation("op", [&] { ++executed; }, OwnThread);
+    server.addOperation(
+        "op", [&] { ++executed; }, OwnThread);
     OperationCaller<void()> op(server.getOperation("op"), global);
     op.send();
     EXPECT_TRUE(eventually([&] { return executed == 1; }));
 }
 
-TEST_F(Send, OfAClientThreadOperationIsExecutedByTheGlobalEngine)
-{
+TEST_F(Send, OfAClientThreadOperationIsExecutedByTheGlobalEngine) {
     server.addOperation("self", [this] { return global->isSelf(); });
     OperationCaller<bool()> self(server.getOperation("self"), client.engine());
     bool answer = false;
@@ -240,9 +245,9 @@ TEST_F(Send, OfAClientThreadOperationIsExecutedByTheGlobalEngine)
     EXPECT_TRUE(answer);
 }
 
-TEST_F(Send, CollectingAnOperationThatThrewThrows)
-{
-    server.addOperation("bad", []() -> int { throw 42; }, OwnThread);
+TEST_F(Send, CollectingAnOperationThatThrewThrows) {
+    server.addOperation(
+        "bad", []() -> int { throw 42; }, OwnThread);
     OperationCaller<int()> bad(server.getOperation("bad"), global);
     auto handle = bad.send();
     EXPECT_THROW(handle.collect(), std::runtime_error);
@@ -251,22 +256,22 @@ TEST_F(Send, CollectingAnOperationThatThrewThrows)
     EXPECT_THROW(handle.ret(), std::runtime_error);
 }
 
-TEST_F(Send, UnboundOrRefusedFails)
-{
+TEST_F(Send, UnboundOrRefusedFails) {
     OperationCaller<int()> unbound;
     EXPECT_EQ(unbound.send().collect(), SendFailure);
     EXPECT_FALSE(unbound.send().ready());
-    server.addOperation("op", [] { return 1; }, OwnThread);
+    server.addOperation(
+        "op", [] { return 1; }, OwnThread);
     OperationCaller<int()> op(server.getOperation("op"), global);
     server.fatal();
     EXPECT_EQ(op.send().collect(), SendFailure);
 }
 
-TEST_F(Send, WhatDoesNotFitIntoTheQueueFailsAndTheRestIsExecuted)
-{
+TEST_F(Send, WhatDoesNotFitIntoTheQueueFailsAndTheRestIsExecuted) {
     ASSERT_TRUE(server.setActivity(new extras::SlaveActivity()));
     int executed = 0;
-    server.addOperation("op", [&] { ++executed; }, OwnThread);
+    server.addOperation(
+        "op", [&] { ++executed; }, OwnThread);
     OperationCaller<void()> op(server.getOperation("op"), global);
     std::vector<SendHandle<void()>> handles;
     for (std::size_t i = 0; i != internal::Mailbox::kCapacity; ++i) handles.push_back(op.send());
@@ -276,10 +281,10 @@ TEST_F(Send, WhatDoesNotFitIntoTheQueueFailsAndTheRestIsExecuted)
     for (auto& handle : handles) EXPECT_EQ(handle.collectIfDone(), SendSuccess);
 }
 
-TEST_F(Send, CollectWithoutCallerFailsUnlessItIsDone)
-{
+TEST_F(Send, CollectWithoutCallerFailsUnlessItIsDone) {
     ASSERT_TRUE(server.setActivity(new extras::SlaveActivity()));
-    server.addOperation("op", [] { return 1; }, OwnThread);
+    server.addOperation(
+        "op", [] { return 1; }, OwnThread);
     OperationCaller<int()> op = server.getOperation("op");
     auto handle = op.send();
     EXPECT_EQ(handle.collect(), CollectFailure);
@@ -287,13 +292,13 @@ TEST_F(Send, CollectWithoutCallerFailsUnlessItIsDone)
     EXPECT_EQ(handle.collect(), SendSuccess);
 }
 
-TEST_F(Send, HandleOutlivesTheComponent)
-{
+TEST_F(Send, HandleOutlivesTheComponent) {
     SendHandle<int()> handle;
     {
         Probe gone("gone");
         ASSERT_TRUE(gone.setActivity(new extras::SlaveActivity()));
-        gone.addOperation("op", [] { return 1; }, OwnThread);
+        gone.addOperation(
+            "op", [] { return 1; }, OwnThread);
         handle = OperationCaller<int()>(gone.getOperation("op"), global).send();
         EXPECT_EQ(handle.collectIfDone(), SendNotReady);
     }

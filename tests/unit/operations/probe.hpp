@@ -18,8 +18,8 @@
 namespace oroforge::test {
 
 /** Waits, generously, until something becomes true. */
-template <class Predicate> bool eventually(Predicate&& predicate, double seconds = 20.0)
-{
+template <class Predicate>
+bool eventually(Predicate&& predicate, double seconds = 20.0) {
     const auto start = RTT::os::TimeService::Instance()->getNSecs();
     while (!predicate()) {
         if (RTT::os::TimeService::Instance()->getNSecs() - start > seconds * 1e9) return false;
@@ -32,8 +32,7 @@ template <class Predicate> bool eventually(Predicate&& predicate, double seconds
 class Probe : public RTT::TaskContext {
 public:
     explicit Probe(const std::string& name = "probe", TaskState initial = Stopped) : RTT::TaskContext(name, initial) {}
-    ~Probe() override
-    {
+    ~Probe() override {
         stop();
         if (getActivity()) getActivity()->stop();
     }
@@ -46,15 +45,13 @@ public:
     std::atomic<int> updates{0}, errors{0};
 
     /** The hooks called since the last time, with spaces between; updateHook() and errorHook() are counted instead. */
-    std::string takeHooks()
-    {
+    std::string takeHooks() {
         std::lock_guard<std::mutex> lock(mutex_);
         std::string taken;
         taken.swap(hooks_);
         return taken;
     }
-    void note(const std::string& what)
-    {
+    void note(const std::string& what) {
         std::lock_guard<std::mutex> lock(mutex_);
         hooks_ += (hooks_.empty() ? "" : " ") + what;
     }
@@ -62,28 +59,23 @@ public:
 protected:
     bool configureHook() override { return note("configure"), onConfigure ? onConfigure() : true; }
     bool startHook() override { return note("start"), onStart ? onStart() : true; }
-    void updateHook() override
-    {
+    void updateHook() override {
         if (onUpdate) onUpdate();
         ++updates;
     }
-    void errorHook() override
-    {
+    void errorHook() override {
         if (onError) onError();
         ++errors;
     }
-    void stopHook() override
-    {
+    void stopHook() override {
         note("stop");
         if (onStop) onStop();
     }
-    void cleanupHook() override
-    {
+    void cleanupHook() override {
         note("cleanup");
         if (onCleanup) onCleanup();
     }
-    void exceptionHook() override
-    {
+    void exceptionHook() override {
         note("exception");
         if (onException) onException();
     }

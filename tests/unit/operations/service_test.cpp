@@ -12,8 +12,7 @@ using testing::ElementsAre;
 
 namespace {
 
-TEST(Services, AreMadeByProvidesButNotByGetService)
-{
+TEST(Services, AreMadeByProvidesButNotByGetService) {
     Probe c;
     EXPECT_EQ(c.provides()->getService("sub"), nullptr);
     EXPECT_FALSE(c.provides()->hasService("sub"));
@@ -27,16 +26,14 @@ TEST(Services, AreMadeByProvidesButNotByGetService)
     EXPECT_THAT(c.provides()->getProviderNames(), ElementsAre("sub"));
 }
 
-TEST(Services, ThisIsTheServiceItself)
-{
+TEST(Services, ThisIsTheServiceItself) {
     Probe c;
     EXPECT_EQ(c.provides("this"), c.provides());
     EXPECT_EQ(c.provides()->getService("this"), c.provides());
     EXPECT_TRUE(c.provides()->hasService("this"));
 }
 
-TEST(Services, NamesAreUnique)
-{
+TEST(Services, NamesAreUnique) {
     Probe c;
     Service::shared_ptr one(new Service("s")), two(new Service("s"));
     EXPECT_TRUE(c.provides()->addService(one));
@@ -50,16 +47,14 @@ TEST(Services, NamesAreUnique)
     EXPECT_TRUE(c.provides()->addService(two));
 }
 
-TEST(Services, CreateAddsToItsOwner)
-{
+TEST(Services, CreateAddsToItsOwner) {
     Probe c;
     Service::shared_ptr made = Service::Create("made", &c);
     EXPECT_EQ(c.provides()->getService("made"), made);
     EXPECT_EQ(made->getOwner(), &c);
 }
 
-TEST(Services, HoldPropertiesAndAttributesToo)
-{
+TEST(Services, HoldPropertiesAndAttributesToo) {
     Probe c;
     double kp = 1.5;
     int hidden = 3;
@@ -70,8 +65,7 @@ TEST(Services, HoldPropertiesAndAttributesToo)
     EXPECT_TRUE(c.provides("gains")->hasAttribute("hidden"));
 }
 
-TEST(Services, MayOutliveTheirComponent)
-{
+TEST(Services, MayOutliveTheirComponent) {
     Service::shared_ptr main, sub;
     {
         Probe c;
@@ -84,8 +78,7 @@ TEST(Services, MayOutliveTheirComponent)
     EXPECT_TRUE(main->getOperationNames().empty());
 }
 
-TEST(Services, MemberOperationsMayDieBeforeTheComponent)
-{
+TEST(Services, MemberOperationsMayDieBeforeTheComponent) {
     struct WithMember : Probe {
         Operation<int()> op{"op", [] { return 1; }};
         WithMember() { addOperation(op).doc("dies first"); }
@@ -94,11 +87,9 @@ TEST(Services, MemberOperationsMayDieBeforeTheComponent)
     EXPECT_NO_FATAL_FAILURE(c.reset());
 }
 
-TEST(Services, SubClassMayUseItselfInItsConstructor)
-{
+TEST(Services, SubClassMayUseItselfInItsConstructor) {
     struct Own : Service {
-        explicit Own(TaskContext* owner) : Service("own", owner)
-        {
+        explicit Own(TaskContext* owner) : Service("own", owner) {
             provides()->addOperation("here", [] { return 1; });
             provides("nested")->addOperation("there", [] { return 2; });
         }
@@ -116,9 +107,9 @@ struct Requester : testing::Test {
     OperationCaller<std::string()> text{"text"};
 };
 
-TEST_F(Requester, BindsWhatIsThere)
-{
-    server.addOperation("number", [] { return 4; }, OwnThread);
+TEST_F(Requester, BindsWhatIsThere) {
+    server.addOperation(
+        "number", [] { return 4; }, OwnThread);
     ASSERT_TRUE(client.requires_()->addOperationCaller(number));
     EXPECT_FALSE(client.requires_()->addOperationCaller(number)) << "the name is taken";
     ASSERT_TRUE(client.requires_()->addOperationCaller(text));
@@ -137,8 +128,7 @@ TEST_F(Requester, BindsWhatIsThere)
 
 TEST_F(Requester, WithoutCallersIsReady) { EXPECT_TRUE(client.requires_("anything")->ready()); }
 
-TEST_F(Requester, IsConnectedByConnectServices)
-{
+TEST_F(Requester, IsConnectedByConnectServices) {
     server.provides("numbers")->addOperation("number", [] { return 4; });
     client.requires_("numbers")->addOperationCaller(number);
     server.requires_("texts")->addOperationCaller(text);
@@ -148,8 +138,7 @@ TEST_F(Requester, IsConnectedByConnectServices)
     EXPECT_EQ(text(), "x");
 }
 
-TEST_F(Requester, MissingServicesAreNoFailureOfConnectServices)
-{
+TEST_F(Requester, MissingServicesAreNoFailureOfConnectServices) {
     client.requires_("numbers")->addOperationCaller(number);
     EXPECT_TRUE(client.connectServices(&server));
     EXPECT_FALSE(number.ready());
@@ -157,8 +146,7 @@ TEST_F(Requester, MissingServicesAreNoFailureOfConnectServices)
     EXPECT_FALSE(client.connectServices(&server)) << "now it is there, but lacks the operation";
 }
 
-TEST_F(Requester, RequiresIsOfferedUnderItsOldName)
-{
+TEST_F(Requester, RequiresIsOfferedUnderItsOldName) {
 #if __cplusplus < 202002L
     EXPECT_EQ(client.requires(), client.requires_());
     EXPECT_EQ(client.requires("x"), client.requires_("x"));

@@ -11,8 +11,7 @@ namespace {
 
 typedef internal::Signal<void(int)> IntSignal;
 
-TEST(Signal, CallsInOrderOfConnection)
-{
+TEST(Signal, CallsInOrderOfConnection) {
     IntSignal signal;
     std::string order;
     signal.emit(0);
@@ -23,8 +22,7 @@ TEST(Signal, CallsInOrderOfConnection)
     EXPECT_EQ(order, "a1b1a2b2");
 }
 
-TEST(Signal, HandleConnectsAndDisconnects)
-{
+TEST(Signal, HandleConnectsAndDisconnects) {
     IntSignal signal;
     int calls = 0;
     Handle handle = signal.setup([&](int) { ++calls; });
@@ -43,8 +41,7 @@ TEST(Signal, HandleConnectsAndDisconnects)
     EXPECT_FALSE(Handle().ready());
 }
 
-TEST(Signal, MayBeDisconnectedByItsOwnHandlers)
-{
+TEST(Signal, MayBeDisconnectedByItsOwnHandlers) {
     IntSignal signal;
     int first = 0, second = 0;
     Handle other;
@@ -60,8 +57,7 @@ TEST(Signal, MayBeDisconnectedByItsOwnHandlers)
     EXPECT_EQ(second, 0);
 }
 
-TEST(Signal, ScopedHandleDisconnects)
-{
+TEST(Signal, ScopedHandleDisconnects) {
     IntSignal signal;
     int calls = 0;
     {
@@ -72,8 +68,7 @@ TEST(Signal, ScopedHandleDisconnects)
     EXPECT_EQ(calls, 1);
 }
 
-TEST(Signal, HandleMayOutliveTheSignal)
-{
+TEST(Signal, HandleMayOutliveTheSignal) {
     Handle handle;
     {
         IntSignal signal;
@@ -84,8 +79,7 @@ TEST(Signal, HandleMayOutliveTheSignal)
     EXPECT_FALSE(handle.disconnect());
 }
 
-TEST(SignalStress, EmittingWhileOthersConnect)
-{
+TEST(SignalStress, EmittingWhileOthersConnect) {
     IntSignal signal;
     std::atomic<bool> stop{false};
     std::atomic<long> calls{0};
@@ -100,8 +94,7 @@ TEST(SignalStress, EmittingWhileOthersConnect)
     EXPECT_GT(calls, 0);
 }
 
-TEST(OperationSignal, IsEmittedBeforeTheOperationIsExecuted)
-{
+TEST(OperationSignal, IsEmittedBeforeTheOperationIsExecuted) {
     Probe c;
     std::string order;
     Operation<int(int)>& op = c.addOperation("op", [&](int n) { return order += "op", n; });
@@ -114,8 +107,7 @@ TEST(OperationSignal, IsEmittedBeforeTheOperationIsExecuted)
     EXPECT_EQ(order, "signal3 opop");
 }
 
-TEST(OperationSignal, EventOperationsHaveOne)
-{
+TEST(OperationSignal, EventOperationsHaveOne) {
     Probe c;
     int heard = 0;
     auto& op = c.addEventOperation("event", [](int) {});

@@ -20,12 +20,11 @@ using testing::ElementsAre;
 
 namespace {
 
-TEST(StandardInterface, OperationsHaveTheirSignatures)
-{
+TEST(StandardInterface, OperationsHaveTheirSignatures) {
     Probe c;
     const auto ready = [&](auto caller) { return caller.ready(); };
-    for (const char* name : {"configure", "isConfigured", "start", "activate", "stop", "isRunning", "isActive", "inFatalError",
-                             "inRunTimeError", "inException", "cleanup", "update", "trigger"})
+    for (const char* name : {"configure", "isConfigured", "start", "activate", "stop", "isRunning", "isActive",
+                             "inFatalError", "inRunTimeError", "inException", "cleanup", "update", "trigger"})
         EXPECT_TRUE(ready(OperationCaller<bool()>(c.getOperation(name)))) << name;
     EXPECT_TRUE(ready(OperationCaller<double()>(c.getOperation("getPeriod"))));
     EXPECT_TRUE(ready(OperationCaller<bool(double)>(c.getOperation("setPeriod"))));
@@ -34,11 +33,11 @@ TEST(StandardInterface, OperationsHaveTheirSignatures)
     EXPECT_TRUE(ready(OperationCaller<void()>(c.getOperation("error"))));
     EXPECT_EQ(c.operations()->getArity("loadService"), 1);
     EXPECT_EQ(c.operations()->getNames().size(), 19u);
-    for (const char* name : {"recover", "fatal", "exception", "resetException"}) EXPECT_FALSE(c.operations()->hasMember(name)) << name;
+    for (const char* name : {"recover", "fatal", "exception", "resetException"})
+        EXPECT_FALSE(c.operations()->hasMember(name)) << name;
 }
 
-TEST(StandardInterface, OperationsChangeTheState)
-{
+TEST(StandardInterface, OperationsChangeTheState) {
     Probe c("c", TaskContext::PreOperational);
     EXPECT_TRUE(OperationCaller<bool()>(c.getOperation("configure"))());
     EXPECT_TRUE(OperationCaller<bool()>(c.getOperation("start"))());
@@ -47,8 +46,7 @@ TEST(StandardInterface, OperationsChangeTheState)
     EXPECT_EQ(c.takeHooks(), "configure start stop");
 }
 
-TEST(StandardInterface, AttributesAndServiceText)
-{
+TEST(StandardInterface, AttributesAndServiceText) {
     Probe c;
     EXPECT_THAT(c.attributes()->getAttributeNames(),
                 ElementsAre("TriggerOnStart", "CycleCounter", "IOCounter", "TimeOutCounter", "TriggerCounter"));
@@ -58,8 +56,7 @@ TEST(StandardInterface, AttributesAndServiceText)
     EXPECT_TRUE(c.ready());
 }
 
-TEST(Peers, AreKnownByNameOrAlias)
-{
+TEST(Peers, AreKnownByNameOrAlias) {
     Probe a("a"), b("b"), c("c");
     EXPECT_TRUE(a.addPeer(&b));
     EXPECT_FALSE(a.addPeer(&b)) << "the name is taken";
@@ -77,8 +74,7 @@ TEST(Peers, AreKnownByNameOrAlias)
     EXPECT_FALSE(a.hasPeer("b"));
 }
 
-TEST(Peers, AreConnectedAndDisconnectedInBothDirections)
-{
+TEST(Peers, AreConnectedAndDisconnectedInBothDirections) {
     Probe a("a"), b("b");
     EXPECT_TRUE(connectPeers(&a, &b));
     EXPECT_FALSE(connectPeers(&a, &b));
@@ -88,8 +84,7 @@ TEST(Peers, AreConnectedAndDisconnectedInBothDirections)
     EXPECT_FALSE(a.connectPeers(nullptr));
 }
 
-TEST(Peers, LeaveWhenDestroyed)
-{
+TEST(Peers, LeaveWhenDestroyed) {
     Probe a("a");
     {
         Probe b("b");
@@ -99,8 +94,7 @@ TEST(Peers, LeaveWhenDestroyed)
     EXPECT_TRUE(a.getPeerList().empty());
 }
 
-TEST(Peers, DisconnectLeavesEverybody)
-{
+TEST(Peers, DisconnectLeavesEverybody) {
     Probe a("a"), b("b"), c("c");
     connectPeers(&a, &b);
     c.addPeer(&a);
@@ -110,8 +104,7 @@ TEST(Peers, DisconnectLeavesEverybody)
     EXPECT_FALSE(c.hasPeer("a"));
 }
 
-TEST(SetActivity, ReplacesAndStartsIt)
-{
+TEST(SetActivity, ReplacesAndStartsIt) {
     Probe c;
     auto* slave = new extras::SlaveActivity(0.5);
     EXPECT_TRUE(c.setActivity(slave));
@@ -125,31 +118,29 @@ TEST(SetActivity, ReplacesAndStartsIt)
     EXPECT_TRUE(c.isActive());
 }
 
-TEST(SetActivity, IsRefusedWhileRunningAndInTheOwnThread)
-{
+TEST(SetActivity, IsRefusedWhileRunningAndInTheOwnThread) {
     Probe c;
     base::ActivityInterface* const before = c.getActivity();
     ASSERT_TRUE(c.start());
     EXPECT_FALSE(c.setActivity(new extras::SlaveActivity()));
     ASSERT_TRUE(c.stop());
     std::atomic<int> result{-1};
-    c.addOperation("change", [&] { result = c.setActivity(new extras::SlaveActivity()); }, OwnThread);
+    c.addOperation(
+        "change", [&] { result = c.setActivity(new extras::SlaveActivity()); }, OwnThread);
     OperationCaller<void()>(c.getOperation("change")).send();
     ASSERT_TRUE(eventually([&] { return result != -1; }));
     EXPECT_EQ(result, 0);
     EXPECT_EQ(c.getActivity(), before);
 }
 
-TEST(SetActivity, OfASequentialComponentCanBeChangedFromMain)
-{
+TEST(SetActivity, OfASequentialComponentCanBeChangedFromMain) {
     Probe c;
     ASSERT_TRUE(c.setActivity(new extras::SequentialActivity()));
     EXPECT_TRUE(c.setActivity(new Activity(0, 0.1)));
     EXPECT_EQ(c.getPeriod(), 0.1);
 }
 
-TEST(Update, IsForActivitiesThatLeaveItToOthers)
-{
+TEST(Update, IsForActivitiesThatLeaveItToOthers) {
     Probe c;
     EXPECT_FALSE(c.update());
     ASSERT_TRUE(c.setActivity(new extras::SlaveActivity()));
@@ -158,8 +149,7 @@ TEST(Update, IsForActivitiesThatLeaveItToOthers)
     EXPECT_GE(c.updates, 1);
 }
 
-TEST(ConnectPorts, ConnectsEquallyNamedPortsOfOppositeDirection)
-{
+TEST(ConnectPorts, ConnectsEquallyNamedPortsOfOppositeDirection) {
     struct WithPorts : Probe {
         using Probe::Probe;
         InputPort<int> in;
@@ -184,8 +174,7 @@ TEST(ConnectPorts, ConnectsEquallyNamedPortsOfOppositeDirection)
 // --- services that plugins bring ---
 
 struct Adder : Service {
-    explicit Adder(TaskContext* owner) : Service("adder", owner)
-    {
+    explicit Adder(TaskContext* owner) : Service("adder", owner) {
         addOperation("add", [](int a, int b) { return a + b; });
     }
 };
@@ -195,8 +184,7 @@ struct AdderRequester : ServiceRequester {
 };
 
 int loads = 0;
-bool fakeLoader(const std::string& service, TaskContext* component)
-{
+bool fakeLoader(const std::string& service, TaskContext* component) {
     ++loads;
     if (service != "adder") return false;
     const auto into = component ? component->provides() : internal::GlobalService::Instance();
@@ -204,16 +192,14 @@ bool fakeLoader(const std::string& service, TaskContext* component)
 }
 
 struct LoadedServices : testing::Test {
-    LoadedServices()
-    {
+    LoadedServices() {
         loads = 0;
         internal::setServiceLoader(&fakeLoader);
     }
     ~LoadedServices() override { internal::setServiceLoader(nullptr); }
 };
 
-TEST_F(LoadedServices, AreLoadedOnce)
-{
+TEST_F(LoadedServices, AreLoadedOnce) {
     Probe c;
     EXPECT_TRUE(c.loadService("adder"));
     EXPECT_TRUE(c.loadService("adder"));
@@ -222,8 +208,7 @@ TEST_F(LoadedServices, AreLoadedOnce)
     EXPECT_EQ(c.provides("adder")->getOwner(), &c);
 }
 
-TEST_F(LoadedServices, GetProviderGivesAConnectedRequester)
-{
+TEST_F(LoadedServices, GetProviderGivesAConnectedRequester) {
     Probe c;
     boost::shared_ptr<AdderRequester> adder = c.getProvider<AdderRequester>("adder");
     ASSERT_TRUE(adder);
@@ -238,8 +223,7 @@ TEST_F(LoadedServices, GetProviderGivesAConnectedRequester)
     EXPECT_TRUE(c.getProvider<Adder>("adder")) << "the service itself";
 }
 
-TEST_F(LoadedServices, GlobalServiceRequiresThem)
-{
+TEST_F(LoadedServices, GlobalServiceRequiresThem) {
     const auto global = internal::GlobalService::Instance();
     EXPECT_EQ(global->getName(), "GlobalService");
     OperationCaller<bool(const std::string&)> require = global->getOperation("require");
@@ -249,8 +233,7 @@ TEST_F(LoadedServices, GlobalServiceRequiresThem)
     global->removeService("adder");
 }
 
-TEST(LoadService, WithoutLoaderFails)
-{
+TEST(LoadService, WithoutLoaderFails) {
     Probe c;
     EXPECT_FALSE(c.loadService("adder"));
 }

@@ -11,8 +11,8 @@ namespace {
 
 class Component : public RTT::TaskContext {
 public:
-    explicit Component(std::string const& name) : TaskContext(name, PreOperational), gain("gain", "a gain", 1.0), limit("limit", 2.0)
-    {
+    explicit Component(std::string const& name)
+        : TaskContext(name, PreOperational), gain("gain", "a gain", 1.0), limit("limit", 2.0) {
         this->addOperation("twice", &Component::twice, this, RTT::OwnThread).doc("Doubles.").arg("x", "what");
         this->addEventPort("in", in, boost::bind(&Component::onData, this, _1));
         this->ports()->addPort("out", out).doc("results");
@@ -36,8 +36,7 @@ public:
     int events = 0;
 };
 
-TEST(Umbrella, IsEnoughForAComponent)
-{
+TEST(Umbrella, IsEnoughForAComponent) {
     Component c("component");
     EXPECT_TRUE(c.configure());
     OperationCaller<double(double)> twice = c.getOperation("twice");

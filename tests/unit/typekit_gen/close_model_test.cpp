@@ -11,7 +11,8 @@ namespace {
 model::TypeUse use(model::TypeKind kind, const std::string& name) { return {kind, "cpp of " + name, name, {}}; }
 
 model::TypeUse vectorOf(const model::TypeUse& element) {
-    return {model::TypeKind::Sequence, "std::vector<" + element.cpp + ">", "/std/vector<" + element.name + ">", {element}};
+    return {
+        model::TypeKind::Sequence, "std::vector<" + element.cpp + ">", "/std/vector<" + element.name + ">", {element}};
 }
 
 model::Struct makeStruct(const std::string& name, std::vector<model::Field> fields = {}) {

@@ -37,7 +37,8 @@ TEST(Options, TakeAllSpellingsOfAValue) {
 }
 
 TEST(Options, PassOnWhatChangesTheMeaningOfHeaders) {
-    const Options options = parsed({"-Ia", "-I", "b", "-DX=1", "-UY", "-isystem", "c", "-include", "d", "-std=c++20", "n", "h"});
+    const Options options =
+        parsed({"-Ia", "-I", "b", "-DX=1", "-UY", "-isystem", "c", "-include", "d", "-std=c++20", "n", "h"});
     EXPECT_EQ(options.flags, (std::vector<std::string>{"-I", "a", "-I", "b", "-D", "X=1", "-U", "Y", "-isystem", "c",
                                                        "-include", "d", "-std=c++20"}));
 }
@@ -53,9 +54,7 @@ TEST(Options, AllowSwitchingTransportsOff) {
     EXPECT_EQ(parsed({"--notransports=corba,mqueue", "-t", "", "n", "h"}).name, "n");
 }
 
-TEST(Options, RefuseTransportsThatAreNotInstalled) {
-    EXPECT_EQ(errorsOf({"-t", "corba,nope", "n", "h"}).size(), 2U);
-}
+TEST(Options, RefuseTransportsThatAreNotInstalled) { EXPECT_EQ(errorsOf({"-t", "corba,nope", "n", "h"}).size(), 2U); }
 
 TEST(Options, ReportEveryFault) {
     const auto errors = errorsOf({"--dmp=view", "--dump=x", "-o", "", "-Wall", "n"});

@@ -67,21 +67,24 @@ TEST(TypeReader, TakesFoldersWithBlanksAndUmlauts) {
 }
 
 TEST(TypeReader, DefinesTheMacrosOfTheOriginal) {
-    const Read read("#if defined(__orogen) && defined(__orogen2) && defined(OROCOS_TARGET)\nstruct Seen { int x; };\n#endif");
+    const Read read(
+        "#if defined(__orogen) && defined(__orogen2) && defined(OROCOS_TARGET)\nstruct Seen { int x; };\n#endif");
     ASSERT_TRUE(read.model);
     EXPECT_EQ(read.model->structs.size(), 1U);
 }
 
 TEST(TypeReader, HonoursTheStandard) {
-    const std::string text = "#if __cplusplus == 201703L\nstruct Default { int x; };\n#else\nstruct Other { int x; };\n#endif";
+    const std::string text =
+        "#if __cplusplus == 201703L\nstruct Default { int x; };\n#else\nstruct Other { int x; };\n#endif";
     EXPECT_EQ(Read(text).model.value().structs[0].name, "/Default");
     EXPECT_EQ(Read(text, "types.hpp", {"-std=c++20"}).model.value().structs[0].name, "/Other");
     EXPECT_FALSE(Read(text, "types.hpp", {"-std=klingon"}).model);
 }
 
 TEST(TypeReader, SkipsFunctionBodiesButNotConstantExpressions) {
-    const Read read("constexpr int size() { return 3; }\n"
-                    "struct A { int v[size()]; int bad() { return noSuchFunction(); } };");
+    const Read read(
+        "constexpr int size() { return 3; }\n"
+        "struct A { int v[size()]; int bad() { return noSuchFunction(); } };");
     ASSERT_TRUE(read.model);
     EXPECT_EQ(read.field("v").count, 3U);
 }
@@ -108,7 +111,9 @@ TEST(TypeReader, AcceptsAStandardStringInAnySpelling) {
 
 TEST(TypeReader, RefusesAllocatorsOfOnesOwn) {
     EXPECT_EQ(Read("#include <vector>\ntemplate <class T> struct A : std::allocator<T> {};\n"
-                   "struct S { std::vector<int, A<int>> v; };").onlyCode(), "TK034");
+                   "struct S { std::vector<int, A<int>> v; };")
+                  .onlyCode(),
+              "TK034");
 }
 
 TEST(TypeReader, MissingCompilerHeadersAreExplained) {

@@ -23,15 +23,17 @@ int typegen(const std::vector<std::string>& words, std::string* output = nullptr
     return status;
 }
 
-const char* const kHeader = "#pragma once\n#include <vector>\nnamespace demo { struct A { std::vector<double> v; }; }\n";
+const char* const kHeader =
+    "#pragma once\n#include <vector>\nnamespace demo { struct A { std::vector<double> v; }; }\n";
 
 }  // namespace
 
 TEST(Typegen, ListsOutputsWithoutReadingAnything) {
     std::string listed;
     EXPECT_EQ(typegen({"--list-outputs", "-o", "/some/where", "demo", "absent.hpp"}, &listed), 0);
-    EXPECT_EQ(listed, "/some/where/Plugin.cpp\n/some/where/types_0.cpp\n/some/where/types_1.cpp\n"
-                      "/some/where/types_2.cpp\n/some/where/types_3.cpp\n/some/where/types/demo/typekit/Types.hpp\n");
+    EXPECT_EQ(listed,
+              "/some/where/Plugin.cpp\n/some/where/types_0.cpp\n/some/where/types_1.cpp\n"
+              "/some/where/types_2.cpp\n/some/where/types_3.cpp\n/some/where/types/demo/typekit/Types.hpp\n");
 }
 
 TEST(Typegen, WritesExactlyTheListedFiles) {
@@ -49,7 +51,8 @@ TEST(Typegen, WritesExactlyTheListedFiles) {
 TEST(Typegen, OutputDoesNotDependOnThePlace) {
     const TempDir one, two;
     ASSERT_EQ(typegen({"-o", (one / "out").string(), "-I" + (one / "include").string(), "demo",
-                       one.write("include/demo/types.hpp", kHeader).string()}), 0);
+                       one.write("include/demo/types.hpp", kHeader).string()}),
+              0);
     const fs::path before = fs::current_path();
     two.write("include/demo/types.hpp", kHeader);
     fs::current_path(two.path());
@@ -78,7 +81,8 @@ TEST(Typegen, DepfileNamesEveryHeaderAbsolutely) {
     // Nothing is defined in types.hpp itself: a warning, no error.
     std::ostringstream out, err;
     EXPECT_EQ(oroforge::typekit::run({"-o", (dir / "out").string(), "--depfile", (dir / "d").string(), "demo", header},
-                                     out, err), 0);
+                                     out, err),
+              0);
     EXPECT_NE(err.str().find("warning: [TK061]"), std::string::npos) << err.str();
     const std::string text = readFile(dir / "d");
     EXPECT_NE(text.find((dir / "out/Plugin.cpp").string()), std::string::npos);
@@ -102,10 +106,12 @@ TEST(Typegen, TemplatesCanBeReplaced) {
     const TempDir dir;
     const auto header = dir.write("types.hpp", kHeader).string();
     dir.write("templates/typekit/Plugin.cpp.mustache", "// {{name}} of mine\n");
-    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}), 0);
+    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}),
+              0);
     EXPECT_EQ(readFile(dir / "out/Plugin.cpp"), "// demo of mine\n");
     dir.write("templates/typekit/Plugin.cpp.mustache", "{{misspelt}}");
-    EXPECT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}), 1);
+    EXPECT_EQ(typegen({"-o", (dir / "out").string(), "--template-dir", (dir / "templates").string(), "demo", header}),
+              1);
 }
 
 TEST(Typegen, DumpsTheView) {

@@ -10,7 +10,10 @@ using namespace oroforge;
 
 TEST(CppString, QuotesWhatCppWouldMisread) {
     EXPECT_EQ(typekit::cppString("a\"b\\c\nd"), R"("a\"b\\c\nd")");
-    EXPECT_EQ(typekit::cppString(std::string("\x01" "7\t", 3)), R"("\0017\011")");
+    EXPECT_EQ(typekit::cppString(std::string("\x01"
+                                             "7\t",
+                                             3)),
+              R"("\0017\011")");
     EXPECT_EQ(typekit::cppString("ä"), "\"ä\"");
 }
 

@@ -30,7 +30,8 @@ protected:
     }
 };
 
-template <class T> boost::intrusive_ptr<RTT::internal::ValueDataSource<T>> variable(const T& value) {
+template <class T>
+boost::intrusive_ptr<RTT::internal::ValueDataSource<T>> variable(const T& value) {
     return new RTT::internal::ValueDataSource<T>(value);
 }
 
@@ -39,7 +40,8 @@ inline boost::intrusive_ptr<RTT::internal::ValueDataSource<std::string>> variabl
 }
 
 /** The value of a source that must be of type T. */
-template <class T> T valueOf(const SourcePtr& source) {
+template <class T>
+T valueOf(const SourcePtr& source) {
     auto* typed = RTT::internal::DataSource<T>::narrow(source.get());
     EXPECT_NE(nullptr, typed) << "source is of type " << (source ? source->getType() : "(null)");
     return typed ? typed->get() : T();
@@ -47,6 +49,6 @@ template <class T> T valueOf(const SourcePtr& source) {
 
 inline RTT::types::TypeInfo* type(const std::string& name) { return RTT::types::Types()->type(name); }
 
-} // namespace types_test
+}  // namespace types_test
 
 #endif

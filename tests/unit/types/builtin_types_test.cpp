@@ -17,7 +17,10 @@ namespace {
 
 class BuiltinTypes : public WithBuiltinTypes {};
 
-template <class T> SourcePtr constant(T value) { return new internal::ConstantDataSource<T>(value); }
+template <class T>
+SourcePtr constant(T value) {
+    return new internal::ConstantDataSource<T>(value);
+}
 
 SourcePtr apply(const SourcePtr& a, const char* op, const SourcePtr& b) {
     return types::operators()->applyBinary(op, a.get(), b.get());
@@ -27,12 +30,13 @@ SourcePtr apply(const char* op, const SourcePtr& a) { return types::operators()-
 
 SourcePtr construct(const char* name, std::vector<SourcePtr> arguments) { return type(name)->construct(arguments); }
 
-}
+}  // namespace
 
 TEST_F(BuiltinTypes, AllAreThere) {
-    for (const char* name : {"int", "uint", "llong", "ullong", "double", "float", "char", "bool", "void", "string", "array",
-                             "FlowStatus", "WriteStatus", "SendStatus", "PropertyBag", "ConnPolicy", "BufferPolicy",
-                             "TaskContext", "int8", "uint8", "int16", "uint16", "int64", "uint64"})
+    for (const char* name : {"int",         "uint",       "llong",       "ullong",     "double",       "float",
+                             "char",        "bool",       "void",        "string",     "array",        "FlowStatus",
+                             "WriteStatus", "SendStatus", "PropertyBag", "ConnPolicy", "BufferPolicy", "TaskContext",
+                             "int8",        "uint8",      "int16",       "uint16",     "int64",        "uint64"})
         EXPECT_NE(nullptr, type(name)) << name;
 }
 
@@ -107,8 +111,10 @@ TEST_F(BuiltinTypes, SmallNumbersRefuseWhatDoesNotFit) {
 TEST_F(BuiltinTypes, Constructors) {
     EXPECT_EQ(std::vector<double>(10, 0.0), valueOf<std::vector<double>>(construct("array", {constant(10)})));
     EXPECT_EQ(std::vector<double>{10.0}, valueOf<std::vector<double>>(construct("array", {constant(10.0)})));
-    EXPECT_EQ((std::vector<double>{1, 2}), valueOf<std::vector<double>>(construct("array", {constant(1.0), constant(2.0)})));
-    EXPECT_EQ(std::vector<double>(3, 0.5), valueOf<std::vector<double>>(construct("array", {constant(3), constant(0.5)})));
+    EXPECT_EQ((std::vector<double>{1, 2}),
+              valueOf<std::vector<double>>(construct("array", {constant(1.0), constant(2.0)})));
+    EXPECT_EQ(std::vector<double>(3, 0.5),
+              valueOf<std::vector<double>>(construct("array", {constant(3), constant(0.5)})));
     EXPECT_EQ(std::vector<double>(), valueOf<std::vector<double>>(construct("array", {})));
     EXPECT_EQ(nullptr, construct("array", {constant(std::string("x"))}));
     EXPECT_EQ(3, valueOf<int>(construct("int", {constant(3.7)})));

@@ -40,7 +40,8 @@ protected:
 
     void put(const std::string& body) const {
         std::ofstream(file) << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n"
-                               "<properties>\n" << body << "\n</properties>\n";
+                               "<properties>\n"
+                            << body << "\n</properties>\n";
     }
     std::string get() const {
         std::ostringstream text;
@@ -66,7 +67,7 @@ std::string simple(const std::string& type, const std::string& value) {
     return "<simple name=\"p\" type=\"" + type + "\"><value>" + value + "</value></simple>";
 }
 
-}
+}  // namespace
 
 TEST_F(Cpf, ReadsEverySimpleType) {
     put("<simple name=\"b\" type=\"boolean\"><value>true</value></simple>"
@@ -80,7 +81,8 @@ TEST_F(Cpf, ReadsEverySimpleType) {
         "<simple name=\"ull\" type=\"ullong\"><value>18000000000000000000</value></simple>"
         "<simple name=\"f\" type=\"float\"><value>0.5</value></simple>"
         "<simple name=\"d\" type=\"double\"><value>+1e-3</value></simple>"
-        "<simple name=\"t\" type=\"string\"><description>text</description><value>a &lt;b&gt; &amp; c</value></simple>");
+        "<simple name=\"t\" type=\"string\"><description>text</description><value>a &lt;b&gt; &amp; "
+        "c</value></simple>");
     ASSERT_TRUE(readFile(file, bag, sink)) << said();
     EXPECT_TRUE(bag.getPropertyType<bool>("b")->get());
     EXPECT_EQ('x', bag.getPropertyType<char>("c")->get());
@@ -107,25 +109,29 @@ TEST_F(Cpf, AllErrorsOfAFileAreReportedWithTheirPlaces) {
         "  <simple name=\"g\" type=\"double\"><value>1.5abc</value></simple>\n"
         "  <strange/>");
     EXPECT_FALSE(readFile(file, bag, sink));
-    EXPECT_EQ("test.cpf:4:41: error: [CPF006] property 'a' of type double cannot be 'x'; expected a number\n"
-              "test.cpf:5:26: error: [CPF005] unknown type 'real' of property 'b'; expected boolean, char, octet, short, "
-              "ushort, long, ulong, llong, ullong, float, double or string\n"
-              "test.cpf:6:3: error: [CPF003] <simple> has no attribute 'type'\n"
-              "test.cpf:7:3: error: [CPF004] property 'd' has no <value>\n"
-              "test.cpf:8:42: error: [CPF006] property 'e' of type boolean cannot be 'yes'; expected 'true', 'false', '1' or '0'\n"
-              "test.cpf:9:39: error: [CPF006] property 'f' of type long cannot be '99999999999'; expected a whole number in "
-              "the range of this type\n"
-              "test.cpf:10:41: warning: [CPF007] text after the number in '1.5abc' is ignored\n"
-              "test.cpf:11:3: warning: [CPF002] unknown element <strange> is ignored; expected simple, struct or sequence\n",
-              said());
+    EXPECT_EQ(
+        "test.cpf:4:41: error: [CPF006] property 'a' of type double cannot be 'x'; expected a number\n"
+        "test.cpf:5:26: error: [CPF005] unknown type 'real' of property 'b'; expected boolean, char, octet, short, "
+        "ushort, long, ulong, llong, ullong, float, double or string\n"
+        "test.cpf:6:3: error: [CPF003] <simple> has no attribute 'type'\n"
+        "test.cpf:7:3: error: [CPF004] property 'd' has no <value>\n"
+        "test.cpf:8:42: error: [CPF006] property 'e' of type boolean cannot be 'yes'; expected 'true', 'false', '1' or "
+        "'0'\n"
+        "test.cpf:9:39: error: [CPF006] property 'f' of type long cannot be '99999999999'; expected a whole number in "
+        "the range of this type\n"
+        "test.cpf:10:41: warning: [CPF007] text after the number in '1.5abc' is ignored\n"
+        "test.cpf:11:3: warning: [CPF002] unknown element <strange> is ignored; expected simple, struct or sequence\n",
+        said());
 }
 
 TEST_F(Cpf, MissingFileAndWrongRoot) {
     EXPECT_FALSE(readFile(file, bag, sink));
     std::ofstream(file) << "<things/>";
     EXPECT_FALSE(readFile(file, bag, sink));
-    EXPECT_EQ("test.cpf: error: [XML001] cannot read the file\n"
-              "test.cpf:1:1: error: [CPF001] found <things>, expected <properties>\n", said());
+    EXPECT_EQ(
+        "test.cpf: error: [XML001] cannot read the file\n"
+        "test.cpf:1:1: error: [CPF001] found <things>, expected <properties>\n",
+        said());
 }
 
 TEST_F(Cpf, WritesInTheLayoutOfTheOriginal) {
@@ -134,14 +140,16 @@ TEST_F(Cpf, WritesInTheLayoutOfTheOriginal) {
     PropertyBag inner;
     inner.ownProperty(new Property<int>("n \"q\"", "", 3));
     bag.ownProperty(new Property<PropertyBag>("s", "inner", inner));
-    EXPECT_EQ("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n"
-              "  <simple name=\"gain\" type=\"double\"><description>a &lt; b</description><value>0.1</value></simple>\n"
-              "  <simple name=\"on\" type=\"boolean\"><value>1</value></simple>\n"
-              "  <struct name=\"s\" type=\"PropertyBag\">\n"
-              "     <description>inner</description>\n"
-              "     <simple name=\"n &quot;q&quot;\" type=\"long\"><value>3</value></simple>\n"
-              "  </struct>\n"
-              "</properties>\n", cpfText(bag));
+    EXPECT_EQ(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n"
+        "  <simple name=\"gain\" type=\"double\"><description>a &lt; b</description><value>0.1</value></simple>\n"
+        "  <simple name=\"on\" type=\"boolean\"><value>1</value></simple>\n"
+        "  <struct name=\"s\" type=\"PropertyBag\">\n"
+        "     <description>inner</description>\n"
+        "     <simple name=\"n &quot;q&quot;\" type=\"long\"><value>3</value></simple>\n"
+        "  </struct>\n"
+        "</properties>\n",
+        cpfText(bag));
 }
 
 TEST_F(Cpf, WriteReadWriteIsAFixedPoint) {
@@ -163,7 +171,8 @@ TEST_F(Cpf, WriteReadWriteIsAFixedPoint) {
     EXPECT_EQ(first, cpfText(target));
     EXPECT_EQ(variable(tank)->toString(), target.find("tank")->getDataSource()->toString());
     EXPECT_NE(std::string::npos, first.find("<simple name=\"mode\" type=\"string\"><description>Part</description>"
-                                            "<value>Filling</value></simple>")) << first;
+                                            "<value>Filling</value></simple>"))
+        << first;
 }
 
 TEST_F(Cpf, SequenceElementsBecomeSequences) {
@@ -175,7 +184,8 @@ TEST_F(Cpf, SequenceElementsBecomeSequences) {
 }
 
 TEST_F(Cpf, TypedStructsBecomeValuesOfTheirType) {
-    put("<struct name=\"at\" type=\"sample.Point\"><simple name=\"y\" type=\"double\"><value>3</value></simple></struct>");
+    put("<struct name=\"at\" type=\"sample.Point\"><simple name=\"y\" "
+        "type=\"double\"><value>3</value></simple></struct>");
     ASSERT_TRUE(loadFromFile(bag, file, LoadMode::load, sink)) << said();
     auto* point = bag.getPropertyType<sample::Point>("at");
     ASSERT_NE(nullptr, point);
@@ -183,7 +193,8 @@ TEST_F(Cpf, TypedStructsBecomeValuesOfTheirType) {
 }
 
 TEST_F(Cpf, LoadCreatesUpdateDoesNotAndReadNeedsAll) {
-    put("<simple name=\"p\" type=\"long\"><value>5</value></simple><simple name=\"q\" type=\"long\"><value>6</value></simple>");
+    put("<simple name=\"p\" type=\"long\"><value>5</value></simple><simple name=\"q\" "
+        "type=\"long\"><value>6</value></simple>");
     bag.ownProperty(new Property<int>("p", "", 1));
     ASSERT_TRUE(loadFromFile(bag, file, LoadMode::refresh, sink));
     EXPECT_EQ(1u, bag.size());
@@ -197,7 +208,8 @@ TEST_F(Cpf, LoadCreatesUpdateDoesNotAndReadNeedsAll) {
 
 TEST_F(Cpf, FailedLoadRestoresEverything) {
     put("<simple name=\"p\" type=\"long\"><value>5</value></simple>\n"
-        "<struct name=\"s\" type=\"PropertyBag\"><simple name=\"x\" type=\"double\"><value>9</value></simple></struct>\n"
+        "<struct name=\"s\" type=\"PropertyBag\"><simple name=\"x\" "
+        "type=\"double\"><value>9</value></simple></struct>\n"
         "<simple name=\"new\" type=\"long\"><value>5</value></simple>\n"
         "<simple name=\"q\" type=\"string\"><value>5</value></simple>");
     double x = 1;
@@ -217,7 +229,9 @@ TEST_F(Cpf, FailedLoadRestoresEverything) {
 TEST_F(Cpf, UnknownStructTypeIsAnError) {
     put("<struct name=\"p\" type=\"NoSuchType\"/>");
     EXPECT_FALSE(loadFromFile(bag, file, LoadMode::load, sink));
-    EXPECT_EQ("test.cpf:4:1: error: [CPF020] property 'p' cannot be made: type NoSuchType is not known to any typekit\n", said());
+    EXPECT_EQ(
+        "test.cpf:4:1: error: [CPF020] property 'p' cannot be made: type NoSuchType is not known to any typekit\n",
+        said());
 }
 
 TEST_F(Cpf, OneProperty) {
@@ -226,12 +240,15 @@ TEST_F(Cpf, OneProperty) {
     EXPECT_TRUE(loadOneFromFile(bag, file, "s.p", sink));
     EXPECT_EQ(7, Property<int>(findProperty(bag, "s.p")).get());
     EXPECT_FALSE(loadOneFromFile(bag, file, "s.q", sink));
-    EXPECT_EQ("error: [CPF022] there is no property 's.q' to read\n"
-              "test.cpf: error: [CPF021] property 's.q' is not in the file\n", said());
+    EXPECT_EQ(
+        "error: [CPF022] there is no property 's.q' to read\n"
+        "test.cpf: error: [CPF021] property 's.q' is not in the file\n",
+        said());
 }
 
 TEST_F(Cpf, MergeKeepsWhatTheFileHasAndUpdateAddsNothing) {
-    put("<simple name=\"theirs\" type=\"long\"><value>1</value></simple><simple name=\"both\" type=\"long\"><value>1</value></simple>");
+    put("<simple name=\"theirs\" type=\"long\"><value>1</value></simple><simple name=\"both\" "
+        "type=\"long\"><value>1</value></simple>");
     bag.ownProperty(new Property<int>("both", "", 2));
     bag.ownProperty(new Property<int>("mine", "", 3));
     ASSERT_TRUE(saveToFile(bag, file, SaveMode::update, sink)) << said();
@@ -262,9 +279,7 @@ TEST_F(Cpf, OnePropertyIsAddedToTheFile) {
     EXPECT_FALSE(saveOneToFile(bag, file, "s.y", sink));
 }
 
-TEST_F(Cpf, FolderThatDoesNotExistIsAnError) {
-    EXPECT_FALSE(writeFile((folder / "no" / "such.cpf").string(), "x"));
-}
+TEST_F(Cpf, FolderThatDoesNotExistIsAnError) { EXPECT_FALSE(writeFile((folder / "no" / "such.cpf").string(), "x")); }
 
 TEST_F(Cpf, MarshallerAndDemarshaller) {
     bag.ownProperty(new Property<int>("p", "", 2));

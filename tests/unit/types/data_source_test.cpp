@@ -17,9 +17,13 @@ using SourcePtr = base::DataSourceBase::shared_ptr;
 
 namespace {
 
-struct Unregistered { int number = 0; };
+struct Unregistered {
+    int number = 0;
+};
 
-struct Pair { double first = 1, second = 2; };
+struct Pair {
+    double first = 1, second = 2;
+};
 
 struct CountsDeletes : ValueDataSource<int> {
     explicit CountsDeletes(int& deleted) : deleted_(deleted) {}
@@ -27,7 +31,7 @@ struct CountsDeletes : ValueDataSource<int> {
     int& deleted_;
 };
 
-}
+}  // namespace
 
 TEST(DataSource, LastReferenceDeletesIt) {
     int deleted = 0;
@@ -51,7 +55,8 @@ TEST(DataSource, ValueIsReadAndSet) {
 }
 
 TEST(DataSource, UpdateTakesTheSameTypeOnly) {
-    ValueDataSource<Unregistered>::shared_ptr a(new ValueDataSource<Unregistered>()), b(new ValueDataSource<Unregistered>());
+    ValueDataSource<Unregistered>::shared_ptr a(new ValueDataSource<Unregistered>()),
+        b(new ValueDataSource<Unregistered>());
     b->set().number = 9;
     EXPECT_TRUE(a->update(b.get()));
     EXPECT_EQ(9, a->rvalue().number);
@@ -62,8 +67,9 @@ TEST(DataSource, UpdateTakesTheSameTypeOnly) {
 TEST(DataSource, UpdateTakesResultsThatAreReferences) {
     ValueDataSource<std::string>::shared_ptr target(new ValueDataSource<std::string>());
     const std::string text = "hello";
-    SourcePtr reference(newFunctorDataSource(+[](const std::string& t) -> const std::string& { return t; },
-                                             GenerateDataSource()(new ConstantDataSource<std::string>(text))));
+    SourcePtr reference(newFunctorDataSource(
+        +[](const std::string& t) -> const std::string& { return t; },
+        GenerateDataSource()(new ConstantDataSource<std::string>(text))));
     ASSERT_TRUE(reference);
     EXPECT_TRUE(target->update(reference.get()));
     EXPECT_EQ("hello", target->get());
@@ -91,7 +97,7 @@ TEST(DataSource, UpdateActionAssignsWhenExecuted) {
     const std::unique_ptr<base::ActionInterface> action(left->updateAction(right.get()));
     EXPECT_EQ(1, left->get());
     action->readArguments();
-    right->set(3);   // the value read before is not kept: the source itself is the storage
+    right->set(3);  // the value read before is not kept: the source itself is the storage
     EXPECT_TRUE(action->execute());
     EXPECT_EQ(3, left->get());
     EXPECT_FALSE(action->execute()) << "arguments must be read again";
@@ -166,10 +172,11 @@ TEST(FunctorSource, CallsTheFunctionAnewEachTime) {
 }
 
 TEST(FunctorSource, ReferenceResultsCanBeAssigned) {
-    ValueDataSource<std::vector<double>>::shared_ptr v(new ValueDataSource<std::vector<double>>(std::vector<double>(3)));
+    ValueDataSource<std::vector<double>>::shared_ptr v(
+        new ValueDataSource<std::vector<double>>(std::vector<double>(3)));
     ValueDataSource<int>::shared_ptr index(new ValueDataSource<int>(1));
-    SourcePtr item(newFunctorDataSource(+[](std::vector<double>& c, int i) -> double& { return c[i]; },
-                                        GenerateDataSource()(v.get(), index.get())));
+    SourcePtr item(newFunctorDataSource(
+        +[](std::vector<double>& c, int i) -> double& { return c[i]; }, GenerateDataSource()(v.get(), index.get())));
     auto* typed = AssignableDataSource<double>::narrow(item.get());
     ASSERT_NE(nullptr, typed);
     typed->set(4.5);
@@ -183,14 +190,17 @@ TEST(FunctorSource, WrongArgumentsGiveNull) {
     EXPECT_EQ(nullptr, newFunctorDataSource(std::plus<int>(), GenerateDataSource()(number.get())));
     EXPECT_EQ(nullptr, newFunctorDataSource(std::plus<int>(), GenerateDataSource()(number.get(), text.get())));
     SourcePtr constant(new ConstantDataSource<int>(1));
-    EXPECT_EQ(nullptr, newFunctorDataSource(+[](int& i) { return i; }, GenerateDataSource()(constant.get())));
+    EXPECT_EQ(nullptr, newFunctorDataSource(
+                           +[](int& i) { return i; }, GenerateDataSource()(constant.get())));
 }
 
 TEST(DataSource, ReferencesAreCountedAcrossThreads) {
     int deleted = 0;
     {
         SourcePtr source(new CountsDeletes(deleted));
-        auto use = [source] { for (int i = 0; i != 20000; ++i) SourcePtr copy = source; };
+        auto use = [source] {
+            for (int i = 0; i != 20000; ++i) SourcePtr copy = source;
+        };
         std::thread a(use), b(use);
         a.join();
         b.join();

@@ -27,7 +27,7 @@ protected:
     Tank& value = tank->set();
 };
 
-}
+}  // namespace
 
 TEST_F(GeneratedTypes, NamesAndDescription) {
     EXPECT_EQ("/sample/Tank", tank->getTypeName());
@@ -128,9 +128,10 @@ TEST_F(GeneratedTypes, TextShowsAllMembers) {
     value.mode = sample::Mode::Draining;
     value.small = 65;
     value.flags = {true};
-    EXPECT_EQ("{id = 3, label = A, position = {x = 0, y = 0}, levels = {1, 2.5}, path = {}, weights = {0, 0, 0}, "
-              "pair = {0, 0}, mode = Draining, small = 65, flags = {true}}",
-              tank->toString());
+    EXPECT_EQ(
+        "{id = 3, label = A, position = {x = 0, y = 0}, levels = {1, 2.5}, path = {}, weights = {0, 0, 0}, "
+        "pair = {0, 0}, mode = Draining, small = 65, flags = {true}}",
+        tank->toString());
 }
 
 TEST_F(GeneratedTypes, EnumsAreReadByAnyName) {

@@ -47,7 +47,7 @@ protected:
     std::string file;
 };
 
-}
+}  // namespace
 
 TEST_F(MarshallingOfAComponent, WhatIsStoredIsRead) {
     ASSERT_TRUE(call("storeProperties"));

@@ -26,7 +26,7 @@ protected:
 
 typedef std::vector<std::string> Names;
 
-}
+}  // namespace
 
 TEST_F(Bag, FindsByNameTypeAndValue) {
     EXPECT_EQ("a", bag.find("a")->getName());

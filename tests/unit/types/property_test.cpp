@@ -101,7 +101,7 @@ struct Visitor : base::PropertyIntrospection {
     void introspect(Property<std::string>&) override { seen += "string "; }
     void introspect(Property<PropertyBag>&) override { seen += "bag "; }
 };
-}
+}  // namespace
 
 TEST(Property, VisitorSeesTheType) {
     PropertyBag bag;

@@ -16,7 +16,9 @@ namespace sample {
 
 enum class Mode : std::uint8_t { Idle, Filling, Draining = 7 };
 
-struct Point { double x = 0, y = 0; };
+struct Point {
+    double x = 0, y = 0;
+};
 
 struct Tank {
     int id = 0;
@@ -49,7 +51,8 @@ inline constexpr t::Member tankMembers[] = {
     {"small", offsetof(Tank, small), &t::typeRef<std::uint8_t>, 0, "", ""},
     {"flags", offsetof(Tank, flags), &t::typeRef<std::vector<bool>>, 0, "", ""},
 };
-inline constexpr t::Enumerator modes[] = {{"Idle", 0, ""}, {"Filling", 1, ""}, {"Draining", 7, ""}, {"Emptying", 7, ""}};
+inline constexpr t::Enumerator modes[] = {
+    {"Idle", 0, ""}, {"Filling", 1, ""}, {"Draining", 7, ""}, {"Emptying", 7, ""}};
 
 /** Registers all of them; once per process is enough, more do no harm. */
 inline void addTypes() {
@@ -64,6 +67,6 @@ inline void addTypes() {
     types->addType(t::makeArrayType<int>("/int[]"));
 }
 
-} // namespace sample
+}  // namespace sample
 
 #endif

@@ -19,14 +19,21 @@ using namespace RTT::types;
 namespace {
 
 // One type per test: types are never removed.
-template <int> struct Tag { int value = 0; };
-template <int N> std::ostream& operator<<(std::ostream& os, const Tag<N>& tag) { return os << "tag " << tag.value; }
+template <int>
+struct Tag {
+    int value = 0;
+};
+template <int N>
+std::ostream& operator<<(std::ostream& os, const Tag<N>& tag) {
+    return os << "tag " << tag.value;
+}
 
-template <int N> using Info = TemplateTypeInfo<Tag<N>, true>;
+template <int N>
+using Info = TemplateTypeInfo<Tag<N>, true>;
 
 TypeInfo* find(const std::string& name) { return Types()->type(name); }
 
-}
+}  // namespace
 
 TEST(TypeRegistry, RegisteredTypeIsFoundByNameAndByCppType) {
     ASSERT_TRUE(Types()->addType(new Info<1>("/registry/One")));
@@ -144,7 +151,8 @@ struct CountingTransport : TransportPlugin {
         return counts[name];
     }
     struct Transporter : TypeTransporter {
-        base::ChannelElementBase::shared_ptr createStream(base::PortInterface*, const ConnPolicy&, bool) const override {
+        base::ChannelElementBase::shared_ptr createStream(base::PortInterface*, const ConnPolicy&,
+                                                          bool) const override {
             return nullptr;
         }
     };
@@ -164,11 +172,14 @@ struct EmptyTypekit : TypekitPlugin {
     bool loadOperators() override { return note("operators "); }
     bool loadGlobals() override { return note("globals "); }
     std::string getName() override { return "registry-empty-typekit"; }
-    bool note(const char* what) { calls_ += what; return true; }
+    bool note(const char* what) {
+        calls_ += what;
+        return true;
+    }
     std::string& calls_;
 };
 
-}
+}  // namespace
 
 TEST(TypeRegistry, TransportsAreOfferedEarlierAndLaterTypes) {
     ASSERT_TRUE(Types()->addType(new Info<12>("registry_before")));

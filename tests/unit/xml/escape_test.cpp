@@ -20,7 +20,8 @@ TEST(Escape, WhatIsWrittenIsReadBack) {
     const std::string text = "x < y && \"z\"\n\t'q'";
     diag::Sink sink;
 
-    const auto document = Document::parseText("<a t=\"" + escapeAttribute(text) + "\">" + escapeText(text) + "</a>", "f", sink);
+    const auto document =
+        Document::parseText("<a t=\"" + escapeAttribute(text) + "\">" + escapeText(text) + "</a>", "f", sink);
 
     ASSERT_TRUE(document.has_value());
     EXPECT_EQ(document->root().text, text);

@@ -6,7 +6,8 @@
 #include <rtt/base/ActionInterface.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace internal {
+namespace RTT {
+namespace internal {
 
 /** Assignment between two sources of the same C++ type, whatever that is. */
 class AssignValueAction : public base::ActionInterface {
@@ -32,6 +33,7 @@ private:
     bool ready_ = false;
 };
 
-}} // namespace RTT::internal
+}  // namespace internal
+}  // namespace RTT
 
 #endif

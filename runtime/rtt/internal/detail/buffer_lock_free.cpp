@@ -42,8 +42,7 @@ Word slotOf(Word word) { return word & kSlotMask; }
 /** True if the turn in `word` is position `p`. */
 bool hasTurn(Word word, Word p) { return word >> kSlotBits == (p << kSlotBits) >> kSlotBits; }
 
-std::size_t powerOfTwo(std::size_t atLeast)
-{
+std::size_t powerOfTwo(std::size_t atLeast) {
     std::size_t n = 2;
     while (n < atLeast) n *= 2;
     return n;
@@ -54,18 +53,20 @@ class LockFreeBuffer final : public SampleStore {
 
 public:
     LockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-        : SampleStore(ops), capacity_(spec.size), circular_(spec.kind == StoreSpec::CircularBuffer),
-          oldData_(spec.oldData), ringMask_(powerOfTwo(capacity_) - 1), ring_(new std::atomic<Word>[ringMask_ + 1]),
+        : SampleStore(ops),
+          capacity_(spec.size),
+          circular_(spec.kind == StoreSpec::CircularBuffer),
+          oldData_(spec.oldData),
+          ringMask_(powerOfTwo(capacity_) - 1),
+          ring_(new std::atomic<Word>[ringMask_ + 1]),
           // in the buffer, last read, and one in the hands of each thread
-          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Count))
-    {
+          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Count)) {
         for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Count(0);
         for (Word i = 0; i <= ringMask_; ++i)
             ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
     }
 
-    WriteStatus write(const void* sample) override
-    {
+    WriteStatus write(const void* sample) override {
         if (capacity_ == 0 || (!circular_ && full())) return drop();
         const Word slot = claim();
         if (slot == kNoSlot) return drop();
@@ -84,8 +85,7 @@ public:
         return WriteSuccess;
     }
 
-    FlowStatus read(void* sample, bool copyOld) override
-    {
+    FlowStatus read(void* sample, bool copyOld) override {
         for (;;) {
             const Word slot = takeOut();
             if (slot == kNoSlot) {
@@ -100,8 +100,7 @@ public:
         }
     }
 
-    void clear() override
-    {
+    void clear() override {
         const Word end = tail_.load(std::memory_order_acquire);  // what others write meanwhile may stay
         while (head_.load(std::memory_order_acquire) < end) {
             const Word slot = takeOut();
@@ -111,25 +110,23 @@ public:
         setLast(kNoSlot);
     }
 
-    const void* readHeld() override
-    {
+    const void* readHeld() override {
         const Word slot = takeOut();
         if (slot == kNoSlot) return nullptr;
         count(slot).fetch_add(1, std::memory_order_relaxed);
         makeLast(slot);
         return samples_.sample(slot);
     }
-    void release(const void* held) override
-    {
+    void release(const void* held) override {
         const std::size_t stride =
             static_cast<unsigned char*>(samples_.sample(1)) - static_cast<unsigned char*>(samples_.sample(0));
-        release(static_cast<Word>((static_cast<const unsigned char*>(held) -
-                                   static_cast<const unsigned char*>(samples_.sample(0))) / stride));
+        release(static_cast<Word>(
+            (static_cast<const unsigned char*>(held) - static_cast<const unsigned char*>(samples_.sample(0))) /
+            stride));
     }
 
     std::size_t capacity() const override { return capacity_; }
-    std::size_t size() const override
-    {
+    std::size_t size() const override {
         const Word head = head_.load(std::memory_order_acquire);
         const Word tail = tail_.load(std::memory_order_acquire);
         return tail > head ? static_cast<std::size_t>(tail - head) : 0;
@@ -138,14 +135,12 @@ public:
 
 private:
     Count& count(Word slot) const { return *static_cast<Count*>(samples_.header(slot)); }
-    WriteStatus drop()
-    {
+    WriteStatus drop() {
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return WriteFailure;
     }
     /** Only if it really was full at one moment: head_ was the same before and after looking at tail_. */
-    bool full() const
-    {
+    bool full() const {
         Word head = head_.load(std::memory_order_acquire);
         for (;;) {
             const Word tail = tail_.load(std::memory_order_acquire);
@@ -156,8 +151,7 @@ private:
         }
     }
 
-    Word claim()
-    {
+    Word claim() {
         const std::size_t n = samples_.count();
         std::size_t i = hint_.load(std::memory_order_relaxed);
         for (std::size_t tries = 2 * n; tries > 0; --tries) {
@@ -174,8 +168,7 @@ private:
     void release(Word slot) { count(slot).fetch_sub(1, std::memory_order_release); }
 
     /** False if the buffer is full. */
-    bool enter(Word slot)
-    {
+    bool enter(Word slot) {
         for (;;) {
             Word t = tail_.load(std::memory_order_acquire);
             const Word h = head_.load(std::memory_order_acquire);
@@ -194,8 +187,7 @@ private:
         }
     }
     /** kNoSlot if the buffer is empty. */
-    Word takeOut()
-    {
+    Word takeOut() {
         for (;;) {
             Word h = head_.load(std::memory_order_acquire);
             const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);
@@ -207,20 +199,20 @@ private:
         }
     }
 
-    void makeLast(Word slot)
-    {
-        if (oldData_) setLast(slot);
-        else release(slot);
+    void makeLast(Word slot) {
+        if (oldData_)
+            setLast(slot);
+        else
+            release(slot);
     }
-    void setLast(Word slot)
-    {
+    void setLast(Word slot) {
         Word old = last_.load(std::memory_order_relaxed);
-        while (!last_.compare_exchange_weak(old, pack((old >> kSlotBits) + 1, slot), std::memory_order_acq_rel)) {}
+        while (!last_.compare_exchange_weak(old, pack((old >> kSlotBits) + 1, slot), std::memory_order_acq_rel)) {
+        }
         if (slotOf(old) != kNoSlot) release(slotOf(old));
     }
     /** The status, or -1 if another reader came in between. */
-    int readLast(void* sample, bool copyOld)
-    {
+    int readLast(void* sample, bool copyOld) {
         const Word last = last_.load(std::memory_order_acquire);
         const Word slot = slotOf(last);
         if (slot == kNoSlot) return NoData;
@@ -232,8 +224,7 @@ private:
         return OldData;
     }
 
-    void resizeElements(const void* sample) override
-    {
+    void resizeElements(const void* sample) override {
         for (std::size_t i = 0; i < samples_.count(); ++i) {
             std::uint32_t free = 0;  // those in use are sized already, or by their next write
             if (!count(i).compare_exchange_strong(free, 1, std::memory_order_acquire)) continue;
@@ -256,8 +247,7 @@ private:
 
 }  // namespace
 
-StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-{
+StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     if (spec.size > kMaxCapacity) return nullptr;
     return StorePtr(new LockFreeBuffer(ops, spec, first));
 }

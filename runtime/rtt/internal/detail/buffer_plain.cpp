@@ -16,13 +16,13 @@ template <class Mutex>
 class PlainBuffer final : public SampleStore {
 public:
     PlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-        : SampleStore(ops), capacity_(spec.size), circular_(spec.kind == StoreSpec::CircularBuffer),
-          oldData_(spec.oldData), places_(ops, spec.size + 1, first)
-    {
-    }
+        : SampleStore(ops),
+          capacity_(spec.size),
+          circular_(spec.kind == StoreSpec::CircularBuffer),
+          oldData_(spec.oldData),
+          places_(ops, spec.size + 1, first) {}
 
-    WriteStatus write(const void* sample) override
-    {
+    WriteStatus write(const void* sample) override {
         const Hold<Mutex> hold(mutex_);
         if (filled_ == capacity_) {
             ++dropped_;
@@ -35,8 +35,7 @@ public:
         ++filled_;
         return WriteSuccess;
     }
-    FlowStatus read(void* sample, bool copyOld) override
-    {
+    FlowStatus read(void* sample, bool copyOld) override {
         const Hold<Mutex> hold(mutex_);
         if (filled_ > 0) {
             assignSample(ops_, sample, places_.sample(first_));
@@ -48,14 +47,12 @@ public:
         if (copyOld) assignSample(ops_, sample, places_.sample(lastPlace()));
         return OldData;
     }
-    void clear() override
-    {
+    void clear() override {
         const Hold<Mutex> hold(mutex_);
         filled_ = 0;
         hasLast_ = false;
     }
-    const void* readHeld() override
-    {
+    const void* readHeld() override {
         const Hold<Mutex> hold(mutex_);
         if (filled_ == 0) return nullptr;
         const void* sample = places_.sample(first_);
@@ -65,13 +62,11 @@ public:
     }
 
     std::size_t capacity() const override { return capacity_; }
-    std::size_t size() const override
-    {
+    std::size_t size() const override {
         const Hold<Mutex> hold(mutex_);
         return filled_;
     }
-    std::size_t dropped() const override
-    {
+    std::size_t dropped() const override {
         const Hold<Mutex> hold(mutex_);
         return dropped_;
     }
@@ -79,13 +74,11 @@ public:
 private:
     std::size_t place(std::size_t n) const { return (first_ + n) % places_.count(); }
     std::size_t lastPlace() const { return (first_ + places_.count() - 1) % places_.count(); }
-    void advance()
-    {
+    void advance() {
         first_ = place(1);
         --filled_;
     }
-    void resizeElements(const void* sample) override
-    {
+    void resizeElements(const void* sample) override {
         const Hold<Mutex> hold(mutex_);
         for (std::size_t n = filled_; n < places_.count(); ++n)
             if (!(hasLast_ && place(n) == lastPlace())) assignSample(ops_, places_.sample(place(n)), sample);
@@ -101,8 +94,7 @@ private:
 
 }  // namespace
 
-StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-{
+StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainBuffer<os::Mutex>(ops, spec, first));
     return StorePtr(new PlainBuffer<NoMutex>(ops, spec, first));
 }

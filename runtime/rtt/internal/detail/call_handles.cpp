@@ -4,15 +4,15 @@
 
 #include <rtt/internal/OperationTable.hpp>
 
-namespace RTT { namespace internal { namespace detail {
+namespace RTT {
+namespace internal {
+namespace detail {
 
-CollectSource::CollectSource(const OperationTable& table, Handle handle, Variables variables, DataSource<bool>::shared_ptr blocking)
-    : table_(&table), handle_(std::move(handle)), variables_(std::move(variables)), blocking_(std::move(blocking))
-{
-}
+CollectSource::CollectSource(const OperationTable& table, Handle handle, Variables variables,
+                             DataSource<bool>::shared_ptr blocking)
+    : table_(&table), handle_(std::move(handle)), variables_(std::move(variables)), blocking_(std::move(blocking)) {}
 
-SendStatus CollectSource::get() const
-{
+SendStatus CollectSource::get() const {
     const SentCall::shared_ptr call = handle_->get();
     // The handle of another operation has other results than those the variables were made for.
     if (!call || typeid(*call) != *table_->sentType) return status_ = SendFailure;
@@ -21,8 +21,7 @@ SendStatus CollectSource::get() const
     return status_;
 }
 
-void CollectSource::fill(SentCall& call) const
-{
+void CollectSource::fill(SentCall& call) const {
     auto variable = variables_.begin();
     if (const void* result = call.resultAddress()) (*variable++)->assignValue(result);
     for (unsigned i = 0; i != table_->arity; ++i)
@@ -30,11 +29,12 @@ void CollectSource::fill(SentCall& call) const
     for (const auto& filled : variables_) filled->updated();
 }
 
-CollectSource* CollectSource::copy(CopyMap& cloned) const
-{
+CollectSource* CollectSource::copy(CopyMap& cloned) const {
     Variables variables;
     for (const auto& variable : variables_) variables.push_back(variable->copy(cloned));
     return new CollectSource(*table_, handle_->copy(cloned), variables, blocking_ ? blocking_->copy(cloned) : nullptr);
 }
 
-}}}  // namespace RTT::internal::detail
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT

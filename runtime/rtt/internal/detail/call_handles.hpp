@@ -8,7 +8,9 @@
 #include <rtt/internal/CallSource.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-namespace RTT { namespace internal { namespace detail {
+namespace RTT {
+namespace internal {
+namespace detail {
 
 /** Sends with each evaluation; the value is the handle. */
 class SendSource final : public DataSource<SentCall::shared_ptr> {
@@ -32,7 +34,8 @@ public:
     typedef std::vector<base::DataSourceBase::shared_ptr> Variables;
 
     /** The types of the variables have been checked. */
-    CollectSource(const OperationTable& table, Handle handle, Variables variables, DataSource<bool>::shared_ptr blocking);
+    CollectSource(const OperationTable& table, Handle handle, Variables variables,
+                  DataSource<bool>::shared_ptr blocking);
     SendStatus get() const override;
     SendStatus value() const override { return status_; }
     const SendStatus& rvalue() const override { return status_; }
@@ -49,6 +52,8 @@ private:
     mutable SendStatus status_ = SendNotReady;
 };
 
-}}}  // namespace RTT::internal::detail
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -40,13 +40,11 @@ constexpr std::size_t kNone = ~std::size_t(0);
 class CountedData final : public SampleStore {
 public:
     CountedData(const types::TypeOps& ops, std::size_t threads, const void* first)
-        : SampleStore(ops), samples_(ops, threads + 2, first, sizeof(std::atomic<State>), 64)
-    {
+        : SampleStore(ops), samples_(ops, threads + 2, first, sizeof(std::atomic<State>), 64) {
         for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) std::atomic<State>(0);
     }
 
-    WriteStatus write(const void* sample) override
-    {
+    WriteStatus write(const void* sample) override {
         const std::size_t i = claim();
         if (i == kNone) return WriteFailure;
         bool assigned = false;
@@ -59,22 +57,20 @@ public:
         return WriteSuccess;
     }
 
-    FlowStatus read(void* sample, bool copyOld) override
-    {
+    FlowStatus read(void* sample, bool copyOld) override {
         for (;;) {
             const std::size_t c = current_.load(std::memory_order_acquire);  // R1
             if (c == kNone) return NoData;
             std::atomic<State>& s = state(c);
-            s.fetch_add(1, std::memory_order_acq_rel);                       // R2
-            if (current_.load(std::memory_order_acquire) == c)               // R3
+            s.fetch_add(1, std::memory_order_acq_rel);          // R2
+            if (current_.load(std::memory_order_acquire) == c)  // R3
                 return copyAndLeave(s, samples_.sample(c), sample, copyOld);
             s.fetch_sub(1, std::memory_order_release);
         }
     }
 
     void clear() override { publish(kNone); }
-    std::size_t size() const override
-    {
+    std::size_t size() const override {
         const std::size_t c = current_.load(std::memory_order_acquire);
         return c != kNone && (state(c).load(std::memory_order_acquire) & kUnread) ? 1 : 0;
     }
@@ -82,8 +78,7 @@ public:
 private:
     std::atomic<State>& state(std::size_t i) const { return *static_cast<std::atomic<State>*>(samples_.header(i)); }
 
-    std::size_t claim()
-    {
+    std::size_t claim() {
         const std::size_t n = samples_.count();
         std::size_t i = hint_.load(std::memory_order_relaxed);
         for (std::size_t tries = 2 * n; tries > 0; --tries) {
@@ -94,22 +89,19 @@ private:
         }
         return kNone;
     }
-    bool claimSlot(std::size_t i)
-    {
+    bool claimSlot(std::size_t i) {
         State now = state(i).load(std::memory_order_relaxed);
         return (now & ~kUnread) == 0 &&
                state(i).compare_exchange_strong(now, kHeld | kUnread, std::memory_order_acquire,
                                                 std::memory_order_relaxed);  // W1
     }
-    void publish(std::size_t i)
-    {
+    void publish(std::size_t i) {
         const std::size_t old = current_.exchange(i, std::memory_order_acq_rel);  // W2
         if (old != kNone) unhold(old);
     }
     void unhold(std::size_t i) { state(i).fetch_and(~kHeld, std::memory_order_release); }  // W3
 
-    FlowStatus copyAndLeave(std::atomic<State>& s, const void* from, void* to, bool copyOld)
-    {
+    FlowStatus copyAndLeave(std::atomic<State>& s, const void* from, void* to, bool copyOld) {
         State now = s.load(std::memory_order_relaxed);
         if (!copyOld && !(now & kUnread)) {
             s.fetch_sub(1, std::memory_order_release);
@@ -122,12 +114,12 @@ private:
         assignSample(ops_, to, from);
         copied = true;
         now = s.load(std::memory_order_relaxed);
-        while (!s.compare_exchange_weak(now, (now - 1) & ~kUnread, std::memory_order_acq_rel)) {}  // R4
+        while (!s.compare_exchange_weak(now, (now - 1) & ~kUnread, std::memory_order_acq_rel)) {
+        }  // R4
         return now & kUnread ? NewData : OldData;
     }
 
-    void resizeElements(const void* sample) override
-    {
+    void resizeElements(const void* sample) override {
         for (std::size_t i = 0; i < samples_.count(); ++i) {
             for (int tries = 0; tries < 1000; ++tries) {  // a slot in use that long is sized by its next write
                 if (claimSlot(i)) {
@@ -148,8 +140,7 @@ private:
 
 }  // namespace
 
-StorePtr makeCountedData(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-{
+StorePtr makeCountedData(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     return StorePtr(new CountedData(ops, spec.maxThreads, first));
 }
 

@@ -16,35 +16,30 @@ class PlainData final : public SampleStore {
 public:
     PlainData(const types::TypeOps& ops, const void* first) : SampleStore(ops), sample_(ops, 1, first) {}
 
-    WriteStatus write(const void* sample) override
-    {
+    WriteStatus write(const void* sample) override {
         const Hold<Mutex> hold(mutex_);
         assignSample(ops_, sample_.sample(0), sample);
         status_ = NewData;
         return WriteSuccess;
     }
-    FlowStatus read(void* sample, bool copyOld) override
-    {
+    FlowStatus read(void* sample, bool copyOld) override {
         const Hold<Mutex> hold(mutex_);
         const FlowStatus status = status_;
         if (status == NewData || (status == OldData && copyOld)) assignSample(ops_, sample, sample_.sample(0));
         if (status == NewData) status_ = OldData;
         return status;
     }
-    void clear() override
-    {
+    void clear() override {
         const Hold<Mutex> hold(mutex_);
         status_ = NoData;
     }
-    std::size_t size() const override
-    {
+    std::size_t size() const override {
         const Hold<Mutex> hold(mutex_);
         return status_ == NewData ? 1 : 0;
     }
 
 private:
-    void resizeElements(const void* sample) override
-    {
+    void resizeElements(const void* sample) override {
         const Hold<Mutex> hold(mutex_);
         if (status_ == NoData) assignSample(ops_, sample_.sample(0), sample);
     }
@@ -56,8 +51,7 @@ private:
 
 }  // namespace
 
-StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
-{
+StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
     if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainData<os::Mutex>(ops, first));
     return StorePtr(new PlainData<NoMutex>(ops, first));
 }

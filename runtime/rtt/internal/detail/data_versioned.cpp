@@ -48,10 +48,11 @@ struct Slot {
 class VersionedData final : public SampleStore {
 public:
     VersionedData(const types::TypeOps& ops, std::size_t threads)
-        : SampleStore(ops), words_((ops.size + sizeof(Word) - 1) / sizeof(Word)), slots_(threads + 2),
+        : SampleStore(ops),
+          words_((ops.size + sizeof(Word) - 1) / sizeof(Word)),
+          slots_(threads + 2),
           stride_((sizeof(Slot) + (words_ - 1) * sizeof(Word) + 63) / 64 * 64),
-          block_(static_cast<unsigned char*>(::operator new(stride_ * slots_, std::align_val_t(64))))
-    {
+          block_(static_cast<unsigned char*>(::operator new(stride_* slots_, std::align_val_t(64)))) {
         for (std::size_t i = 0; i < slots_; ++i) {
             Slot* s = new (block_ + i * stride_) Slot;
             for (std::size_t w = 1; w < words_; ++w) new (&s->words[0] + w) std::atomic<Word>;
@@ -59,8 +60,7 @@ public:
     }
     ~VersionedData() override { ::operator delete(block_, std::align_val_t(64)); }
 
-    WriteStatus write(const void* sample) override
-    {
+    WriteStatus write(const void* sample) override {
         std::size_t i = hint_.load(std::memory_order_relaxed);
         for (std::size_t tries = 2 * slots_; tries > 0; --tries) {
             i = i + 1 < slots_ ? i + 1 : 0;
@@ -75,20 +75,19 @@ public:
             }
             hint_.store(i, std::memory_order_relaxed);
             const Word version = slot.version.load(std::memory_order_relaxed) + 1;
-            slot.version.store(version, std::memory_order_relaxed);                  // W2
-            storeWords(slot, sample);                                                // W3
-            current_.store(version << kSlotBits | i, std::memory_order_release);     // W4
-            slot.owner.store(0, std::memory_order_release);                          // W5
+            slot.version.store(version, std::memory_order_relaxed);               // W2
+            storeWords(slot, sample);                                             // W3
+            current_.store(version << kSlotBits | i, std::memory_order_release);  // W4
+            slot.owner.store(0, std::memory_order_release);                       // W5
             return WriteSuccess;
         }
         return WriteFailure;
     }
 
-    FlowStatus read(void* sample, bool copyOld) override
-    {
+    FlowStatus read(void* sample, bool copyOld) override {
         for (;;) {
-            Word seen = read_.load(std::memory_order_acquire);                // R0
-            const Word current = current_.load(std::memory_order_acquire);    // R1
+            Word seen = read_.load(std::memory_order_acquire);              // R0
+            const Word current = current_.load(std::memory_order_acquire);  // R1
             if (current == kNone) return NoData;
             if (seen == current && !copyOld) return OldData;
             const Slot& slot = at(indexOf(current));
@@ -96,20 +95,20 @@ public:
             if (slot.version.load(std::memory_order_acquire) != version) continue;  // R2
             Word copy[kMaxWords];
             for (std::size_t w = 0; w < words_; ++w)
-                copy[w] = (&slot.words[0])[w].load(std::memory_order_acquire);      // R3
-            if (slot.version.load(std::memory_order_relaxed) != version) continue;  // R4
-            if (seen != current &&
-                !read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel))  // R5
+                copy[w] = (&slot.words[0])[w].load(std::memory_order_acquire);                                // R3
+            if (slot.version.load(std::memory_order_relaxed) != version) continue;                            // R4
+            if (seen != current && !read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel))  // R5
                 continue;
-            if (words_ == 1 && ops_.size == sizeof(Word)) std::memcpy(sample, copy, sizeof(Word));
-            else std::memcpy(sample, copy, ops_.size);
+            if (words_ == 1 && ops_.size == sizeof(Word))
+                std::memcpy(sample, copy, sizeof(Word));
+            else
+                std::memcpy(sample, copy, ops_.size);
             return seen == current ? OldData : NewData;
         }
     }
 
     void clear() override { current_.store(kNone, std::memory_order_release); }
-    std::size_t size() const override
-    {
+    std::size_t size() const override {
         const Word current = current_.load(std::memory_order_acquire);
         return current != kNone && current != read_.load(std::memory_order_acquire) ? 1 : 0;
     }
@@ -117,15 +116,16 @@ public:
 private:
     static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
     Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
-    void storeWords(Slot& slot, const void* sample)
-    {
+    void storeWords(Slot& slot, const void* sample) {
         const unsigned char* from = static_cast<const unsigned char*>(sample);
         std::size_t left = ops_.size;
         for (std::size_t w = 0; left > 0; ++w, from += sizeof(Word)) {
             Word word = 0;
             const std::size_t n = left < sizeof(Word) ? left : sizeof(Word);
-            if (n == sizeof(Word)) std::memcpy(&word, from, sizeof(Word));
-            else std::memcpy(&word, from, n);
+            if (n == sizeof(Word))
+                std::memcpy(&word, from, sizeof(Word));
+            else
+                std::memcpy(&word, from, n);
             (&slot.words[0])[w].store(word, std::memory_order_release);
             left -= n;
         }
@@ -142,13 +142,9 @@ private:
 
 }  // namespace
 
-bool fitsVersionedData(const types::TypeOps& ops)
-{
-    return ops.trivial && ops.size <= kMaxWords * sizeof(Word);
-}
+bool fitsVersionedData(const types::TypeOps& ops) { return ops.trivial && ops.size <= kMaxWords * sizeof(Word); }
 
-StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec)
-{
+StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec) {
     return StorePtr(new VersionedData(ops, spec.maxThreads));
 }
 

@@ -42,7 +42,7 @@ std::string parentOf(const std::string& path, const std::string& separator) {
     return at == std::string::npos ? std::string() : path.substr(0, at);
 }
 
-}
+}  // namespace
 
 std::vector<std::string> listProperties(const PropertyBag& bag, const std::string& separator) {
     std::vector<std::string> paths;
@@ -161,4 +161,4 @@ void flattenPropertyBag(PropertyBag& bag, const std::string& separator) {
     for (auto* property : flat) bag.ownProperty(property);
 }
 
-} // namespace RTT
+}  // namespace RTT

@@ -8,7 +8,9 @@
 #include <map>
 #include <memory>
 
-namespace RTT { namespace internal { namespace detail {
+namespace RTT {
+namespace internal {
+namespace detail {
 
 using base::PropertyBase;
 
@@ -91,7 +93,7 @@ bool addMissingItems(PropertyBag& target, const PropertyBag& source, const BagUp
     return good;
 }
 
-} // namespace
+}  // namespace
 
 void logUpdateError(const PropertyBase*, const std::string& text) { log(Error) << text << endlog(); }
 
@@ -138,4 +140,6 @@ bool updateOne(PropertyBase& target, const PropertyBase& source, const BagUpdate
     return false;
 }
 
-}}} // namespace RTT::internal::detail
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT

@@ -6,7 +6,9 @@
 #include <rtt/PropertyBag.hpp>
 #include <functional>
 
-namespace RTT { namespace internal { namespace detail {
+namespace RTT {
+namespace internal {
+namespace detail {
 
 /** How one bag takes over the values of another. */
 struct BagUpdate {
@@ -30,6 +32,8 @@ RTT_API bool addCopies(PropertyBag& target, const PropertyBag& source, const Bag
 /** The bag behind a property of type PropertyBag, or null. */
 RTT_API PropertyBag* bagOf(const base::PropertyBase& property);
 
-}}} // namespace RTT::internal::detail
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT
 
 #endif

@@ -12,7 +12,8 @@
 
 #include <algorithm>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 namespace {
 
@@ -22,9 +23,12 @@ public:
 
     void readChildren(const xml::Element& parent, PropertyBag& into) {
         for (const auto& child : parent.children) {
-            if (child.name == "simple") readSimpleElement(child, into);
-            else if (child.name == "struct" || child.name == "sequence") readBagElement(child, into);
-            else if (child.name != "description") readUnknown(child, into);
+            if (child.name == "simple")
+                readSimpleElement(child, into);
+            else if (child.name == "struct" || child.name == "sequence")
+                readBagElement(child, into);
+            else if (child.name != "description")
+                readUnknown(child, into);
         }
     }
 
@@ -48,23 +52,25 @@ private:
         if (!type || !value) return;
         const SimpleValue read = readSimple(type->value, name, descriptionOf(element), value->text);
         if (!read.knownType) {
-            sink_.error(type->valueWhere, "CPF005", "unknown type '" + type->value + "' of property '" + name +
-                                                        "'; expected boolean, char, octet, short, ushort, long, ulong, "
-                                                        "llong, ullong, float, double or string");
+            sink_.error(type->valueWhere, "CPF005",
+                        "unknown type '" + type->value + "' of property '" + name +
+                            "'; expected boolean, char, octet, short, ushort, long, ulong, "
+                            "llong, ullong, float, double or string");
         } else if (!read.property) {
-            sink_.error(value->textWhere, "CPF006", "property '" + name + "' of type " + type->value +
-                                                        " cannot be '" + value->text + "'; expected " + read.expected);
+            sink_.error(value->textWhere, "CPF006",
+                        "property '" + name + "' of type " + type->value + " cannot be '" + value->text +
+                            "'; expected " + read.expected);
         } else {
             if (read.trailingText)
-                sink_.warning(value->textWhere, "CPF007",
-                              "text after the number in '" + value->text + "' is ignored");
+                sink_.warning(value->textWhere, "CPF007", "text after the number in '" + value->text + "' is ignored");
             keep(element, read.property, into);
         }
     }
 
     void readBagElement(const xml::Element& element, PropertyBag& into) {
         auto* bag = new Property<PropertyBag>(element.attributeOr("name", ""), descriptionOf(element));
-        bag->value().setType(element.name == "struct" ? element.attributeOr("type", "PropertyBag") : sequenceType(element));
+        bag->value().setType(element.name == "struct" ? element.attributeOr("type", "PropertyBag")
+                                                      : sequenceType(element));
         keep(element, bag, into);
         readChildren(element, bag->value());
     }
@@ -79,8 +85,8 @@ private:
     }
 
     void readUnknown(const xml::Element& element, PropertyBag& into) {
-        sink_.warning(element.where, "CPF002", "unknown element <" + element.name +
-                                                   "> is ignored; expected simple, struct or sequence");
+        sink_.warning(element.where, "CPF002",
+                      "unknown element <" + element.name + "> is ignored; expected simple, struct or sequence");
         readChildren(element, into);
     }
 
@@ -97,7 +103,7 @@ bool readDocument(const std::optional<xml::Document>& document, PropertyBag& int
     return readBag(document->root(), into, sink, places);
 }
 
-}
+}  // namespace
 
 bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places) {
     const auto before = sink.errorCount();
@@ -118,4 +124,5 @@ void logDiagnostics(const diag::Sink& sink) {
         log(diagnostic.severity == diag::Severity::Error ? Error : Warning) << diag::toString(diagnostic) << endlog();
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

@@ -12,7 +12,8 @@
 #include <string>
 #include <unordered_map>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 namespace diag = oroforge::diag;
 namespace xml = oroforge::xml;
@@ -34,6 +35,7 @@ RTT_API bool readText(const std::string& text, const std::string& name, Property
 /** Writes what the sink has to the log, one line each. */
 RTT_API void logDiagnostics(const diag::Sink& sink);
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

@@ -5,7 +5,8 @@
 #include <charconv>
 #include <type_traits>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 namespace {
 
@@ -15,7 +16,8 @@ struct Text {
     const std::string& value;
 };
 
-template <class T> void make(SimpleValue& result, const Text& text, const T& value) {
+template <class T>
+void make(SimpleValue& result, const Text& text, const T& value) {
     result.property = new Property<T>(text.name, text.description, value);
 }
 
@@ -25,7 +27,8 @@ void readBool(SimpleValue& result, const Text& text) {
     if (text.value == "false" || text.value == "0") make(result, text, false);
 }
 
-template <class C> void readChar(SimpleValue& result, const Text& text) {
+template <class C>
+void readChar(SimpleValue& result, const Text& text) {
     result.expected = "one character";
     if (text.value.size() <= 1) make<C>(result, text, text.value.empty() ? C() : static_cast<C>(text.value[0]));
 }
@@ -33,7 +36,8 @@ template <class C> void readChar(SimpleValue& result, const Text& text) {
 void readString(SimpleValue& result, const Text& text) { make(result, text, text.value); }
 
 /** Independent of the locale; files of the original may have text behind the number, which it ignored. */
-template <class T> void readNumber(SimpleValue& result, const Text& text) {
+template <class T>
+void readNumber(SimpleValue& result, const Text& text) {
     result.expected = std::is_floating_point<T>::value ? "a number" : "a whole number";
     const char* begin = text.value.c_str();
     const char* end = begin + text.value.size();
@@ -52,17 +56,24 @@ struct SimpleType {
 };
 
 constexpr SimpleType simpleTypes[] = {
-    {"boolean", &readBool},          {"char", &readChar<char>},
-    {"octet", &readChar<unsigned char>}, {"uchar", &readChar<unsigned char>},
-    {"long", &readNumber<int>},      {"short", &readNumber<int>},
-    {"ulong", &readNumber<unsigned int>}, {"ushort", &readNumber<unsigned int>},
-    {"llong", &readNumber<long long>}, {"ullong", &readNumber<unsigned long long>},
-    {"double", &readNumber<double>}, {"float", &readNumber<float>},
+    {"boolean", &readBool},
+    {"char", &readChar<char>},
+    {"octet", &readChar<unsigned char>},
+    {"uchar", &readChar<unsigned char>},
+    {"long", &readNumber<int>},
+    {"short", &readNumber<int>},
+    {"ulong", &readNumber<unsigned int>},
+    {"ushort", &readNumber<unsigned int>},
+    {"llong", &readNumber<long long>},
+    {"ullong", &readNumber<unsigned long long>},
+    {"double", &readNumber<double>},
+    {"float", &readNumber<float>},
     {"string", &readString},
 };
 
 /** The shortest text that reads back as the same number. */
-template <class T> std::string numberText(T value) {
+template <class T>
+std::string numberText(T value) {
     char buffer[64];
     const auto written = std::to_chars(buffer, buffer + sizeof buffer, value);
     return std::string(buffer, written.ptr);
@@ -79,22 +90,25 @@ bool set(const Written& to, const char* type, std::string text) {
     return true;
 }
 
-template <class T> const T* valueIn(const base::PropertyBase& property) {
+template <class T>
+const T* valueIn(const base::PropertyBase& property) {
     const auto* typed = dynamic_cast<const Property<T>*>(&property);
     return typed ? &typed->rvalue() : nullptr;
 }
 
-template <class T> bool writeNumber(const base::PropertyBase& property, const char* type, const Written& to) {
+template <class T>
+bool writeNumber(const base::PropertyBase& property, const char* type, const Written& to) {
     const T* value = valueIn<T>(property);
     return value && set(to, type, numberText(*value));
 }
 
-template <class C> bool writeChar(const base::PropertyBase& property, const char* type, const Written& to) {
+template <class C>
+bool writeChar(const base::PropertyBase& property, const char* type, const Written& to) {
     const C* value = valueIn<C>(property);
     return value && set(to, type, *value ? std::string(1, static_cast<char>(*value)) : std::string());
 }
 
-}
+}  // namespace
 
 SimpleValue readSimple(const std::string& type, const std::string& name, const std::string& description,
                        const std::string& text) {
@@ -119,4 +133,5 @@ bool writeSimple(const base::PropertyBase& property, std::string& type, std::str
            writeChar<char>(property, "char", to) || writeChar<unsigned char>(property, "octet", to);
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

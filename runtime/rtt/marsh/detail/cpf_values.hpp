@@ -7,14 +7,15 @@
 #include <rtt/PropertyBag.hpp>
 #include <string>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 /** What reading one value came to. */
 struct SimpleValue {
-    base::PropertyBase* property = nullptr;   ///< new; null if the text is not such a value
+    base::PropertyBase* property = nullptr;  ///< new; null if the text is not such a value
     bool knownType = true;
-    bool trailingText = false;                ///< a number was followed by something else
-    std::string expected;                     ///< what such a value looks like
+    bool trailingText = false;  ///< a number was followed by something else
+    std::string expected;       ///< what such a value looks like
 };
 
 /** A new property of the type that `type` names in property files. */
@@ -24,6 +25,7 @@ SimpleValue readSimple(const std::string& type, const std::string& name, const s
 /** Sets `type` and `text` to what stands for the value in a property file; false if its type has no such form. */
 bool writeSimple(const base::PropertyBase& property, std::string& type, std::string& text);
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

@@ -15,7 +15,8 @@
 #include <fstream>
 #include <memory>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 namespace xml = oroforge::xml;
 
@@ -61,7 +62,8 @@ private:
 
     void openTag(const char* tag, const base::PropertyBase& property, const std::string& type, std::size_t indent) {
         text_.append(indent, ' ').append("<").append(tag);
-        if (!property.getName().empty()) text_.append(" name=\"").append(xml::escapeAttribute(property.getName())) += '"';
+        if (!property.getName().empty())
+            text_.append(" name=\"").append(xml::escapeAttribute(property.getName())) += '"';
         text_.append(" type=\"").append(xml::escapeAttribute(type)).append("\">");
     }
     void writeDescription(const base::PropertyBase& property) {
@@ -88,10 +90,11 @@ private:
     std::string& text_;
 };
 
-}
+}  // namespace
 
 std::string cpfText(const PropertyBag& bag) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n";
+    std::string text =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n";
     Writer(text).writeItems(bag, 2);
     return text += "</properties>\n";
 }
@@ -114,4 +117,5 @@ bool writeFile(const std::string& file, const std::string& text) {
     return false;
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

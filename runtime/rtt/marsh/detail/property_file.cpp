@@ -10,7 +10,8 @@
 #include <filesystem>
 #include <memory>
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 using base::PropertyBase;
 using internal::detail::bagOf;
@@ -40,8 +41,10 @@ void restore(PropertyBag& bag, const PropertyBag& saved) {
         const PropertyBase* from = saved.getItem(i);
         PropertyBag* inner = bagOf(*bag.getItem(i));
         const PropertyBag* savedInner = bagOf(*from);
-        if (inner && savedInner) restore(*inner, *savedInner);
-        else bag.getItem(i)->getDataSource()->update(from->getDataSource().get());
+        if (inner && savedInner)
+            restore(*inner, *savedInner);
+        else
+            bag.getItem(i)->getDataSource()->update(from->getDataSource().get());
     }
 }
 
@@ -85,7 +88,7 @@ bool write(const std::string& file, const PropertyBag& bag, diag::Sink& sink) {
     return false;
 }
 
-}
+}  // namespace
 
 bool loadFromFile(PropertyBag& bag, const std::string& file, LoadMode mode, diag::Sink& sink) {
     PropertyBag read, saved;
@@ -143,4 +146,5 @@ bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::s
     return write(file, read, sink);
 }
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT

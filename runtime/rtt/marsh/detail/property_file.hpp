@@ -6,7 +6,8 @@
 
 #include "cpf_reader.hpp"
 
-namespace RTT { namespace marsh {
+namespace RTT {
+namespace marsh {
 
 enum class LoadMode {
     refresh,        ///< what both have
@@ -29,6 +30,7 @@ enum class SaveMode {
 RTT_API bool saveToFile(const PropertyBag& bag, const std::string& file, SaveMode mode, diag::Sink& sink);
 RTT_API bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink);
 
-}} // namespace RTT::marsh
+}  // namespace marsh
+}  // namespace RTT
 
 #endif

@@ -6,7 +6,9 @@
 #include <rtt/types/MemberFactory.hpp>
 #include <rtt/types/TemplateTypeInfo.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 
@@ -29,8 +31,10 @@ public:
     }
 };
 
-}
+}  // namespace
 
 void addBags() { Types()->addType(new BagInfo()); }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -4,7 +4,9 @@
 #ifndef ORO_BUILTIN_PARTS_HPP
 #define ORO_BUILTIN_PARTS_HPP
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 void addNumbers();
 void addSmallNumbers();
@@ -19,6 +21,8 @@ void addNumberOperators();
 void addTextOperators();
 void addGlobals();
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -5,8 +5,12 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/types/PrimitiveTypeInfo.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 void addComponentTypes() { Types()->addType(new PrimitiveTypeInfo<TaskContext*>("TaskContext")); }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -5,7 +5,9 @@
 
 #include <rtt/types/TemplateConstructor.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 struct Conversion {
     TypeRef to, from;
@@ -13,26 +15,34 @@ struct Conversion {
     ComputeFunction call;
 };
 
-template <class To, class From> bool convertNumber(const void*, const void* const* arguments, void* result) {
+template <class To, class From>
+bool convertNumber(const void*, const void* const* arguments, void* result) {
     *static_cast<To*>(result) = static_cast<To>(*static_cast<const From*>(arguments[0]));
     return true;
 }
 
 /** Silent. */
-template <class To, class From> constexpr Conversion silent() {
+template <class To, class From>
+constexpr Conversion silent() {
     return {&typeRef<To>, &typeRef<From>, true, &convertNumber<To, From>};
 }
 
 /** With a warning. */
-template <class To, class From> constexpr Conversion warned() {
+template <class To, class From>
+constexpr Conversion warned() {
     return {&typeRef<To>, &typeRef<From>, false, &convertNumber<To, From>};
 }
 
 /** Adds each to the type it converts to. */
 void addConversions(const Conversion* rows, std::size_t count);
 
-template <std::size_t N> void addConversions(const Conversion (&rows)[N]) { addConversions(rows, N); }
+template <std::size_t N>
+void addConversions(const Conversion (&rows)[N]) {
+    addConversions(rows, N);
+}
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -9,17 +9,20 @@
 #include <rtt/os/fosi.h>
 #include <rtt/types/GlobalsRepository.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 
 /** Names that exist already, added by a user, stay what they are. */
-template <class T> void add(const char* name, T value) {
+template <class T>
+void add(const char* name, T value) {
     const auto globals = GlobalsRepository::Instance();
     if (!globals->hasAttribute(name)) globals->setValue(new Constant<T>(name, value));
 }
 
-}
+}  // namespace
 
 void addGlobals() {
     add("NoData", NoData);
@@ -51,4 +54,6 @@ void addGlobals() {
     GlobalsRepository::Instance()->addAttribute("DefaultConnPolicy", ConnPolicy::Default());
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

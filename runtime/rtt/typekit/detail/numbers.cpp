@@ -6,7 +6,9 @@
 #include <rtt/typekit/StdTypeInfo.hpp>
 #include <rtt/types/TypeInfoName.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 void addNumbers() {
     const auto types = Types();
@@ -21,4 +23,6 @@ void addNumbers() {
     types->addType(new TypeInfoName<void>("void"));
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

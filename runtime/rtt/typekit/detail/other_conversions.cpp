@@ -7,7 +7,9 @@
 #include <rtt/SendStatus.hpp>
 #include <string>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 
@@ -34,8 +36,10 @@ constexpr Conversion conversions[] = {
     {&typeRef<std::string>, &typeRef<int>, false, &textOfSize},
 };
 
-}
+}  // namespace
 
 void addOtherConversions() { addConversions(conversions); }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -5,7 +5,9 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/types/GeneratedTypekit.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 constexpr Enumerator bufferPolicy[] = {
@@ -29,12 +31,15 @@ constexpr Member connPolicy[] = {
     {"data_size", offsetof(ConnPolicy, data_size), &typeRef<int>, 0, "hint for transports", "byte"},
     {"name_id", offsetof(ConnPolicy, name_id), &typeRef<std::string>, 0, "name of a stream", ""},
 };
-}
+}  // namespace
 
 void addPolicies() {
-    Types()->addType(makeEnumType<BufferPolicy>("BufferPolicy", bufferPolicy, sizeof bufferPolicy / sizeof bufferPolicy[0]));
+    Types()->addType(
+        makeEnumType<BufferPolicy>("BufferPolicy", bufferPolicy, sizeof bufferPolicy / sizeof bufferPolicy[0]));
     Types()->addType(makeStructType<ConnPolicy>("ConnPolicy", connPolicy, sizeof connPolicy / sizeof connPolicy[0],
                                                 "how two ports are joined"));
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -7,7 +7,9 @@
 #include <rtt/types/TemplateTypeInfo.hpp>
 #include <limits>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 
@@ -46,7 +48,8 @@ private:
         const void* value = detail::valueOfType(source, typeid(From));
         return value && store(*static_cast<const From*>(value), target);
     }
-    template <class From> static bool store(From number, const base::DataSourceBase::shared_ptr& target) {
+    template <class From>
+    static bool store(From number, const base::DataSourceBase::shared_ptr& target) {
         void* storage = detail::storageOfType(target, typeid(T));
         const T small = static_cast<T>(number);
         if (!storage || static_cast<From>(small) != number || (small < 0) != (number < 0)) return false;
@@ -56,7 +59,7 @@ private:
     }
 };
 
-}
+}  // namespace
 
 void addSmallNumbers() {
     const auto types = Types();
@@ -68,4 +71,6 @@ void addSmallNumbers() {
     types->addType(new SmallNumberInfo<unsigned long, unsigned long long>("uint64"));
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

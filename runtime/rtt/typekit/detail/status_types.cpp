@@ -6,7 +6,9 @@
 #include <rtt/SendStatus.hpp>
 #include <rtt/types/GeneratedTypekit.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 constexpr Enumerator flowStatus[] = {
@@ -25,7 +27,7 @@ constexpr Enumerator sendStatus[] = {
     {"SendNotReady", SendNotReady, ""},
     {"SendSuccess", SendSuccess, ""},
 };
-}
+}  // namespace
 
 void addStatusTypes() {
     Types()->addType(makeEnumType<FlowStatus>("FlowStatus", flowStatus, 3));
@@ -33,4 +35,6 @@ void addStatusTypes() {
     Types()->addType(makeEnumType<SendStatus>("SendStatus", sendStatus, 4));
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -8,27 +8,33 @@
 #include <sstream>
 #include <string>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 namespace {
 
 /** Text and the text form of a value. Allocates. */
 struct Append {
-    template <class T> std::string operator()(const std::string& text, const T& value) const {
+    template <class T>
+    std::string operator()(const std::string& text, const T& value) const {
         std::ostringstream result;
         result << std::boolalpha << text << value;
         return result.str();
     }
 };
 
-template <class T> constexpr OperatorRow append() { return binary<Append, std::string, std::string, T>("+"); }
+template <class T>
+constexpr OperatorRow append() {
+    return binary<Append, std::string, std::string, T>("+");
+}
 
 constexpr OperatorRow appends[] = {
     append<std::string>(), append<int>(),  append<unsigned int>(), append<double>(),
     append<float>(),       append<bool>(), append<char>(),
 };
 
-}
+}  // namespace
 
 void addTextOperators() {
     operators()->add(appends, sizeof appends / sizeof appends[0]);
@@ -39,4 +45,6 @@ void addTextOperators() {
     addComparisons<SendStatus>();
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

@@ -5,11 +5,15 @@
 #include <rtt/typekit/StdStringTypeInfo.hpp>
 #include <rtt/types/StdVectorTypeInfo.hpp>
 
-namespace RTT { namespace types { namespace builtin {
+namespace RTT {
+namespace types {
+namespace builtin {
 
 void addTexts() {
     Types()->addType(new StdStringTypeInfo());
     Types()->addType(new StdVectorTypeInfo());
 }
 
-}}} // namespace RTT::types::builtin
+}  // namespace builtin
+}  // namespace types
+}  // namespace RTT

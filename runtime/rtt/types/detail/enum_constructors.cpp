@@ -5,7 +5,9 @@
 #include <rtt/types/TemplateConstructor.hpp>
 #include <memory>
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 namespace {
 bool enumFromInt(const void* numbers, const void* const* arguments, void* result) {
@@ -27,7 +29,7 @@ ErasedFunction conversion(ComputeFunction call, const EnumOps& numbers, TypeRef 
     function.arguments = {argument, nullptr, nullptr};
     return function;
 }
-}
+}  // namespace
 
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumOps& numbers) {
     info.addConstructor(newErasedConstructor(conversion(&enumFromInt, numbers, enumType, &typeRef<int>), true));
@@ -35,4 +37,6 @@ void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumOps& number
         number->addConstructor(newErasedConstructor(conversion(&intFromEnum, numbers, &typeRef<int>, enumType), true));
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include <rtt/types/StructTable.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypeInfo;
 
@@ -14,8 +15,9 @@ namespace detail {
 /** Adds the silent conversions from int to the enum and, if int is registered, from the enum to int. */
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumOps& numbers);
 
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -13,7 +13,9 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 using base::DataSourceBase;
 
@@ -87,7 +89,7 @@ private:
     TypeRef type_;
 };
 
-} // namespace
+}  // namespace
 
 TypeInfoGenerator* newEnumGenerator(const char* name, const Enumerator* values, std::size_t count, const char* doc,
                                     const TypeOps& ops, const TypeThunks& thunks, const EnumOps& enumOps,
@@ -95,4 +97,6 @@ TypeInfoGenerator* newEnumGenerator(const char* name, const Enumerator* values, 
     return new EnumTable(name, values, count, doc, ops, thunks, enumOps, type);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

@@ -5,7 +5,8 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 class TypeInfo;
 
@@ -17,6 +18,8 @@ RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& 
 /** Sets `target` from `source` whatever way there is: assignment, conversion, composition. */
 RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -9,7 +9,9 @@
 #include <cstring>
 #include <memory>
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -33,9 +35,7 @@ public:
         ready_ = true;
         for (const auto& argument : arguments_) ready_ = argument->evaluate() && ready_;
     }
-    bool execute() override {
-        return ready_ && (kind_ == Kind::elements ? fillElements() : fillSize());
-    }
+    bool execute() override { return ready_ && (kind_ == Kind::elements ? fillElements() : fillSize()); }
     ActionInterface* clone() const override { return new FillAction(ops_, kind_, arguments_, result_); }
     ActionInterface* copy(std::map<const DataSourceBase*, DataSourceBase*>& cloned) const override {
         Arguments arguments;
@@ -102,10 +102,12 @@ private:
     const TypeThunks& thunks_;
 };
 
-} // namespace
+}  // namespace
 
 TypeConstructor* newSequenceConstructor(const SequenceOps& sequence, const TypeThunks& thunks) {
     return new SequenceConstructor(sequence, thunks);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

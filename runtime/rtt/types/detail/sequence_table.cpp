@@ -6,13 +6,16 @@
 #include <rtt/types/SequenceMembers.hpp>
 #include "table_generator.hpp"
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 namespace {
 
 class SequenceTable : public TableGenerator, public SequenceMembers {
 public:
-    SequenceTable(const char* name, const SequenceOps& sequence, const TypeOps& ops, const TypeThunks& thunks, bool array)
+    SequenceTable(const char* name, const SequenceOps& sequence, const TypeOps& ops, const TypeThunks& thunks,
+                  bool array)
         : TableGenerator(name, "", ops, thunks), SequenceMembers(sequence), sequence_(sequence), array_(array) {}
 
     bool installTypeInfoObject(TypeInfo* info) override {
@@ -21,8 +24,10 @@ public:
         info->setMemberFactory(self);
         info->setCompositionFactory(self);
         info->setStreamFactory(self);
-        if (array_) info->setArrayElement(sequence_.elementType());
-        else info->addConstructor(newSequenceConstructor(sequence_, thunks()));
+        if (array_)
+            info->setArrayElement(sequence_.elementType());
+        else
+            info->addConstructor(newSequenceConstructor(sequence_, thunks()));
         return false;
     }
 
@@ -31,7 +36,7 @@ private:
     bool array_;
 };
 
-} // namespace
+}  // namespace
 
 TypeInfoGenerator* newSequenceGenerator(const char* name, const SequenceOps& sequence, const TypeOps& ops,
                                         const TypeThunks& thunks) {
@@ -43,4 +48,6 @@ TypeInfoGenerator* newArrayGenerator(const char* name, const SequenceOps& sequen
     return new SequenceTable(name, sequence, ops, thunks, true);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

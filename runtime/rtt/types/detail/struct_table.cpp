@@ -5,7 +5,9 @@
 
 #include "table_generator.hpp"
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 namespace {
 
@@ -25,11 +27,13 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
 TypeInfoGenerator* newStructGenerator(const char* name, const Member* members, std::size_t count, const char* doc,
                                       const TypeOps& ops, const TypeThunks& thunks) {
     return new StructTable(name, members, count, doc, ops, thunks);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

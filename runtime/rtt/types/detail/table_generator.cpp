@@ -6,7 +6,9 @@
 #include <rtt/types/TypeOps.hpp>
 #include "member_update.hpp"
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 TableGenerator::TableGenerator(const char* name, const char* doc, const TypeOps& ops, const TypeThunks& thunks)
     : name_(name), doc_(doc), ops_(&ops), thunks_(&thunks) {}
@@ -32,4 +34,6 @@ bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceB
     return type->composeType(source, target);
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

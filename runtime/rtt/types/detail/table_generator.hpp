@@ -6,7 +6,9 @@
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoGenerator.hpp>
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 /** What the generators over constant tables have in common: the name, and the tables of operations and thunks. */
 class TableGenerator : public TypeInfoGenerator {
@@ -28,6 +30,8 @@ private:
     const TypeThunks* thunks_;
 };
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT
 
 #endif

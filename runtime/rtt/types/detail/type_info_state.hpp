@@ -10,7 +10,8 @@
 #include <map>
 #include <mutex>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 /** Everything in a TypeInfo. The mutex guards what is not atomic or constant; no user code runs while it is held. */
 struct TypeInfo::State {
@@ -33,7 +34,8 @@ struct TypeInfo::State {
     StreamFactoryPtr streams;
     ConnFactoryPtr ports;
 
-    template <class F> auto locked(F read) const {
+    template <class F>
+    auto locked(F read) const {
         std::lock_guard<std::mutex> lock(mutex);
         return read();
     }
@@ -42,6 +44,7 @@ struct TypeInfo::State {
     }
 };
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -2,13 +2,17 @@
 // Copyright Oroforge contributors
 #include "type_names.hpp"
 
-namespace RTT { namespace types { namespace detail {
+namespace RTT {
+namespace types {
+namespace detail {
 
 std::string dottedName(const std::string& name) {
     std::string result;
     for (const char c : name) {
-        if (c != '/') result += c;
-        else if (!result.empty() && result.back() != '<') result += '.';
+        if (c != '/')
+            result += c;
+        else if (!result.empty() && result.back() != '<')
+            result += '.';
     }
     return result;
 }
@@ -16,11 +20,16 @@ std::string dottedName(const std::string& name) {
 std::string slashedName(const std::string& name) {
     std::string result = "/";
     for (const char c : name) {
-        if (c == '.') result += '/';
-        else if (c == '<') result += "</";
-        else result += c;
+        if (c == '.')
+            result += '/';
+        else if (c == '<')
+            result += "</";
+        else
+            result += c;
     }
     return result;
 }
 
-}}} // namespace RTT::types::detail
+}  // namespace detail
+}  // namespace types
+}  // namespace RTT

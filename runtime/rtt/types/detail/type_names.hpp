@@ -5,15 +5,17 @@
 
 #include <string>
 
-namespace RTT { namespace types {
+namespace RTT {
+namespace types {
 
 namespace detail {
 /** "/std/vector</double>" as "std.vector<double>", the form of scripts and displays. */
 std::string dottedName(const std::string& name);
 /** "pkg.Type" as "/pkg/Type", and "pkg.Box<pkg.Type>" as "/pkg/Box</pkg/Type>". */
 std::string slashedName(const std::string& name);
-}
+}  // namespace detail
 
-}} // namespace RTT::types
+}  // namespace types
+}  // namespace RTT
 
 #endif
