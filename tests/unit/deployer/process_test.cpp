@@ -151,14 +151,38 @@ TEST_F(DeployerProgram, LogLevelAndNoConsolelogDecideWhatIsShown) {
     EXPECT_THAT(readFile(directory_ / "orocos.log"), HasSubstr("created component 'producer'"));
 }
 
-TEST_F(DeployerProgram, WrapperNeedsTheTargetAndAddsTheComponentPathOfTheWorkspace) {
+TEST_F(DeployerProgram, WrapperStartsTheOnlyProgramOfItsNameOrThatOfTheTarget) {
+    std::filesystem::copy_file(DEPLOYER_WRAPPER, directory_ / "greet");
+    const auto greeter = [this](const std::string& program, const std::string& text) {
+        directory_.write(program, "#!/bin/sh\necho " + text + " $1\n");
+        std::filesystem::permissions(directory_ / program, std::filesystem::perms::owner_all);
+    };
+    Command wrapper = command({"you"});
+    wrapper.program = (directory_ / "greet").string();
+    wrapper.environment = {{"OROCOS_TARGET", ""}};
+    const Outcome none = run(wrapper);
+    EXPECT_EQ(1, none.status);
+    EXPECT_THAT(none.err, HasSubstr("there are programs for: none"));
+
+    greeter("greet-one", "one");
+    greeter("greet-corba-one", "another program");
+    EXPECT_EQ("one you\n", run(wrapper).out);
+
+    greeter("greet-two", "two");
+    const Outcome several = run(wrapper);
+    EXPECT_EQ(1, several.status);
+    EXPECT_THAT(several.err, HasSubstr("for several targets: one two"));
+    wrapper.environment = {{"OROCOS_TARGET", "two"}};
+    EXPECT_EQ("two you\n", run(wrapper).out);
+    wrapper.environment = {{"OROCOS_TARGET", "three"}};
+    const Outcome unknown = run(wrapper);
+    EXPECT_EQ(1, unknown.status);
+    EXPECT_THAT(unknown.err, HasSubstr("no program for target 'three'"));
+}
+
+TEST_F(DeployerProgram, WrapperAddsTheComponentPathOfTheWorkspace) {
     Command wrapper = command({"--check", "-s", "app.xml"});
     wrapper.program = DEPLOYER_WRAPPER;
-    wrapper.environment = {{"OROCOS_TARGET", ""}};
-    const Outcome refused = run(wrapper);
-    EXPECT_EQ(1, refused.status);
-    EXPECT_THAT(refused.err, HasSubstr("OROCOS_TARGET is not set"));
-
     directory_.write("app.xml", kApplication);
     std::filesystem::create_directory_symlink(DEPLOYER_TEST_PATH, directory_ / "components");
     directory_.write(".rtt_component_path", "components\n");
