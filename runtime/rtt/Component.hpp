@@ -34,6 +34,8 @@ typedef std::map<std::string, ComponentLoaderSignature> FactoryMap;
 class RTT_API ComponentFactories {
 public:
     static FactoryMap& Instance();
+    /** Adds a type to `types`, or replaces the one of that name. */
+    static void add(FactoryMap& types, const std::string& type_name, ComponentLoaderSignature create);
 };
 
 namespace plugin {
@@ -57,9 +59,9 @@ class RTT_HIDE ComponentFactoryLoader {
 public:
     explicit ComponentFactoryLoader(const std::string& type_name) {
 #ifdef RTT_COMPONENT
-        plugin::libraryFactories()[type_name] = &plugin::createComponentOf<C>;
+        ComponentFactories::add(plugin::libraryFactories(), type_name, &plugin::createComponentOf<C>);
 #else
-        ComponentFactories::Instance()[type_name] = &plugin::createComponentOf<C>;
+        ComponentFactories::add(ComponentFactories::Instance(), type_name, &plugin::createComponentOf<C>);
 #endif
     }
 };

@@ -68,6 +68,8 @@ bool ServiceRequester::addServiceRequester(shared_ptr requester) {
     return true;
 }
 
+bool ServiceRequester::requiresService(const std::string& name) const { return requesters_.count(name) != 0; }
+
 ServiceRequester::RequesterNames ServiceRequester::getRequesterNames() const {
     RequesterNames names;
     for (const auto& entry : requesters_) names.push_back(entry.first);

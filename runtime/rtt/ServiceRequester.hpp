@@ -48,7 +48,7 @@ public:
     shared_ptr requires(const std::string& name) { return requires_(name); }
 #endif
     bool addServiceRequester(shared_ptr requester);
-    bool requiresService(const std::string& name) const { return requesters_.count(name) != 0; }
+    bool requiresService(const std::string& name) const;
     RequesterNames getRequesterNames() const;
 
     /** Binds each caller that is not ready to the operation of its name. True if all are ready then. */

@@ -34,6 +34,16 @@ bool DataSourceBase::assignValue(const void*) { return false; }
 
 const std::type_info* DataSourceBase::getTypeId() const { return nullptr; }
 
+DataSourceBase* DataSourceBase::knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const {
+    const auto found = alreadyCloned.find(this);
+    return found == alreadyCloned.end() ? nullptr : found->second;
+}
+
+void DataSourceBase::noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned,
+                              DataSourceBase* made) const {
+    alreadyCloned[this] = made;
+}
+
 bool DataSourceBase::hasTypeOf(const DataSourceBase& other) const {
     const std::type_info* mine = getTypeId();
     const std::type_info* theirs = other.getTypeId();

@@ -119,6 +119,11 @@ public:
 protected:
     virtual ~DataSourceBase();
 
+    /** For copy(): what this source was copied to before; null if it was not. */
+    DataSourceBase* knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
+    /** For copy(): notes what this source was copied to. */
+    void noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned, DataSourceBase* made) const;
+
 private:
     mutable std::atomic<int> refs_;
 };

@@ -66,6 +66,10 @@ FactoryMap& ComponentFactories::Instance() {
     return types;
 }
 
+void ComponentFactories::add(FactoryMap& types, const std::string& type_name, ComponentLoaderSignature create) {
+    types[type_name] = create;
+}
+
 struct ComponentLoader::Impl {
     plugin::ComponentTable table;
     mutable std::mutex pathMutex;

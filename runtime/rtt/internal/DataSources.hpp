@@ -32,9 +32,9 @@ public:
 
     ValueDataSource<T>* clone() const override { return new ValueDataSource<T>(mdata); }
     ValueDataSource<T>* copy(CopyMap& cloned) const override {
-        if (auto* known = cloned[this]) return static_cast<ValueDataSource<T>*>(known);
+        if (auto* known = this->knownCopy(cloned)) return static_cast<ValueDataSource<T>*>(known);
         auto* self = const_cast<ValueDataSource<T>*>(this);
-        cloned[this] = self;
+        this->noteCopy(cloned, self);
         return self;
     }
 
@@ -51,9 +51,9 @@ public:
 
     UnboundDataSource<BoundT>* clone() const override { return new UnboundDataSource<BoundT>(this->rvalue()); }
     UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
-        if (auto* known = cloned[this]) return static_cast<UnboundDataSource<BoundT>*>(known);
+        if (auto* known = this->knownCopy(cloned)) return static_cast<UnboundDataSource<BoundT>*>(known);
         auto* made = new UnboundDataSource<BoundT>(this->rvalue());
-        cloned[this] = made;
+        this->noteCopy(cloned, made);
         return made;
     }
 };

@@ -156,9 +156,9 @@ public:
     typename AssignableDataSource<T>::reference_t set() override { return view_; }
     ArrayDataSource<T>* clone() const override { return new ArrayDataSource<T>(view_); }
     ArrayDataSource<T>* copy(CopyMap& cloned) const override {
-        if (auto* known = cloned[this]) return static_cast<ArrayDataSource<T>*>(known);
+        if (auto* known = this->knownCopy(cloned)) return static_cast<ArrayDataSource<T>*>(known);
         auto* self = const_cast<ArrayDataSource<T>*>(this);
-        cloned[this] = self;
+        this->noteCopy(cloned, self);
         return self;
     }
 

@@ -41,11 +41,11 @@ public:
 
     PartDataSource<T>* clone() const override { return new PartDataSource<T>(*ref_, parent_); }
     PartDataSource<T>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
-        if (auto* known = cloned[this]) return static_cast<PartDataSource<T>*>(known);
+        if (auto* known = this->knownCopy(cloned)) return static_cast<PartDataSource<T>*>(known);
         base::DataSourceBase* parent = parent_->copy(cloned);
         auto* at = static_cast<char*>(parent->getRawPointer()) + partOffset(ref_, *parent_);
         auto* made = new PartDataSource<T>(*reinterpret_cast<typename DataSource<T>::value_t*>(at), parent);
-        cloned[this] = made;
+        this->noteCopy(cloned, made);
         return made;
     }
 
@@ -79,11 +79,11 @@ public:
         return new ArrayPartDataSource<E>(view_.address(), view_.count(), parent_);
     }
     ArrayPartDataSource<E>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
-        if (auto* known = cloned[this]) return static_cast<ArrayPartDataSource<E>*>(known);
+        if (auto* known = this->knownCopy(cloned)) return static_cast<ArrayPartDataSource<E>*>(known);
         base::DataSourceBase* parent = parent_->copy(cloned);
         auto* at = static_cast<char*>(parent->getRawPointer()) + partOffset(view_.address(), *parent_);
         auto* made = new ArrayPartDataSource<E>(reinterpret_cast<E*>(at), view_.count(), parent);
-        cloned[this] = made;
+        this->noteCopy(cloned, made);
         return made;
     }
 
