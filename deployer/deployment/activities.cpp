@@ -79,11 +79,10 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
     if (!activity) return false;
     const bool ownThread = kind == ActivityKind::Activity || kind == ActivityKind::NonPeriodic;
     if (ownThread && activity->thread()) activity->thread()->setWaitPeriodPolicy(waitPolicy);
-    if (!component.setActivity(activity.get())) {
+    if (!component.setActivity(activity.release())) {  // which owns it, also if it refuses
         error = "the component does not accept it; it cannot be set from the component's own thread";
         return false;
     }
-    (void)activity.release();  // the component owns it now
     if (master && master != &component && !master->hasPeer(component.getName()))
         master->addPeer(&component);  // the master's code finds its slaves among its peers
     return true;
@@ -91,18 +90,29 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
 
 bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind kind, const ActivityNumbers& numbers,
                     RTT::TaskContext* master, std::string& error) {
-    const std::vector<Record*> slaves = slavesOf(session, component.getName());
-    for (const Record* slave : slaves)
-        if (slave->instance->isRunning()) {
-            error = "its slave '" + slave->name + "' is running";
-            return false;
-        }
-    std::string ignored;
-    for (const Record* slave : slaves)
-        (void)setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, ignored);
-    const bool changed = setActivity(component, kind, numbers, master, session.waitPeriodPolicy, error);
-    for (const Record* slave : slaves)
-        (void)setActivity(*slave->instance, ActivityKind::Slave, ActivityNumbers(), &component, 0, ignored);
+    if (component.isRunning()) {
+        error = "the component is running";
+        return false;
+    }
+    // A slave names the activity of its master, so none may be left while that is exchanged.
+    std::vector<RTT::TaskContext*> released;
+    bool changed = true;
+    for (const Record* slave : slavesOf(session, component.getName())) {
+        if (!changed) break;
+        std::string reason;
+        changed = setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, reason);
+        if (changed)
+            released.push_back(slave->instance);
+        else
+            error = "its slave '" + slave->name + "' does not let go of the present one: " + reason;
+    }
+    changed = changed && setActivity(component, kind, numbers, master, session.waitPeriodPolicy, error);
+    for (RTT::TaskContext* slave : released) {
+        std::string reason;
+        if (!setActivity(*slave, ActivityKind::Slave, ActivityNumbers(), &component, 0, reason))
+            RTT::log(RTT::Error) << "component '" << slave->getName() << "' is no longer a slave of '"
+                                 << component.getName() << "': " << reason << RTT::endlog();
+    }
     if (changed) session.recordOf(component).master = master ? master->getName() : std::string();
     return changed;
 }

@@ -7,6 +7,7 @@
 #include <rtt/OutputPort.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/startstop.h>
 #include <support/temp_dir.hpp>
@@ -127,6 +128,27 @@ TEST_F(Deployment, ActivitiesAreSetWhileStopped) {
     EXPECT_DOUBLE_EQ(0.25, peer("p")->getPeriod());
     EXPECT_TRUE(deployer_->startComponent("c"));
     EXPECT_FALSE(deployer_->setActivity("c", 0.5, 0, ORO_SCHED_OTHER));
+}
+
+TEST_F(Deployment, ActivityIsKeptIfTheComponentItselfAsksForAnother) {
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    RTT::base::ActivityInterface* const before = peer("c")->getActivity();
+    peer("c")->addOperation(
+        "change", [this] { return deployer_->setActivity("c", 0.5, 0, ORO_SCHED_OTHER); }, RTT::OwnThread);
+    RTT::OperationCaller<bool()> change(peer("c")->getOperation("change"), RTT::internal::GlobalEngine::Instance());
+    EXPECT_FALSE(change());
+    EXPECT_EQ(before, peer("c")->getActivity());
+    EXPECT_TRUE(peer("c")->isActive());
+}
+
+TEST_F(Deployment, RunningMasterKeepsItsSlavesIfItsActivityIsNotChanged) {
+    ASSERT_TRUE(deployer_->loadComponent("master", "deploytest::Consumer"));
+    ASSERT_TRUE(deployer_->loadComponent("slave", "deploytest::Consumer"));
+    ASSERT_TRUE(deployer_->setMasterSlaveActivity("master", "slave"));
+    RTT::base::ActivityInterface* const before = peer("slave")->getActivity();
+    ASSERT_TRUE(deployer_->startComponent("master"));
+    EXPECT_FALSE(deployer_->setActivity("master", 0.5, 0, ORO_SCHED_OTHER));
+    EXPECT_EQ(before, peer("slave")->getActivity());
 }
 
 TEST_F(Deployment, MasterMayBeUnloadedBeforeItsSlave) {
