@@ -25,7 +25,7 @@ deploy_until() { # text option…
   shift
   (cd "$work" && exec deployer-gnulinux "$@" < /dev/null > deploy.out 2>&1) &
   local pid=$!
-  for _ in $(seq 1 200); do
+  for _ in $(seq 1 1200); do  # a minute: the machine may be busy
     grep -qF -- "$text" "$work/deploy.out" 2> /dev/null && break
     kill -0 $pid 2> /dev/null || break
     sleep 0.05
