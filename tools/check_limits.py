@@ -24,6 +24,8 @@ ALLOWED = {
 # A line that opens the body of a function: not a control statement, not a type, not a namespace.
 OPENING = re.compile(r"^[ \t]*(?!template\b[^(]*>\s*(?:class|struct|union)\b)(?!(?:if|for|while|switch|do|else|catch|namespace|class|struct|union|enum|extern)\b|\})"
                      r"[^;]*\)[^;()]*\{[ \t]*(?://.*)?$")
+# Literals and comments of one line.
+NOT_CODE = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|//.*')
 
 
 def limit_of(path):
@@ -38,13 +40,15 @@ def is_code(path):
 
 
 def long_functions(lines):
-    """(first line, length) of functions over the limit, by matching indentation: formatted code is assumed."""
+    """(first line, length) of functions over the limit, by counting braces outside of literals and comments."""
     for start, line in enumerate(lines):
         if not OPENING.match(line):
             continue
-        indent = re.match(r"[ \t]*", line).group()
-        for end in range(start + 1, len(lines)):
-            if re.match(re.escape(indent) + r"\}", lines[end]):
+        depth = 0
+        for end in range(start, len(lines)):
+            code = NOT_CODE.sub("", lines[end])
+            depth += code.count("{") - code.count("}")
+            if depth <= 0:
                 if end - start + 1 > MAX_FUNCTION_LINES:
                     yield start + 1, end - start + 1
                 break

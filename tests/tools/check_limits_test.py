@@ -27,6 +27,12 @@ class CheckLimits(unittest.TestCase):
         body = "    call();\n" * 78
         check_none(self, SCRIPT, {"generator/a.cpp": "int C::f(int a) const {\n" + body + "}\n"})
 
+    def test_braces_end_a_function_wherever_they_stand(self):
+        body = "    call('{', \"{\");  // {\n" * 70
+        check_none(self, SCRIPT, {"generator/a.cpp": "C::C(int a)\n    : B(a) {\n" + body + "}\n"
+                                                     + "int f() {\n    if (!g([&] {\n            return 1;\n        }))\n"
+                                                     + body + "}\n"})
+
     def test_long_class_template_is_no_function(self):
         check_none(self, SCRIPT, {"generator/a.hpp": "template <class R, class... A> class C<R(A...)> : public B {\n"
                                                      + "    int a();\n" * 90 + "};\n"})
