@@ -10,10 +10,16 @@ target_sources(orocos-rtt PRIVATE
   rtt/detail/log_line.cpp
   rtt/detail/log_sink.cpp
   rtt/detail/oro_main.cpp
+  rtt/extras/FileDescriptorActivity.cpp
+  rtt/extras/FileDescriptorSimulationActivity.cpp
   rtt/extras/PeriodicActivity.cpp
   rtt/extras/SequentialActivity.cpp
+  rtt/extras/SimulationActivity.cpp
+  rtt/extras/SimulationThread.cpp
   rtt/extras/SlaveActivity.cpp
   rtt/extras/TimerThread.cpp
+  rtt/extras/detail/poll_set.cpp
+  rtt/internal/AccessGate.cpp
   rtt/os/Condition.cpp
   rtt/os/MainThread.cpp
   rtt/os/Mutex.cpp
@@ -24,7 +30,11 @@ target_sources(orocos-rtt PRIVATE
   rtt/os/ThreadStartStop.cpp
   rtt/os/TimeService.cpp
   rtt/os/Timer.cpp
+  rtt/os/detail/memory_check.cpp
+  rtt/os/detail/memory_pool.cpp
   rtt/os/detail/os_log.cpp
+  rtt/os/detail/pool_registry.cpp
   rtt/os/detail/scheduling.cpp
+  rtt/os/oro_malloc.cpp
   rtt/os/startstop.cpp
   rtt/os/threads.cpp)

@@ -5,6 +5,7 @@
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/TimeService.hpp>
+#include <rtt/os/detail/pool_registry.hpp>
 
 namespace {
 int mainArgc = 0;
@@ -15,6 +16,8 @@ int __os_init(int argc, char** argv) {
     mainArgc = argc;
     mainArgv = argv;
     RTT::os::MainThread::Instance();
+    // Set aside now, so that no real-time thread has to.
+    RTT::os::detail::PoolRegistry::instance().current();
     return RTT::os::StartStopManager::Instance()->start();
 }
 

@@ -10,8 +10,8 @@ extern "C" {
 #endif
 
 /**
- * Starts the runtime: remembers the arguments, registers the main thread, starts logging and loads plugins. ORO_main
- * calls it. Returns 0, or what a start function reported. Calling it again changes only the remembered arguments.
+ * Starts the runtime: remembers the arguments, registers the main thread, sets real-time memory aside (oro_malloc.h),
+ * starts logging and loads plugins. ORO_main calls it. Returns 0, or what a start function reported. Calling it again changes only the remembered arguments.
  */
 RTT_API int __os_init(int argc, char** argv);
 
