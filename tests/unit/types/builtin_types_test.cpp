@@ -6,6 +6,8 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/FlowStatus.hpp>
 #include <rtt/SendStatus.hpp>
+#include <rtt/os/tlsf/tlsf.h>
+#include <rtt/rt_string.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/OperatorTypes.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
@@ -33,10 +35,11 @@ SourcePtr construct(const char* name, std::vector<SourcePtr> arguments) { return
 }  // namespace
 
 TEST_F(BuiltinTypes, AllAreThere) {
-    for (const char* name : {"int",         "uint",       "llong",       "ullong",     "double",       "float",
-                             "char",        "bool",       "void",        "string",     "array",        "FlowStatus",
-                             "WriteStatus", "SendStatus", "PropertyBag", "ConnPolicy", "BufferPolicy", "TaskContext",
-                             "int8",        "uint8",      "int16",       "uint16",     "int64",        "uint64"})
+    for (const char* name :
+         {"int",         "uint",       "llong",        "ullong",      "double",     "float",       "char",
+          "bool",        "void",       "string",       "array",       "FlowStatus", "WriteStatus", "SendStatus",
+          "PropertyBag", "ConnPolicy", "BufferPolicy", "TaskContext", "int8",       "uint8",       "int16",
+          "uint16",      "int64",      "uint64",       "rt_string"})
         EXPECT_NE(nullptr, type(name)) << name;
 }
 
@@ -204,4 +207,56 @@ TEST_F(BuiltinTypes, PolicyMembersCanBeSet) {
     EXPECT_EQ(12, policy->rvalue().size);
     ASSERT_TRUE(policy->getMember("name_id")->update(variable("topic").get()));
     EXPECT_EQ("topic", policy->rvalue().name_id);
+    EXPECT_EQ((std::vector<std::string>{"type", "size", "lock_policy", "init", "pull", "buffer_policy", "mandatory",
+                                        "transport", "data_size", "name_id"}),
+              policy->getMemberNames());  // max_threads is not one of them
+}
+
+TEST_F(BuiltinTypes, RealTimeStringsArePrintedReadAndIndexed) {
+    auto text = variable(rt_string("two words"));
+    EXPECT_EQ("two words", text->toString());
+    EXPECT_TRUE(type("rt_string")->fromString("three short words", text));
+    EXPECT_EQ("three short words", text->get());
+    EXPECT_EQ(17, valueOf<int>(text->getMember("size")));
+    EXPECT_EQ('h', valueOf<char>(text->getMember("1")));
+    EXPECT_TRUE(type("rt_string")->resize(text, 5));
+    EXPECT_EQ("three", text->get());
+}
+
+TEST_F(BuiltinTypes, RealTimeStringsAreConstructedFromSizesAndStrings) {
+    EXPECT_EQ(20u, valueOf<rt_string>(construct("rt_string", {constant(20)})).size());
+    EXPECT_EQ(nullptr, construct("rt_string", {constant(1.5f), constant(2)}));
+    EXPECT_EQ("abc", valueOf<rt_string>(construct("rt_string", {constant(std::string("abc"))})));
+    EXPECT_EQ("abc", valueOf<std::string>(construct("string", {constant(rt_string("abc"))})));
+    auto text = variable("");
+    EXPECT_TRUE(text->update(type("string")->convert(variable(rt_string("xyz"))).get()));
+    EXPECT_EQ("xyz", text->get());
+}
+
+TEST_F(BuiltinTypes, OperatorsOfRealTimeStrings) {
+    const rt_string a("a");
+    EXPECT_EQ("ab", valueOf<rt_string>(apply(constant(a), "+", constant(rt_string("b")))));
+    EXPECT_EQ("ab", valueOf<rt_string>(apply(constant(a), "+", constant(std::string("b")))));
+    EXPECT_EQ("a-1", valueOf<rt_string>(apply(constant(a), "+", constant(-1))));
+    EXPECT_EQ("a4000000000", valueOf<rt_string>(apply(constant(a), "+", constant(4000000000u))));
+    EXPECT_EQ("a0.1", valueOf<rt_string>(apply(constant(a), "+", constant(0.1))));
+    EXPECT_EQ("a1e-10", valueOf<rt_string>(apply(constant(a), "+", constant(1e-10f))));
+    EXPECT_EQ("afalse", valueOf<rt_string>(apply(constant(a), "+", constant(false))));
+    EXPECT_EQ("ac", valueOf<rt_string>(apply(constant(a), "+", constant('c'))));
+    EXPECT_TRUE(valueOf<bool>(apply(constant(a), "<", constant(rt_string("b")))));
+    EXPECT_TRUE(valueOf<bool>(apply(constant(a), "!=", constant(rt_string("b")))));
+    // The right-hand side is converted; the left-hand side decides.
+    EXPECT_TRUE(valueOf<bool>(apply(constant(a), "==", constant(std::string("a")))));
+}
+
+TEST_F(BuiltinTypes, ExpressionsOfRealTimeStringsFailWhenTheMemoryIsUsedUp) {
+    const SourcePtr joined = apply(variable(rt_string(3000, 'a')), "+", variable(rt_string(3000, 'b')));
+    const SourcePtr constructed = construct("rt_string", {variable(std::string(5000, 'c'))});
+    std::vector<char> memory(11000);  // its bookkeeping takes most of it
+    ASSERT_GT(init_memory_pool(memory.size(), memory.data()), 1000u);
+    EXPECT_FALSE(joined->evaluate());
+    EXPECT_FALSE(constructed->evaluate());
+    destroy_memory_pool(memory.data());
+    EXPECT_TRUE(joined->evaluate());
+    EXPECT_TRUE(constructed->evaluate());
 }

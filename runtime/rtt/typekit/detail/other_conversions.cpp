@@ -5,6 +5,8 @@
 
 #include <rtt/FlowStatus.hpp>
 #include <rtt/SendStatus.hpp>
+#include <rtt/rt_string.hpp>
+#include <new>
 #include <string>
 
 namespace RTT {
@@ -20,11 +22,29 @@ bool isStatus(const void*, const void* const* arguments, void* result) {
     return true;
 }
 
+/** Does it, unless there is no memory for it; that of real-time strings is limited. */
+template <class F>
+bool ifMemorySuffices(F assign) {
+    try {
+        assign();
+        return true;
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+}
+
+template <class Text>
 bool textOfSize(const void*, const void* const* arguments, void* result) {
     const int size = *static_cast<const int*>(arguments[0]);
     if (size < 0) return false;
-    static_cast<std::string*>(result)->assign(static_cast<std::size_t>(size), '\0');
-    return true;
+    return ifMemorySuffices([&] { static_cast<Text*>(result)->assign(static_cast<std::size_t>(size), '\0'); });
+}
+
+/** Between strings of the heap and of real-time memory. */
+template <class To, class From>
+bool copyText(const void*, const void* const* arguments, void* result) {
+    const From& from = *static_cast<const From*>(arguments[0]);
+    return ifMemorySuffices([&] { static_cast<To*>(result)->assign(from.data(), from.size()); });
 }
 
 constexpr Conversion conversions[] = {
@@ -33,7 +53,10 @@ constexpr Conversion conversions[] = {
     {&typeRef<bool>, &typeRef<FlowStatus>, true, &isStatus<FlowStatus, NoData, false>},
     {&typeRef<bool>, &typeRef<WriteStatus>, true, &isStatus<WriteStatus, WriteSuccess, true>},
     {&typeRef<bool>, &typeRef<SendStatus>, true, &isStatus<SendStatus, SendSuccess, true>},
-    {&typeRef<std::string>, &typeRef<int>, false, &textOfSize},
+    {&typeRef<std::string>, &typeRef<int>, false, &textOfSize<std::string>},
+    {&typeRef<rt_string>, &typeRef<int>, false, &textOfSize<rt_string>},
+    {&typeRef<std::string>, &typeRef<rt_string>, false, &copyText<std::string, rt_string>},
+    {&typeRef<rt_string>, &typeRef<std::string>, false, &copyText<rt_string, std::string>},
 };
 
 }  // namespace

@@ -25,7 +25,6 @@ constexpr Member connPolicy[] = {
     {"init", offsetof(ConnPolicy, init), &typeRef<bool>, 0, "start with the last written value", ""},
     {"pull", offsetof(ConnPolicy, pull), &typeRef<bool>, 0, "storage at the writer's side", ""},
     {"buffer_policy", offsetof(ConnPolicy, buffer_policy), &typeRef<int>, 0, "a BufferPolicy", ""},
-    {"max_threads", offsetof(ConnPolicy, max_threads), &typeRef<int>, 0, "users of a lock-free storage", ""},
     {"mandatory", offsetof(ConnPolicy, mandatory), &typeRef<bool>, 0, "its failure is one of the write", ""},
     {"transport", offsetof(ConnPolicy, transport), &typeRef<int>, 0, "0: local", ""},
     {"data_size", offsetof(ConnPolicy, data_size), &typeRef<int>, 0, "hint for transports", "byte"},

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "builtin_parts.hpp"
 
+#include <rtt/rt_string.hpp>
 #include <rtt/typekit/StdStringTypeInfo.hpp>
 #include <rtt/types/StdVectorTypeInfo.hpp>
 
@@ -11,6 +12,7 @@ namespace builtin {
 
 void addTexts() {
     Types()->addType(new StdStringTypeInfo());
+    Types()->addType(new StdBasicStringTypeInfo<rt_string>("rt_string"));
     Types()->addType(new StdVectorTypeInfo());
 }
 
