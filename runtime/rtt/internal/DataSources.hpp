@@ -24,6 +24,7 @@ public:
     ValueDataSource() : mdata() {}
     explicit ValueDataSource(T value) : mdata(std::move(value)) {}
 
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return mdata; }
     typename DataSource<T>::result_t value() const override { return mdata; }
     const_reference_t rvalue() const override { return mdata; }
@@ -66,6 +67,7 @@ public:
 
     explicit ConstantDataSource(T value) : mdata(std::move(value)) {}
 
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return mdata; }
     typename DataSource<T>::result_t value() const override { return mdata; }
     typename DataSource<T>::const_reference_t rvalue() const override { return mdata; }
@@ -91,6 +93,7 @@ public:
         if (source && source->getTypeId() && *source->getTypeId() == typeid(typename DataSource<T>::value_t))
             if (void* at = source->getRawPointer()) mptr = static_cast<typename DataSource<T>::value_t*>(at);
     }
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
@@ -112,6 +115,7 @@ public:
 
     explicit ConstReferenceDataSource(typename DataSource<T>::const_reference_t ref) : mptr(std::addressof(ref)) {}
 
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }

@@ -95,6 +95,7 @@ public:
     explicit LateReferenceDataSource(value_t* ptr = nullptr) : mptr(ptr) {}
 
     void setPointer(value_t* ptr) { mptr = ptr; }
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
@@ -117,6 +118,7 @@ public:
     explicit LateConstReferenceDataSource(const value_t* ptr = nullptr) : mptr(ptr) {}
 
     void setPointer(const value_t* ptr) { mptr = ptr; }
+    bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
