@@ -35,7 +35,15 @@ Activity::Activity(int scheduler, int priority, Seconds period, unsigned cpuAffi
       os::Thread(scheduler, priority, 0.0, cpuAffinity, name),
       updatePeriod_(periodInNs(period)) {}
 
+Activity::Activity(const Options& options, base::RunnableInterface* r)
+    : Activity(options.scheduler, options.priority, options.period, options.cpuAffinity, r, options.name) {
+    setWaitPeriodPolicy(options.waitPolicy);
+    setMaxOverrun(options.maxOverrun);
+    setStopTimeout(options.stopTimeout);
+}
+
 Activity::~Activity() {
+    closeGate();
     stop();
     terminate();
 }
@@ -84,6 +92,7 @@ void Activity::session() {
     // The session may begin before start() has posted its reason: so it counts as a trigger here, and not there.
     constexpr std::uint32_t kOwnReasons = kTrigger | kTimeout | kNewPeriod;
     std::uint32_t reasons = takeEarlyReasons() | kTrigger | kNewPeriod;
+    reasons |= waitForWake(0) & kOwnReasons;  // without waiting: nothing of the previous session is left then
     nsecs period = 0;
     nsecs wakeUp = InfiniteNSecs;
     bool starting = true;
@@ -103,7 +112,11 @@ void Activity::session() {
             executeBetweenPeriods(starting);
         }
         starting = false;
-        if (mayRun()) reasons = waitForWake(wakeUp) & kOwnReasons;
+        if (!mayRun()) return;
+        reasons = waitForWake(wakeUp);
+        // A stop() that has failed after all: the loop() that it has broken begins again.
+        if ((reasons & kStopReason) && period == 0) reasons |= kTrigger;
+        reasons &= kOwnReasons;
     }
 }
 

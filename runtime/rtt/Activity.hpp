@@ -25,6 +25,19 @@ namespace RTT {
  */
 class RTT_API Activity : public base::ActivityInterface, public os::Thread {
 public:
+    /** What a new activity may be told, by name. */
+    struct Options {
+        std::string name = "Activity";
+        int scheduler = ORO_SCHED_OTHER;
+        int priority = 1;         /**< os::LowestPriority */
+        Seconds period = 0.0;     /**< 0: not periodic */
+        unsigned cpuAffinity = 0; /**< bit n allows CPU n, 0 allows all */
+        int waitPolicy = ORO_WAIT_ABS;
+        int maxOverrun = -1;       /**< −1: never stopped because of overruns */
+        Seconds stopTimeout = 0.0; /**< 0: the default, see getStopTimeout() */
+    };
+    explicit Activity(const Options& options, base::RunnableInterface* r = nullptr);
+
     /** Not periodic, ORO_SCHED_OTHER. */
     explicit Activity(base::RunnableInterface* r = nullptr, const std::string& name = "Activity");
     /** Not periodic, ORO_SCHED_RT. */
@@ -72,7 +85,7 @@ protected:
     void finalize() override;
     virtual void work(base::RunnableInterface::WorkReason reason);
 
-    void session() final;
+    void session() override;
 
 private:
     void executeTriggered(std::uint32_t reasons);

@@ -2,21 +2,37 @@
 // Copyright Oroforge contributors
 #include <rtt/base/ActivityInterface.hpp>
 
+#include <rtt/internal/AccessGate.hpp>
+
 namespace RTT {
 namespace base {
 
-ActivityInterface::ActivityInterface(RunnableInterface* newRunner) { attach(newRunner); }
+ActivityInterface::ActivityInterface() : gate_(std::make_shared<internal::AccessGate>()) {}
 
-ActivityInterface::~ActivityInterface() { attach(nullptr); }
+ActivityInterface::ActivityInterface(RunnableInterface* newRunner) : ActivityInterface() { attach(newRunner); }
+
+ActivityInterface::~ActivityInterface() {
+    closeGate();
+    attach(nullptr);
+}
+
+void ActivityInterface::closeGate() noexcept {
+    gateClosed_ = true;
+    gate_->close();
+}
 
 void ActivityInterface::attach(RunnableInterface* newRunner) {
+    // A slave may be about to hand a message to the present runner, which may be destroyed after this.
+    gate_->close();
     if (runner && runner->getActivity() == this) runner->setActivity(nullptr);
     runner = newRunner;
     if (runner) runner->setActivity(this);
+    if (!gateClosed_) gate_->open();
 }
 
 bool ActivityInterface::run(RunnableInterface* newRunner) {
-    if (isActive() || isRunning()) return false;
+    // Within its own step a stopped one may lose its runner, which is being destroyed there.
+    if (isActive() || (isRunning() && (newRunner || !isSelf()))) return false;
     attach(newRunner);
     return true;
 }

@@ -9,7 +9,12 @@
 
 #include <boost/shared_ptr.hpp>
 
+#include <memory>
+
 namespace RTT {
+namespace internal {
+class AccessGate;
+}
 namespace base {
 
 /** Executes a RunnableInterface: decides in which thread, when and how often. */
@@ -17,9 +22,9 @@ class RTT_API ActivityInterface {
 public:
     typedef boost::shared_ptr<ActivityInterface> shared_ptr;
 
-    ActivityInterface() = default;
+    ActivityInterface();
     explicit ActivityInterface(RunnableInterface* runner);
-    /** Detaches the runner. Sub-classes stop the activity in their own destructor. */
+    /** Detaches the runner. Sub-classes call closeGate() and stop the activity in their own destructor. */
     virtual ~ActivityInterface();
     ActivityInterface(const ActivityInterface&) = delete;
     ActivityInterface& operator=(const ActivityInterface&) = delete;
@@ -58,10 +63,22 @@ public:
      */
     virtual bool isSelf() const;
 
+    /** For those who keep a pointer to an activity that others may destroy, as a slave does: pass it before each use. */
+    const std::shared_ptr<internal::AccessGate>& gate() const { return gate_; }
+
 protected:
-    /** Attaches without asking whether the activity is active. */
+    /** Attaches without asking whether the activity is active. Waits for those who have passed the gate. */
     void attach(RunnableInterface* newRunner);
+    /**
+     * Lets nobody pass the gate any more and waits for those who have. The first statement of a destructor: afterwards
+     * this object is less than what they expect. Later calls do nothing.
+     */
+    void closeGate() noexcept;
     RunnableInterface* runner = nullptr;
+
+private:
+    std::shared_ptr<internal::AccessGate> gate_;
+    bool gateClosed_ = false;
 };
 
 }  // namespace base

@@ -2,8 +2,11 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/PeriodicActivity.hpp>
 
+#include <rtt/internal/TryFlag.hpp>
+#include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
+#include <algorithm>
 #include <cxxabi.h>
 #include <exception>
 
@@ -26,14 +29,19 @@ PeriodicActivity::PeriodicActivity(Seconds period, TimerThreadPtr thread, base::
 PeriodicActivity::PeriodicActivity(secs s, nsecs ns, TimerThreadPtr thread, base::RunnableInterface* r)
     : PeriodicActivity(nsecs_to_Seconds(secs_to_nsecs(s) + ns), thread, r) {}
 
-PeriodicActivity::~PeriodicActivity() { stop(); }
+PeriodicActivity::~PeriodicActivity() {
+    closeGate();
+    stop();
+    thread_->removeActivity(this);  // waits for one that stopped itself, or does not end in time
+}
 
 bool PeriodicActivity::start() {
-    if (active_ || !initialize()) return false;
+    const internal::TryFlag mine(changing_);
+    if (!mine || active_ || !initialize()) return false;
     active_ = true;
     running_ = true;
     if (thread_->addActivity(this)) {
-        if (thread_->isActive() || thread_->start() || thread_->isActive()) return true;
+        if (thread_->startForActivity()) return true;
         thread_->removeActivity(this);
     }
     running_ = false;
@@ -43,15 +51,22 @@ bool PeriodicActivity::start() {
 }
 
 bool PeriodicActivity::stop() {
-    if (!active_.exchange(false)) return false;
+    const internal::TryFlag mine(changing_);
+    if (!mine || !active_.exchange(false)) return false;
     running_ = false;
-    thread_->removeActivity(this);
+    const nsecs timeout = Seconds_to_nsecs(std::max(thread_->getStopTimeout(), 1.0));
+    if (!thread_->removeActivity(this, rtos_get_time_ns() + timeout)) {
+        os::detail::log(os::detail::LogError, "PeriodicActivity",
+                        "cannot stop a periodic activity: its step() has not returned in time");
+        running_ = true;
+        active_ = true;
+        return false;
+    }
     finalize();
     return true;
 }
 
 void PeriodicActivity::executePeriod() {
-    if (!running_) return;
     try {
         step();
         work(base::RunnableInterface::TimeOut);
@@ -73,6 +88,10 @@ bool PeriodicActivity::isActive() const { return active_; }
 Seconds PeriodicActivity::getPeriod() const { return thread_->getPeriod(); }
 unsigned PeriodicActivity::getCpuAffinity() const { return thread_->getCpuAffinity(); }
 bool PeriodicActivity::setCpuAffinity(unsigned cpuAffinity) { return thread_->setCpuAffinity(cpuAffinity); }
+bool PeriodicActivity::isSelf() const {
+    const int executor = executor_;
+    return executor != 0 ? executor == os::detail::currentTid() : thread_->isSelf();
+}
 os::ThreadInterface* PeriodicActivity::thread() { return thread_.get(); }
 
 bool PeriodicActivity::initialize() { return !runner || runner->initialize(); }

@@ -31,7 +31,10 @@ public:
 
     /** False if active, if initialize() returned false or if the thread holds too many activities. */
     bool start() override;
-    /** Blocks until the current cycle is over, unless called from it. */
+    /**
+     * Waits for an execution in another thread to end, at most ten periods or one second, whichever is longer. False, with
+     * an error in the log, if it did not; then it stays active.
+     */
     bool stop() override;
     bool isRunning() const override;
     bool isActive() const override;
@@ -44,12 +47,14 @@ public:
     bool trigger() override { return false; }
     bool timeout() override { return false; }
     os::ThreadInterface* thread() override;
+    bool isSelf() const override;
 
 protected:
     virtual bool initialize();
     virtual void step();
     virtual void work(base::RunnableInterface::WorkReason reason);
     virtual void finalize();
+    TimerThread& timerThread() const { return *thread_; }
 
 private:
     friend class TimerThread;
@@ -58,6 +63,8 @@ private:
     TimerThreadPtr thread_;
     std::atomic<bool> running_{false};
     std::atomic<bool> active_{false};
+    std::atomic<bool> changing_{false};  // within start() or stop()
+    std::atomic<int> executor_{0};       // Linux id of the executing thread; written under the mutex of the thread
 };
 
 }  // namespace extras

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/SequentialActivity.hpp>
 
+#include <rtt/internal/TryFlag.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/futex.hpp>
 
@@ -10,17 +11,30 @@ namespace extras {
 
 SequentialActivity::SequentialActivity(base::RunnableInterface* r) : base::ActivityInterface(r) {}
 
-SequentialActivity::~SequentialActivity() { stop(); }
+SequentialActivity::~SequentialActivity() {
+    closeGate();
+    stop();
+    if (!isSelf()) waitForExecution(os::detail::kForever);  // one that stopped itself, or does not end in time
+}
 
 bool SequentialActivity::start() {
-    if (active_ || (runner && !runner->initialize())) return false;
-    active_ = true;
+    {
+        const internal::TryFlag mine(changing_);
+        if (!mine || active_ || (runner && !runner->initialize())) return false;
+        active_ = true;
+    }
+    // Messages that came while it was stopped have found nobody to execute them.
+    if (runner && runner->hasWork()) trigger();
     return true;
 }
 
 bool SequentialActivity::stop() {
-    if (!active_.exchange(false)) return false;
-    if (!isSelf() && !waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0))) {
+    const internal::TryFlag mine(changing_);
+    const bool stops = mine && active_.exchange(false);
+    // Also if it is not active: who calls stop() does not expect that it is still being executed.
+    const bool left = isSelf() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
+    if (!stops) return false;
+    if (!left) {
         active_ = true;
         return false;
     }

@@ -21,7 +21,7 @@ public:
     explicit SequentialActivity(base::RunnableInterface* runner = nullptr);
     ~SequentialActivity() override;
 
-    /** False if active or if initialize() returned false. */
+    /** False if active, if initialize() returned false or if another thread is starting or stopping it. */
     bool start() override;
     /** Waits, at most one second, for an execution in another thread to end; false if it did not. */
     bool stop() override;
@@ -48,6 +48,7 @@ private:
     bool waitForExecution(nsecs deadline);
 
     std::atomic<bool> active_{false};
+    std::atomic<bool> changing_{false};       // within start() or stop()
     std::atomic<std::uint32_t> requests_{0};  // triggers since the executing thread began; 0: nobody executes
     std::atomic<int> executor_{0};            // Linux id of the executing thread
 };

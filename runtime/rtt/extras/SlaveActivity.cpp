@@ -3,6 +3,8 @@
 #include <rtt/extras/SlaveActivity.hpp>
 
 #include <rtt/base/DisposableInterface.hpp>
+#include <rtt/internal/AccessGate.hpp>
+#include <rtt/internal/TryFlag.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/detail/futex.hpp>
@@ -53,15 +55,25 @@ private:
         if (owners_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
     }
 
-    os::MutexRecursive mutex_;  // recursive: the slave may be destroyed from within its work
+    os::MutexRecursive
+        mutex_;  // recursive: within its work the slave may wait, and the master execute the next trigger
     SlaveActivity* slave_;
     std::atomic<bool> queued_{false};
     std::atomic<int> owners_{1};
 };
 
+/** The end of an execution, also when the component throws. */
+struct SlaveActivity::Leave {
+    SlaveActivity& slave;
+    ~Leave() {
+        if (slave.executor_.exchange(0) & kWaiting) os::detail::futexWakeAll(slave.executor_);
+    }
+};
+
 SlaveActivity::SlaveActivity(base::ActivityInterface* master, base::RunnableInterface* r)
     : base::ActivityInterface(r),
       master_(master),
+      masterGate_(master ? master->gate() : nullptr),
       period_(master ? master->getPeriod() : 0.0),
       periodic_(period_ != 0.0),
       message_(new TriggerMessage(this)) {}
@@ -76,13 +88,33 @@ SlaveActivity::SlaveActivity(double period, base::RunnableInterface* r)
 SlaveActivity::SlaveActivity(base::RunnableInterface* r) : SlaveActivity(0.0, r) {}
 
 SlaveActivity::~SlaveActivity() {
+    closeGate();
     stop();
+    // One that stopped itself, or does not end in time.
+    if (executor() != os::detail::currentTid()) waitForExecution(os::detail::kForever);
     message_->disconnect();
 }
 
+// What the master answers, or `otherwise` if there is none or it is gone. It is not destroyed meanwhile.
+template <class Ask>
+auto SlaveActivity::ofMaster(Ask&& ask, decltype(ask(std::declval<base::ActivityInterface&>())) otherwise) const {
+    const internal::AccessGate::Pass pass(masterGate_);
+    return pass ? ask(*master_) : otherwise;
+}
+
 bool SlaveActivity::start() {
-    if (master_ && !master_->isActive()) {
-        os::detail::log(os::detail::LogError, "SlaveActivity", "cannot start a slave: its master is not active");
+    if (!activate()) return false;
+    // Messages that came while it was stopped have triggered nobody.
+    if (runner && runner->hasWork()) trigger();
+    return true;
+}
+
+bool SlaveActivity::activate() {
+    const internal::TryFlag mine(changing_);
+    if (!mine) return false;
+    if (master_ && !ofMaster([](ActivityInterface& master) { return master.isActive(); }, false)) {
+        os::detail::log(os::detail::LogError, "SlaveActivity",
+                        "cannot start a slave: its master is not active, or has been destroyed");
         return false;
     }
     if (active_) {
@@ -90,19 +122,46 @@ bool SlaveActivity::start() {
         return false;
     }
     if (runner && !runner->initialize()) return false;
+    updater_ = 0;
     active_ = true;
     return true;
 }
 
 bool SlaveActivity::stop() {
-    if (!active_.exchange(false)) return false;
+    const internal::TryFlag mine(changing_);
+    const bool stops = mine && active_.exchange(false);
+    // Also if it is not active: who calls stop() does not expect that it is still being executed.
+    const bool left =
+        executor() == os::detail::currentTid() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
+    if (!stops) return false;
+    if (!left) {
+        os::detail::log(os::detail::LogError, "SlaveActivity",
+                        "cannot stop a slave: another thread has been executing it for 1 s");
+        active_ = true;
+        return false;
+    }
     if (runner) runner->finalize();
     return true;
 }
 
-bool SlaveActivity::isRunning() const { return active_ && (periodic_ || executor_ != 0); }
+bool SlaveActivity::waitForExecution(nsecs deadline) {
+    std::uint32_t word = executor_;
+    while (word != 0) {
+        // The mark asks the executing thread for a wake-up, which then need not look at this object afterwards.
+        if (!(word & kWaiting) && !executor_.compare_exchange_weak(word, word | kWaiting)) continue;
+        const bool inTime = os::detail::futexWait(executor_, word | kWaiting, deadline);
+        word = executor_;
+        if (!inTime && word != 0) return false;
+    }
+    return true;
+}
+
+bool SlaveActivity::isRunning() const { return active_ && (periodic_ || executor() != 0); }
 bool SlaveActivity::isActive() const { return active_; }
-Seconds SlaveActivity::getPeriod() const { return master_ ? master_->getPeriod() : period_; }
+
+Seconds SlaveActivity::getPeriod() const {
+    return ofMaster([](ActivityInterface& master) { return master.getPeriod(); }, period_);
+}
 
 bool SlaveActivity::setPeriod(Seconds period) {
     if (master_ || !(period >= 0) || (period != 0.0) != periodic_) return false;
@@ -111,42 +170,51 @@ bool SlaveActivity::setPeriod(Seconds period) {
 }
 
 bool SlaveActivity::isPeriodic() const { return periodic_; }
-unsigned SlaveActivity::getCpuAffinity() const { return master_ ? master_->getCpuAffinity() : ~0u; }
+unsigned SlaveActivity::getCpuAffinity() const {
+    return ofMaster([](ActivityInterface& master) { return master.getCpuAffinity(); }, ~0u);
+}
 bool SlaveActivity::setCpuAffinity(unsigned) { return false; }
 
+int SlaveActivity::executor() const { return static_cast<int>(executor_ & ~kWaiting); }
+
 bool SlaveActivity::enter() {
-    int nobody = 0;
-    return executor_.compare_exchange_strong(nobody, os::detail::currentTid());
+    std::uint32_t nobody = 0;
+    const int self = os::detail::currentTid();
+    if (!executor_.compare_exchange_strong(nobody, static_cast<std::uint32_t>(self))) return false;
+    updater_ = self;
+    return true;
 }
 
 // A trigger that found another thread executing left its mark before it looked; that thread comes here when it is done.
 void SlaveActivity::servePending() {
     while (pending_ && enter()) {
+        const Leave atEnd{*this};
         if (pending_.exchange(false) && active_ && runner) runner->work(base::RunnableInterface::Trigger);
-        executor_ = 0;
     }
 }
 
 bool SlaveActivity::execute() {
-    if (!active_ || !enter()) return false;
-    struct Leave {
-        SlaveActivity& slave;
-        ~Leave() { slave.executor_ = 0; }
-    };
+    if (!enter()) return false;
+    bool active = false;
     {
-        Leave atEnd{*this};  // also when the component throws
-        if (runner) {
-            periodic_ ? runner->step() : runner->loop();
-            runner->work(base::RunnableInterface::TimeOut);
-        }
+        const Leave atEnd{*this};
+        // Asked within: stop() clears it before it looks who executes, so one of the two sees what the other has done.
+        active = active_;
+        if (active) executeOnce();
     }
     servePending();
-    return true;
+    return active;
+}
+
+void SlaveActivity::executeOnce() {
+    if (!runner) return;
+    periodic_ ? runner->step() : runner->loop();
+    runner->work(base::RunnableInterface::TimeOut);
 }
 
 void SlaveActivity::executeTrigger() {
     // Within execute() of this thread: the master executes its messages while the slave waits for something.
-    if (executor_ == os::detail::currentTid()) {
+    if (executor() == os::detail::currentTid()) {
         if (active_ && runner) runner->work(base::RunnableInterface::Trigger);
         return;
     }
@@ -155,21 +223,39 @@ void SlaveActivity::executeTrigger() {
 }
 
 bool SlaveActivity::trigger() {
-    base::RunnableInterface* const masterRunner = master_ ? master_->getRunner() : nullptr;
-    if (!active_ || !masterRunner) return false;
-    if (!message_->claim() || masterRunner->process(message_)) return true;
-    message_->dispose();
-    return false;
+    if (!active_) return false;
+    // Of its own: the step that a sequential master executes here may destroy this object.
+    TriggerMessage* const message = message_;
+    return ofMaster(
+        [message](ActivityInterface& master) {
+            base::RunnableInterface* const masterRunner = master.getRunner();
+            if (!masterRunner) return false;
+            if (!message->claim() || masterRunner->process(message)) return true;
+            message->dispose();
+            return false;
+        },
+        false);
 }
 
-bool SlaveActivity::timeout() { return master_ && master_->timeout(); }
+bool SlaveActivity::timeout() {
+    // In its own thread the master cannot be destroyed before this returns, so nobody has to wait for the execution.
+    if (ofMaster([](ActivityInterface& master) { return master.isSelf(); }, false) && execute()) return true;
+    return ofMaster([](ActivityInterface& master) { return master.timeout(); }, false);
+}
 
-os::ThreadInterface* SlaveActivity::thread() { return master_ ? master_->thread() : os::MainThread::Instance(); }
+os::ThreadInterface* SlaveActivity::thread() {
+    return ofMaster([](ActivityInterface& master) { return master.thread(); }, os::MainThread::Instance());
+}
 
 bool SlaveActivity::isSelf() const {
-    const int executor = executor_;
-    if (executor != 0) return executor == os::detail::currentTid();
-    return master_ ? master_->isSelf() : os::MainThread::Instance()->isSelf();
+    const int executing = executor();
+    if (executing != 0) return executing == os::detail::currentTid();
+    if (!master_) {
+        // Between two executions it belongs to the thread that makes them, so that nobody else is inside at the next one.
+        const int updater = updater_;
+        return updater != 0 ? updater == os::detail::currentTid() : os::MainThread::Instance()->isSelf();
+    }
+    return ofMaster([](ActivityInterface& master) { return master.isSelf(); }, false);
 }
 
 }  // namespace extras

@@ -6,14 +6,20 @@
 #include <rtt/base/ActivityInterface.hpp>
 
 #include <atomic>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace RTT {
 namespace extras {
 
 /**
- * An activity that runs when somebody calls execute(), that is TaskContext::update(), in the caller's thread. With a
- * master, trigger() also has the master's engine execute work(Trigger); the master must outlive the slave. Without a
+ * An activity that runs when somebody calls execute(), that is TaskContext::update(), in the caller's thread. Without a
  * master, operations sent to it wait for the next execute().
+ *
+ * With a master, timeout(), that is TaskContext::trigger(), does the same when the thread of the master calls it, and
+ * trigger() has the engine of the master execute work(Trigger). A master may be destroyed before its slaves: they can
+ * still be executed and stopped then, but neither triggered nor started.
  */
 class RTT_API SlaveActivity : public base::ActivityInterface {
 public:
@@ -26,7 +32,10 @@ public:
 
     /** False, with an error in the log, if active already or if the master is not active. */
     bool start() override;
-    /** False if not active. */
+    /**
+     * False if not active. Waits, at most one second, for an execution in another thread to end; false if it did not, and
+     * then it stays active.
+     */
     bool stop() override;
     bool isRunning() const override;
     bool isActive() const override;
@@ -44,24 +53,35 @@ public:
     bool execute() override;
     /** False without a master, if not active or if the runner of the master takes no messages. */
     bool trigger() override;
-    /** Forwarded to the master; false without one. */
+    /** By the master's thread: execute(). By others, and within execute(): forwarded to the master; false without one. */
     bool timeout() override;
     os::ThreadInterface* thread() override;
     bool isSelf() const override;
 
 private:
+    static constexpr std::uint32_t kWaiting = 0x80000000u;  // in executor_: stop() waits for the end of the execution
     class TriggerMessage;
+    struct Leave;
+    template <class Ask>
+    auto ofMaster(Ask&& ask, decltype(ask(std::declval<base::ActivityInterface&>())) otherwise) const;
+    bool activate();
     void executeTrigger();
     bool enter();
+    int executor() const;
+    void executeOnce();
     void servePending();
+    bool waitForExecution(nsecs deadline);
 
-    base::ActivityInterface* const master_;
-    double period_;
+    base::ActivityInterface* const master_;  // used by ofMaster() only
+    const std::shared_ptr<internal::AccessGate> masterGate_;
+    std::atomic<double> period_;
     const bool periodic_;
     std::atomic<bool> active_{false};
-    std::atomic<int> executor_{0};      // Linux id of the executing thread, 0: nobody
-    std::atomic<bool> pending_{false};  // work(Trigger) is due
-    TriggerMessage* message_;           // shared with the queue of the master's engine
+    std::atomic<bool> changing_{false};       // within start() or stop()
+    std::atomic<std::uint32_t> executor_{0};  // Linux id of the executing thread, 0: nobody
+    std::atomic<int> updater_{0};             // Linux id of the thread that executed it last, 0: main
+    std::atomic<bool> pending_{false};        // work(Trigger) is due
+    TriggerMessage* message_;                 // shared with the queue of the master's engine
 };
 
 }  // namespace extras

@@ -4,6 +4,7 @@
 
 #include <rtt/extras/PeriodicActivity.hpp>
 #include <rtt/os/MutexLock.hpp>
+#include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
 #include <boost/weak_ptr.hpp>
@@ -15,6 +16,9 @@ namespace RTT {
 namespace extras {
 
 namespace {
+
+// What a cycle waits for an activity that another thread executes, before it goes on without it.
+constexpr nsecs kLongExecution = 1000000000;
 
 struct Shared {
     int scheduler, priority;
@@ -74,19 +78,32 @@ TimerThreadPtr TimerThread::Instance(int scheduler, int priority, double period,
 
 bool TimerThread::addActivity(PeriodicActivity* activity) {
     os::MutexLock lock(mutex_);
-    if (activities_.size() >= MaxActivities) {
-        os::detail::log(os::detail::LogError, "TimerThread",
-                        "cannot add an activity: the thread executes " + std::to_string(MaxActivities) + " already");
-        return false;
+    if (activities_.size() < MaxActivities) {
+        activities_.push_back(activity);
+        return true;
     }
-    activities_.push_back(activity);
-    return true;
+    // What was removed during the cycle has left a gap.
+    const auto gap = std::find(activities_.begin(), activities_.end(), nullptr);
+    if (gap != activities_.end()) {
+        *gap = activity;
+        return true;
+    }
+    os::detail::log(os::detail::LogError, "TimerThread",
+                    "cannot add an activity: the thread executes " + std::to_string(MaxActivities) + " already");
+    return false;
 }
 
-bool TimerThread::removeActivity(PeriodicActivity* activity) {
-    os::MutexLock lock(mutex_);  // other threads wait for the end of the cycle here
+bool TimerThread::removeActivity(PeriodicActivity* activity, nsecs deadline) {
+    os::MutexLock lock(mutex_);
+    const int self = os::detail::currentTid();
+    while (activity->executor_ != 0 && activity->executor_ != self) {
+        if (deadline == InfiniteNSecs)
+            left_.wait(mutex_);
+        else if (!left_.wait_until(mutex_, deadline))
+            return false;
+    }
     const auto at = std::find(activities_.begin(), activities_.end(), activity);
-    if (at == activities_.end()) return false;
+    if (at == activities_.end()) return true;
     if (inCycle_)
         *at = nullptr;  // the cycle iterates: it closes the gap at its end
     else
@@ -97,14 +114,58 @@ bool TimerThread::removeActivity(PeriodicActivity* activity) {
 bool TimerThread::initialize() { return true; }
 
 void TimerThread::step() {
-    os::MutexLock lock(mutex_);
-    inCycle_ = true;
-    const std::size_t count = activities_.size();  // those that are started now wait for the next period
+    cycling_ = os::detail::currentTid();
+    std::size_t count = 0;
+    {
+        os::MutexLock lock(mutex_);
+        inCycle_ = true;
+        count = activities_.size();  // those that are started now wait for the next period
+    }
     for (std::size_t i = 0; i < count; ++i)
-        if (activities_[i]) activities_[i]->executePeriod();
+        if (PeriodicActivity* const activity = enter(i)) {
+            activity->executePeriod();
+            leave(*activity);
+        }
+    os::MutexLock lock(mutex_);
     inCycle_ = false;
     activities_.erase(std::remove(activities_.begin(), activities_.end(), nullptr), activities_.end());
+    cycling_ = 0;
 }
+
+// The activity at that place, for this thread alone. Null if there is none, or if another thread does not leave it.
+PeriodicActivity* TimerThread::enter(std::size_t index) {
+    os::MutexLock lock(mutex_);
+    const nsecs deadline = rtos_get_time_ns() + kLongExecution;
+    while (PeriodicActivity* const activity = activities_[index]) {
+        if (!activity->running_) return nullptr;
+        if (activity->executor_ == 0) {
+            activity->executor_ = os::detail::currentTid();
+            return activity;
+        }
+        if (activity->executor_ == os::detail::currentTid() || !left_.wait_until(mutex_, deadline)) return nullptr;
+    }
+    return nullptr;
+}
+
+void TimerThread::leave(PeriodicActivity& activity) {
+    os::MutexLock lock(mutex_);
+    activity.executor_ = 0;
+    left_.broadcast();
+}
+
+bool TimerThread::executeNow(PeriodicActivity& activity) {
+    {
+        os::MutexLock lock(mutex_);
+        if (!activity.running_ || activity.executor_ != 0) return false;
+        activity.executor_ = os::detail::currentTid();
+    }
+    activity.executePeriod();
+    leave(activity);
+    return true;
+}
+
+bool TimerThread::startForActivity() { return isActive() || start() || isActive(); }
+bool TimerThread::isSelf() const { return os::Thread::isSelf() || cycling_ == os::detail::currentTid(); }
 
 void TimerThread::finalize() {}
 

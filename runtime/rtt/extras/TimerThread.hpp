@@ -3,11 +3,13 @@
 #ifndef ORO_EXTRAS_TIMER_THREAD_HPP
 #define ORO_EXTRAS_TIMER_THREAD_HPP
 
+#include <rtt/os/Condition.hpp>
 #include <rtt/os/Mutex.hpp>
 #include <rtt/os/Thread.hpp>
 
 #include <boost/shared_ptr.hpp>
 
+#include <atomic>
 #include <vector>
 
 namespace RTT {
@@ -31,10 +33,19 @@ public:
     static TimerThreadPtr Instance(int priority, double period);
     static TimerThreadPtr Instance(int scheduler, int priority, double period, unsigned cpuAffinity = 0);
 
-    /** Starts executing an activity with the next period. False if it holds MaxActivities already. */
+    /** Starts executing an activity with the next period. False, with an error in the log, if there are too many. */
     bool addActivity(PeriodicActivity* activity);
-    /** When this returns, the activity is not executed any more, unless the caller is the activity itself. */
-    bool removeActivity(PeriodicActivity* activity);
+    /**
+     * Ends that. Waits until nobody else executes the activity; false if that lasts until the monotonic time `deadline`,
+     * and then nothing has changed.
+     */
+    bool removeActivity(PeriodicActivity* activity, nsecs deadline = InfiniteNSecs);
+    /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or executing. */
+    bool executeNow(PeriodicActivity& activity);
+    /** Lets the thread run for an activity that starts. */
+    virtual bool startForActivity();
+    /** True as well for another thread that executes cycles of this one. */
+    bool isSelf() const override;
 
 protected:
     bool initialize() override;
@@ -42,9 +53,15 @@ protected:
     void finalize() override;
 
 private:
-    os::MutexRecursive mutex_;                   // recursive: activities start and stop each other while they execute
+    PeriodicActivity* enter(std::size_t index);
+    void leave(PeriodicActivity& activity);
+
+    // Never held while an activity is executed: activities of several threads may stop each other.
+    os::Mutex mutex_;
+    os::Condition left_;                         // an activity has returned
     std::vector<PeriodicActivity*> activities_;  // null: removed during the cycle
     bool inCycle_ = false;
+    std::atomic<int> cycling_{0};  // Linux id of the thread that executes a cycle, 0: none
 };
 
 }  // namespace extras

@@ -130,8 +130,11 @@ private:
     void runOneSession();
     bool startAgain();
     bool stopSelf();
+    bool mayBreakLoop();
+    void finalizeToIdle();
     bool keepRunning();
     bool waitForSessionEnd(Seconds timeout) const;
+    void waitForOthersStop() const;
 
     std::unique_ptr<State> state_;
 };

@@ -4,6 +4,7 @@
 #include <rtt/os/detail/thread_state.hpp>
 
 #include <cstdio>
+#include <cxxabi.h>
 #include <exception>
 
 namespace RTT {
@@ -49,11 +50,14 @@ bool Thread::startAgain() {
 }
 
 bool Thread::stop() {
-    if (!state_->change(State::kActive, State::kStopping)) return false;
+    if (!state_->change(State::kActive, State::kStopping)) {
+        waitForOthersStop();
+        return false;
+    }
     state_->running = false;
     if (isSelf()) return stopSelf();
     wake(kStopReason);
-    if (!isPeriodic() && state_->inUserCode != 0 && !breakLoop()) {
+    if (!isPeriodic() && state_->inUserCode != 0 && !mayBreakLoop()) {
         detail::log(detail::LogWarning, "Thread",
                     "cannot stop thread '" + state_->name + "': breakLoop() returned false while loop() is executing");
         return keepRunning();
@@ -67,15 +71,49 @@ bool Thread::stop() {
                         " s; setStopTimeout() changes that time");
         return keepRunning();
     }
-    finalize();
-    state_->life = State::kIdle;
+    finalizeToIdle();
     return true;
+}
+
+// What they throw must not leave the thread between two states for ever, nor end a destructor that calls stop().
+bool Thread::mayBreakLoop() {
+    try {
+        return breakLoop();
+    } catch (const std::exception& e) {
+        detail::log(detail::LogCritical, "Thread", "breakLoop() of thread '" + state_->name + "' threw: " + e.what());
+    } catch (...) {
+        detail::log(detail::LogCritical, "Thread", "breakLoop() of thread '" + state_->name + "' threw an exception");
+    }
+    return false;
+}
+
+void Thread::finalizeToIdle() {
+    try {
+        finalize();
+    } catch (abi::__forced_unwind&) {
+        state_->life = State::kIdle;
+        throw;  // the thread is being cancelled: that must go on
+    } catch (const std::exception& e) {
+        detail::log(detail::LogCritical, "Thread", "finalize() of thread '" + state_->name + "' threw: " + e.what());
+    } catch (...) {
+        detail::log(detail::LogCritical, "Thread", "finalize() of thread '" + state_->name + "' threw an exception");
+    }
+    state_->life = State::kIdle;
+}
+
+// Not active any more, yet a thread that stopped itself, or that another thread is stopping, may still be executing. Whoever
+// calls stop(), mostly a destructor, does not expect that afterwards.
+void Thread::waitForOthersStop() const {
+    if (isSelf()) return;
+    const nsecs deadline = rtos_get_time_ns() + Seconds_to_nsecs(getStopTimeout());
+    while (const std::uint32_t busy = state_->session)
+        // The end of the session wakes us; when it is active again somebody has started it.
+        if (state_->life == State::kActive || !detail::futexWait(state_->session, busy, deadline)) return;
 }
 
 // In the thread itself, within its session, which ends when the current step returns because `running` is false.
 bool Thread::stopSelf() {
-    finalize();
-    state_->life = State::kIdle;
+    finalizeToIdle();
     return true;
 }
 
@@ -100,14 +138,7 @@ bool Thread::waitForSessionEnd(Seconds timeout) const {
 void Thread::emergencyStop() {
     state_->running = false;
     // Not active any more: a stop() in another thread waits for this session and does the rest.
-    if (!state_->change(State::kActive, State::kStopping)) return;
-    try {
-        stopSelf();
-    } catch (const std::exception& e) {
-        detail::log(detail::LogCritical, "Thread",
-                    "finalize() of thread '" + state_->name + "' threw an exception: " + e.what());
-        state_->life = State::kIdle;
-    }
+    if (state_->change(State::kActive, State::kStopping)) finalizeToIdle();
 }
 
 bool Thread::initialize() { return true; }

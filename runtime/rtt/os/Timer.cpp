@@ -66,7 +66,7 @@ void Timer::loop() {
     for (;;) {
         Timer::step();
         MutexLock lock(mutex_);
-        if (quit_) return;
+        if (leave()) return;
         nsecs earliest = InfiniteNSecs;
         for (const Entry& timer : timers_)
             if (timer.expires != 0 && timer.expires < earliest) earliest = timer.expires;
@@ -74,8 +74,15 @@ void Timer::loop() {
             changed_.wait(mutex_);
         else if (earliest > rtos_get_time_ns())
             changed_.wait_until(mutex_, earliest);
-        if (quit_) return;
+        if (leave()) return;
     }
+}
+
+// Once: a stop() that has failed, because timeout() took too long, is followed by another loop().
+bool Timer::leave() {
+    const bool leaves = quit_;
+    quit_ = false;
+    return leaves;
 }
 
 /** Takes the timer that expired first: sets its next expiry and wakes its waiters. Returns 0 if none has expired. */

@@ -72,6 +72,7 @@ private:
     bool isValid(TimerId id) const { return id >= 0 && static_cast<std::size_t>(id) < timers_.size(); }
     bool set(TimerId id, Seconds first, Seconds period);
     int serveExpired(nsecs now, TimerId& expired);
+    bool leave();
 
     mutable Mutex mutex_;
     Condition changed_;  // for loop(): the earliest expiry may have moved

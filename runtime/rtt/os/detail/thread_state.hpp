@@ -21,7 +21,7 @@ namespace os {
  *            the thread executes nothing and will not until the next start(); stop() waits for that.
  *
  * All of these use the default (sequentially consistent) order: they change when something starts or stops, not
- * in a cycle. The cycle reads `running` (acquire is enough: it only ends the session earlier or later).
+ * in a cycle. The cycle reads `running` in that order too: see Thread::mayRun(), which pairs it with inUserCode.
  */
 struct Thread::State {
     enum Life : int { kIdle, kStarting, kActive, kStopping };
