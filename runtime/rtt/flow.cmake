@@ -26,6 +26,7 @@ foreach(source
     internal/connection_stream.cpp
     internal/detail/buffer_lock_free.cpp
     internal/detail/buffer_plain.cpp
+    internal/detail/buffer_words.cpp
     internal/detail/data_counted.cpp
     internal/detail/data_plain.cpp
     internal/detail/data_versioned.cpp)

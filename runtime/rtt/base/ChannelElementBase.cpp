@@ -22,6 +22,7 @@ void ChannelElementBase::deref() {
 
 void ChannelElementBase::exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to) {
     if (to) to->ref();
+    // Release: who finds the new neighbour sees it whole. Acquire: the old one may have been linked by another thread.
     // A thread inside a Guard may still use the old neighbour, so its reference is given back later.
     if (ChannelElementBase* old = link.exchange(to, std::memory_order_acq_rel))
         Reclaimer::retire(old, [](void* element) { static_cast<ChannelElementBase*>(element)->deref(); });
@@ -78,8 +79,7 @@ void ChannelElementBase::clear() {
 
 bool ChannelElementBase::signal() {
     const Reclaimer::Guard guard;
-    ChannelElementBase* output = outputUnderGuard();
-    return output && output->signal();
+    return signalUnderGuard();
 }
 
 void ChannelElementBase::disconnect(bool forward) {

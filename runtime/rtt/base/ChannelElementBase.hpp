@@ -79,8 +79,8 @@ public:
     virtual std::string getLocalURI() const;
     virtual std::string getElementName() const;
 
-    /** Data path without types, as ports use it. ChannelElement<T> brings them to its typed virtuals. `sample` points to
-        a sample of the channel's type. Real-time safe if the element is. */
+    /** Data path without types, as ports use it, inside an internal::Reclaimer::Guard. ChannelElement<T> brings them to
+        its typed virtuals. `sample` points to a sample of the channel's type. Real-time safe if the element is. */
     virtual WriteStatus writeErased(const void* sample);
     virtual FlowStatus readErased(void* sample, bool copyOld);
     /** Sizes the storage; with `reset` also forgets all samples. Never makes data visible. Not real-time safe. */
@@ -99,6 +99,11 @@ protected:
     /** The neighbour without taking a reference. Valid only while an internal::Reclaimer::Guard exists. */
     ChannelElementBase* inputUnderGuard() const { return input_.load(std::memory_order_acquire); }
     ChannelElementBase* outputUnderGuard() const { return output_.load(std::memory_order_acquire); }
+    /** signal() of this class, for those who are inside a Guard already. */
+    bool signalUnderGuard() {
+        ChannelElementBase* output = outputUnderGuard();
+        return output && output->signal();
+    }
 
 private:
     friend class internal::ConnectionManager;

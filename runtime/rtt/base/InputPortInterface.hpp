@@ -34,6 +34,7 @@ public:
     bool createStream(ConnPolicy const& policy) override;
     bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection,
                           ConnPolicy const& policy) override;
+    using PortInterface::createConnection;
 
     Service* createPortObject() override;
 
@@ -42,8 +43,8 @@ public:
                               internal::ConnID* id = nullptr);
 
     /** Turns notification of the component by new samples on or off. */
-    void signalInterface(bool on) { signals_.store(on, std::memory_order_relaxed); }
-    bool signalsInterface() const { return signals_.load(std::memory_order_relaxed); }
+    void signalInterface(bool on);
+    bool signalsInterface() const;
     /** Tells the component of a new sample, in the writer's thread. Real-time safe as far as TaskContext::dataOnPortHook() is. */
     void newDataAvailable();
     /** For the port's endpoint, inside a Reclaimer::Guard: newDataAvailable() follows when this thread has left it. */
@@ -63,7 +64,6 @@ private:
     FlowStatus readSeveral(const internal::ChannelArray& channels, void* sample, bool copyOld);
 
     ConnPolicy default_policy_;
-    std::atomic<bool> signals_{false};
     std::atomic<int> pinned_{0};  // signals promised or being delivered
     // Which channel gave the last new sample. Only compared with the entries of the current list, never followed.
     std::atomic<const ChannelElementBase*> current_{nullptr};

@@ -34,6 +34,33 @@ OutputPortInterface::~OutputPortInterface() {
     delete last_.load(std::memory_order_relaxed);
 }
 
+/** The channels that one write() found broken. Exceptions of samples' assignments may pass while there are some. */
+class OutputPortInterface::DeadChannels {
+public:
+    DeadChannels() {}  // the list stays as it is: writes that find none do not touch it
+    ~DeadChannels() {
+        for (std::size_t i = 0; i < count_; ++i) list_[i]->deref();
+    }
+    DeadChannels(const DeadChannels&) = delete;
+    DeadChannels& operator=(const DeadChannels&) = delete;
+
+    void add(ChannelElementBase* channel) {
+        if (count_ == kMax) return;  // the next write finds it again
+        channel->ref();
+        list_[count_++] = channel;
+    }
+    bool empty() const { return count_ == 0; }
+    ChannelElementBase* const* begin() const { return list_; }
+    ChannelElementBase* const* end() const { return list_ + count_; }
+
+private:
+    static constexpr std::size_t kMax = 8;
+    std::size_t count_ = 0;
+    ChannelElementBase* list_[kMax];
+};
+
+// The flags are relaxed: who changes one while others write finds it obeyed by later writes. What is kept is ordered by
+// its storage, and the storage itself by the release of its publication in allocateLast() and the acquire loads of last_.
 WriteStatus OutputPortInterface::writeSample(const void* sample) {
     if (keep_last_.load(std::memory_order_relaxed) || keep_next_.load(std::memory_order_relaxed))
         remember(sample);
@@ -41,7 +68,7 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
         has_last_.store(false, std::memory_order_relaxed);
 
     WriteStatus worst = WriteSuccess;
-    ChannelElementBase* dead = nullptr;
+    DeadChannels dead;
     {
         const Reclaimer::Guard guard;
         const ChannelArray* channels = channels_.load(std::memory_order_acquire);
@@ -49,11 +76,11 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
         for (const ChannelArray::Entry& entry : *channels) {
             const WriteStatus status = entry.channel->writeErased(sample);
             if (__builtin_expect(status == WriteSuccess, 1)) continue;
-            if (status == NotConnected && !dead) (dead = entry.channel)->ref();
+            if (status == NotConnected) dead.add(entry.channel);
             if (entry.mandatory && status > worst) worst = status;
         }
     }
-    return dead ? dropDead(dead, worst) : worst;
+    return __builtin_expect(dead.empty(), 1) ? worst : dropDead(dead, worst);
 }
 
 void OutputPortInterface::remember(const void* sample) {
@@ -64,10 +91,9 @@ void OutputPortInterface::remember(const void* sample) {
     if (last->write(sample) == WriteSuccess) has_last_.store(true, std::memory_order_release);
 }
 
-/** A channel whose other end is gone leaves the list. One per write: the next write finds the next one. */
-WriteStatus OutputPortInterface::dropDead(ChannelElementBase* dead, WriteStatus worst) {
-    getManager()->removeChannel(dead);
-    dead->deref();
+/** Channels whose other end is gone leave the list. */
+WriteStatus OutputPortInterface::dropDead(const DeadChannels& dead, WriteStatus worst) {
+    for (ChannelElementBase* channel : dead) getManager()->removeChannel(channel);
     if (connected()) return worst;
     log(Error) << "output port " << getFullName()
                << ": its last channel was found broken during write() and has been removed" << endlog();
@@ -122,14 +148,18 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
     const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
     if (!ops || (!initial && !ops->construct)) return true;  // nothing to size it with
     internal::SampleArray sample(*ops, 1, initial ? initial->get() : nullptr);
-    const bool has_last = copyLastWritten(sample.sample(0));
+    // What setDataSample() said counts for more than the last value, which may be smaller.
+    bool has_last = !initial && copyLastWritten(sample.sample(0));
     if (channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
         log(Error) << "output port " << getFullName()
                    << ": could not pass a data sample to the new channel, giving up the connection" << endlog();
         return false;
     }
+    if (init && initial) has_last = copyLastWritten(sample.sample(0));
     // What cannot be written now (a buffer of size 0) will show at the next write, too.
-    return !(init && has_last) || channel.writeErased(sample.sample(0)) != NotConnected;
+    if (!init || !has_last) return true;
+    const Reclaimer::Guard guard;
+    return channel.writeErased(sample.sample(0)) != NotConnected;
 }
 
 WriteStatus OutputPortInterface::write(DataSourceBase::shared_ptr source) {

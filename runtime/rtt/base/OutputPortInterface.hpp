@@ -44,6 +44,7 @@ public:
     bool createBufferConnection(InputPortInterface& sink, int size, int lock_policy = ConnPolicy::LOCK_FREE);
     bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection,
                           ConnPolicy const& policy) override;
+    using PortInterface::createConnection;
     bool connectTo(PortInterface* other, ConnPolicy const& policy) override;
     bool connectTo(PortInterface* other) override;
     bool createStream(ConnPolicy const& policy) override;
@@ -62,7 +63,8 @@ protected:
 private:
     void allocateLast();
     void remember(const void* sample);
-    WriteStatus dropDead(ChannelElementBase* dead, WriteStatus worst);
+    class DeadChannels;
+    WriteStatus dropDead(const DeadChannels& dead, WriteStatus worst);
 
     std::atomic<bool> keep_last_{false};
     std::atomic<bool> keep_next_{false};

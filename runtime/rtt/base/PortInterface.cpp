@@ -80,6 +80,12 @@ internal::SharedConnectionBase::shared_ptr PortInterface::getSharedConnection() 
     return manager_->getSharedConnection();
 }
 
+bool PortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection) {
+    if (shared_connection) return createConnection(shared_connection, shared_connection->getPolicy());
+    log(Error) << "port " << getFullName() << ": there is no shared connection to join" << endlog();
+    return false;
+}
+
 ChannelElementBase* PortInterface::getEndpoint() const { return endpoint_.get(); }
 
 internal::ConnID* PortInterface::getPortID() const { return new internal::LocalConnID(this); }

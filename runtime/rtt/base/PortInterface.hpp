@@ -76,6 +76,8 @@ public:
     /** Joins a shared connection without naming a peer. */
     virtual bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection,
                                   ConnPolicy const& policy) = 0;
+    /** The same with the policy of the shared connection; false, with an error logged, if that is null. */
+    bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection);
 
     /** For transports: registers a finished channel under `id` (which is taken over). */
     virtual bool addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel, ConnPolicy const& policy);

@@ -9,6 +9,7 @@
 
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/PortEndpoint.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
 #include <chrono>
@@ -25,9 +26,13 @@ struct Delivery {
     InputPortInterface* port;  // null when the port was destroyed meanwhile
     Delivery* outer;
 };
-thread_local Delivery* deliveries = nullptr;
+thread_local Delivery* deliveries __attribute__((tls_model("initial-exec"))) = nullptr;
 
 }  // namespace
+
+void InputPortInterface::signalInterface(bool on) { endpoint().setSignals(on); }
+
+bool InputPortInterface::signalsInterface() const { return endpoint().signals(); }
 
 void InputPortInterface::signalLater() {
     // seq_cst, like newDataAvailable()'s look at the interface: either finishSignals() sees this pin, or we see that the

@@ -5,6 +5,7 @@
 #define ORO_INTERNAL_CHANNEL_STORAGE_HPP
 
 #include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/Reclaimer.hpp>
 #include <rtt/internal/StorageCore.hpp>
 
 namespace RTT {
@@ -21,7 +22,10 @@ public:
 
     ChannelStorage(const ConnPolicy& policy, std::unique_ptr<SampleStore> store) : core_(policy, std::move(store)) {}
 
-    WriteStatus write(param_t sample) override { return ChannelStorage::writeErased(&sample); }
+    WriteStatus write(param_t sample) override {
+        const Reclaimer::Guard guard;
+        return ChannelStorage::writeErased(&sample);
+    }
     FlowStatus read(reference_t sample, bool copyOld) override { return core_.store().read(&sample, copyOld); }
     using base::ChannelElement<T>::data_sample;
     WriteStatus data_sample(param_t sample, bool reset = true) override {
@@ -30,7 +34,7 @@ public:
 
     WriteStatus writeErased(const void* sample) override {
         const WriteStatus status = core_.store().write(sample);
-        if (status == WriteSuccess) ChannelStorage::signal();
+        if (status == WriteSuccess) core_.hasManyReaders() ? core_.signalReaders() : Base::signalUnderGuard();
         return status;
     }
     FlowStatus readErased(void* sample, bool copyOld) override { return core_.store().read(sample, copyOld); }

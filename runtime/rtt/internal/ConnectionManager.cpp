@@ -20,6 +20,16 @@ using detail::GraphLock;
 
 ConnectionManager::~ConnectionManager() = default;
 
+bool ConnectionManager::isInput(const PortInterface& port) {
+    return dynamic_cast<const base::InputPortInterface*>(&port) != nullptr;
+}
+
+/** Ports of the same direction in one shared connection are not connected with each other. */
+bool ConnectionManager::leadsTo(const Connection& connection, const PortInterface& port) const {
+    if (connection.id->peer() == &port) return true;
+    return connection.shared && isInput(port) != isInput(*port_) && port.manager_->uses(connection.channel.get());
+}
+
 ConnectionManager::Connections ConnectionManager::getConnections() const {
     const GraphLock lock;
     Connections result;
@@ -32,9 +42,8 @@ bool ConnectionManager::connected() const { return port_->connected(); }
 bool ConnectionManager::connectedTo(PortInterface* port) const {
     if (!port) return false;
     const GraphLock lock;
-    for (const Connection& c : connections_)
-        if (c.id->peer() == port || (c.shared && port->getManager()->uses(c.channel.get()))) return true;
-    return false;
+    return std::any_of(connections_.begin(), connections_.end(),
+                       [&](const Connection& c) { return leadsTo(c, *port); });
 }
 
 SharedConnectionBase::shared_ptr ConnectionManager::getSharedConnection() const {
@@ -62,10 +71,7 @@ bool ConnectionManager::removeChannel(const ChannelElementBase* channel) {
 
 bool ConnectionManager::disconnect(PortInterface* port) {
     if (!port) return false;
-    ConnectionManager* other = port->getManager();
-    return removeIf([port, other](const Connection& c) {
-        return c.id->peer() == port || (c.shared && other->uses(c.channel.get()));
-    });
+    return removeIf([this, port](const Connection& c) { return leadsTo(c, *port); });
 }
 
 void ConnectionManager::disconnect() {
@@ -86,9 +92,8 @@ bool ConnectionManager::removeIf(Which which) {
         for (const Connection& c : gone) unlink(c);
     }
     // Transports end their part, without the lock: towards the reader's side from an output port, and vice versa.
-    const bool output = dynamic_cast<base::InputPortInterface*>(port_) == nullptr;
     for (const Connection& c : gone)
-        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, output);
+        if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isInput(*port_));
     gone.clear();
     Reclaimer::collect();
     return true;
@@ -112,7 +117,23 @@ void ConnectionManager::unlink(const Connection& connection) {
         if (core && core->hasManyReaders()) core->removeReader(end);
         ChannelElementBase::dropLink(channel->output_, end);
         ChannelElementBase::dropLink(channel->input_, end);
+        if (connection.shared) connection.shared->removeMember(*port);
     }
+    if (connection.shared)
+        for (const SharedConnectionBase::Member& m : connection.shared->members_) linkTo(*channel, *m.port, m.input);
+    // Others are not asked for their direction: they may be being destroyed.
+    const bool input = isInput(*port_);
+    for (const Connection& c : connections_)
+        if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), !input);
+    if (!peer) return;
+    for (const Connection& c : peer->manager_->connections_)
+        if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), input);
+}
+
+/** Who follows the links of a storage finds a port at both ends, whichever of its ports have left. */
+void ConnectionManager::linkTo(ChannelElementBase& storage, const PortInterface& port, bool input) {
+    std::atomic<ChannelElementBase*>& link = input ? storage.output_ : storage.input_;
+    if (!link.load(std::memory_order_acquire)) ChannelElementBase::exchangeLink(link, port.endpoint_.get());
 }
 
 bool ConnectionManager::uses(const ChannelElementBase* channel) const {

@@ -66,7 +66,11 @@ private:
     typedef std::vector<Connection> List;
     struct Removal;
 
+    static bool isInput(const base::PortInterface& port);
+
     // With the lock held:
+    bool leadsTo(const Connection& connection, const base::PortInterface& port) const;
+    static void linkTo(base::ChannelElementBase& storage, const base::PortInterface& port, bool input);
     bool mixesBadly(const ConnPolicy& policy) const;
     void add(const Connection& connection);
     bool uses(const base::ChannelElementBase* channel) const;

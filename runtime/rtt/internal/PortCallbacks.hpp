@@ -7,6 +7,8 @@
 
 #include <boost/function.hpp>
 
+#include <pthread.h>
+
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -31,6 +33,8 @@ public:
     PortCallbacks(const PortCallbacks&) = delete;
     PortCallbacks& operator=(const PortCallbacks&) = delete;
 
+    /** Both wait until a callback of the port that is executing has returned, so that the port and what the callback uses
+        may be destroyed then; except within that callback, and if it is itself waiting here. Not real-time safe. */
     void set(base::PortInterface* port, const Callback& callback);
     void remove(base::PortInterface* port);
 
@@ -49,12 +53,16 @@ private:
         Callback callback;
         std::atomic<bool> queued{false};
         std::atomic<bool> whileRunning{false};
+        std::atomic<bool> removed{false};
+        std::atomic<int> executing{0};               // more than one if the callback comes back to itself
+        std::atomic<pthread_t> thread{pthread_t()};  // that executes it
     };
     typedef std::shared_ptr<Entry> EntryPtr;
     typedef std::vector<EntryPtr> Table;
 
     Entry* find(base::PortInterface* port) const;
     void replace(base::PortInterface* port, EntryPtr entry);
+    static void waitFor(Entry& entry);
 
     std::mutex mutex_;
     std::atomic<const Table*> table_{nullptr};  // read under an internal::Reclaimer::Guard

@@ -33,12 +33,16 @@ public:
 
     /** For the input port itself; it is set once, so that signal() need not ask for the port's kind. */
     void setInputPort(base::InputPortInterface* port) { input_.store(port, std::memory_order_release); }
+    /** Whether signal() tells the port; that it need not is known here without looking at the port. */
+    void setSignals(bool on) { signals_.store(on, std::memory_order_relaxed); }
+    bool signals() const { return signals_.load(std::memory_order_relaxed); }
     /** The port goes away. Its destructor waits for those that are in signal(). */
     void detach();
 
 private:
     std::atomic<base::PortInterface*> port_;
     std::atomic<base::InputPortInterface*> input_{nullptr};
+    std::atomic<bool> signals_{false};
 };
 
 }  // namespace internal

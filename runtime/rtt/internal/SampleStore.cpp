@@ -15,7 +15,9 @@ std::unique_ptr<SampleStore> SampleStore::make(const types::TypeOps& ops, const 
     const bool data = spec.kind == StoreSpec::Data;
     if (spec.lock != StoreSpec::LockFree)
         return data ? detail::makePlainData(ops, spec, first) : detail::makePlainBuffer(ops, spec, first);
-    if (!data) return detail::makeLockFreeBuffer(ops, spec, first);
+    if (!data)
+        return detail::fitsWordBuffer(ops, spec) ? detail::makeWordBuffer(ops, spec)
+                                                 : detail::makeLockFreeBuffer(ops, spec, first);
     return detail::fitsVersionedData(ops) ? detail::makeVersionedData(ops, spec)
                                           : detail::makeCountedData(ops, spec, first);
 }

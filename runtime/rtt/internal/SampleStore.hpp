@@ -5,7 +5,7 @@
 //   kind             lock policy  small plain samples          all others
 //   DATA             LOCK_FREE    detail/data_versioned.cpp    detail/data_counted.cpp
 //   DATA             LOCKED/UNSYNC                 detail/data_plain.cpp
-//   (CIRCULAR_)BUFFER LOCK_FREE                    detail/buffer_lock_free.cpp
+//   (CIRCULAR_)BUFFER LOCK_FREE   detail/buffer_words.cpp      detail/buffer_lock_free.cpp
 //   (CIRCULAR_)BUFFER LOCKED/UNSYNC                detail/buffer_plain.cpp
 #ifndef ORO_INTERNAL_SAMPLE_STORE_HPP
 #define ORO_INTERNAL_SAMPLE_STORE_HPP

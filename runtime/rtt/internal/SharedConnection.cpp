@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/SharedConnection.hpp>
 
+#include <algorithm>
 #include <mutex>
 
 namespace RTT {
@@ -22,10 +23,16 @@ SharedConnectionBase::SharedConnectionBase(const std::string& name, base::Channe
 
 SharedConnectionBase::~SharedConnectionBase() = default;
 
+void SharedConnectionBase::removeMember(const base::PortInterface& port) {
+    const auto same = [&port](const Member& m) { return m.port == &port; };
+    members_.erase(std::remove_if(members_.begin(), members_.end(), same), members_.end());
+}
+
 void SharedConnectionBase::deref() {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) SharedConnectionRepository::Instance().forget(*this);
 }
 
+// Relaxed: the repository's lock, held by its callers, orders what is in the connection; the count only must not leave 0.
 SharedConnectionBase::shared_ptr SharedConnectionBase::revive() {
     int count = references_.load(std::memory_order_relaxed);
     while (count != 0)

@@ -10,10 +10,14 @@
 #include <atomic>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace RTT {
 namespace types {
 struct TypeOps;
+}
+namespace base {
+class PortInterface;
 }
 namespace internal {
 
@@ -34,14 +38,21 @@ public:
     void deref();
 
 private:
+    friend class ConnectionManager;
     friend class SharedConnectionRepository;
     ~SharedConnectionBase();
+    struct Member {
+        const base::PortInterface* port;
+        bool input;
+    };
+    void removeMember(const base::PortInterface& port);
     /** A reference, unless the last one is gone already. */
     shared_ptr revive();
 
     base::ChannelElementBase::shared_ptr storage_;
     ConnPolicy policy_;
     const types::TypeOps& ops_;
+    std::vector<Member> members_;  // under the lock of all connections
     std::atomic<int> references_{0};
 };
 

@@ -34,6 +34,7 @@ void StorageCore::addReader(base::ChannelElementBase& reader) {
         for (const ChannelArray::Entry& entry : entries)
             if (entry.channel == &reader) return;
         entries.push_back({&reader, true});
+        // Release: who finds the list, by the acquire load in signalReaders(), sees what is in it.
         readers_.store(ChannelArray::make(entries.data(), entries.size()), std::memory_order_release);
     }
     ChannelArray::retire(old);

@@ -68,8 +68,14 @@ bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
 }
 
 bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const ConnPolicy& policy) {
-    const ConnPolicy both = policy;  // the first stream fills in the name, the second one joins it
-    return ConnFactory::createStream(input, both) && ConnFactory::createStream(output, both);
+    // The first stream fills in the name and the size of samples, the second one joins it. The sender comes first: a
+    // receiver may wait for the sample that sizes it.
+    const ConnPolicy both = policy;
+    if (!ConnFactory::createStream(output, both)) return false;
+    if (ConnFactory::createStream(input, both)) return true;
+    const StreamConnID id(both.name_id);
+    (void)output.getManager()->removeConnection(&id);
+    return false;
 }
 
 bool connected(const OutputPortInterface& output, const InputPortInterface& input, const char* how) {

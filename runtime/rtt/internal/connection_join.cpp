@@ -23,8 +23,6 @@ std::mutex& GraphLock::mutex() {
 
 namespace {
 
-bool isInput(const PortInterface* port) { return dynamic_cast<const base::InputPortInterface*>(port) != nullptr; }
-
 /** What a buffer policy means at one end: PerOutputPort is an ordinary connection for the reader, PerInputPort for the
     writer. */
 int policyAt(bool input, const ConnPolicy& policy) {
@@ -36,17 +34,17 @@ int policyAt(bool input, const ConnPolicy& policy) {
 }  // namespace
 
 bool ConnectionManager::mixesBadly(const ConnPolicy& policy) const {
-    const bool input = isInput(port_);
+    const bool input = isInput(*port_);
     for (const Connection& c : connections_)
         if (policyAt(input, c.policy) != policyAt(input, policy)) return true;
     return false;
 }
 
 ChannelElementBase* ConnectionManager::findShared(const ConnPolicy& policy, ConnPolicy* existing) const {
-    const bool input = isInput(port_);
+    const bool input = isInput(*port_);
     if (policyAt(input, policy) == PerConnection || policy.buffer_policy == Shared) return nullptr;
     for (const Connection& c : connections_) {
-        if (policyAt(input, c.policy) != policy.buffer_policy) continue;
+        if (!c.id->peer() || policyAt(input, c.policy) != policy.buffer_policy) continue;  // streams have their own
         if (existing) *existing = c.policy;
         return c.channel.get();
     }
@@ -70,6 +68,7 @@ ConnectionManager::Obstacle ConnectionManager::join(ConnectionManager& output, C
 
     storage->connectFrom(output.port_->endpoint_);
     storage->connectTo(input.port_->endpoint_, policy.mandatory);
+    linkTo(*storage, *input.port_, true);
     // The reader first: what the writer then writes can be read.
     input.add({boost::shared_ptr<ConnID>(new LocalConnID(output.port_)), storage, policy, nullptr});
     output.add({boost::shared_ptr<ConnID>(new LocalConnID(input.port_)), storage, policy, nullptr});
@@ -81,10 +80,12 @@ ConnectionManager::Obstacle ConnectionManager::join(const SharedConnectionBase::
     for (const Connection& c : connections_)
         if (c.shared) return c.shared == connection ? AlreadyConnected : OtherStorage;
     if (mixesBadly(connection->getPolicy())) return OtherBufferPolicy;
-    if (isInput(port_))
+    if (isInput(*port_))
         connection->storage()->connectTo(port_->endpoint_);
     else
         connection->storage()->connectFrom(port_->endpoint_);
+    linkTo(*connection->storage(), *port_, isInput(*port_));
+    connection->members_.push_back({port_, isInput(*port_)});
     add({boost::shared_ptr<ConnID>(new SharedConnID(connection->getName())), connection->storage(),
          connection->getPolicy(), connection});
     return None;

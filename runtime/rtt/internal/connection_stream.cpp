@@ -4,6 +4,7 @@
 #include <rtt/internal/ConnFactory.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnID.hpp>
@@ -18,6 +19,31 @@ namespace {
 std::string describe(const base::PortInterface& port) {
     return dynamic_cast<const base::InputPortInterface*>(&port) ? "input port " + port.getFullName()
                                                                 : "output port " + port.getFullName();
+}
+
+/** Gets what sizes a new channel, as a value of the port's type. */
+class SizingSample final : public base::ChannelElementBase {
+public:
+    explicit SizingSample(const types::TypeInfo& type) : value_(type.buildValue()) {}
+    WriteStatus sampleErased(const void* sample, bool) override {
+        if (value_) value_->assignValue(sample);
+        return WriteSuccess;
+    }
+    const base::DataSourceBase::shared_ptr& value() const { return value_; }
+
+private:
+    base::DataSourceBase::shared_ptr value_;
+};
+
+/** How many bytes a sample like those of the port takes; what setDataSample() said, if nothing was written yet. */
+int marshalledSize(base::OutputPortInterface& port, const types::TypeMarshaller& marshaller) {
+    const boost::intrusive_ptr<SizingSample> sizing(new SizingSample(*port.getTypeInfo()));
+    (void)port.initialise(*sizing, false);
+    if (!sizing->value()) return 0;
+    void* cookie = marshaller.createCookie();
+    const int size = static_cast<int>(marshaller.getSampleSize(sizing->value(), cookie));
+    marshaller.deleteCookie(cookie);
+    return size;
 }
 
 /** The channel element of the transport; null, with errors logged, if there is none. */
@@ -37,16 +63,9 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
                    << (type ? type->getTypeName() : std::string("unknown_t")) << endlog();
         return nullptr;
     }
-    if (types::TypeMarshaller* marshaller = dynamic_cast<types::TypeMarshaller*>(transport)) {
-        if (sender) {
-            void* cookie = marshaller->createCookie();
-            base::OutputPortInterface& output = static_cast<base::OutputPortInterface&>(port);
-            const base::DataSourceBase::shared_ptr last(output.getDataSource());
-            last->evaluate();
-            policy.data_size = static_cast<int>(marshaller->getSampleSize(last, cookie));
-            marshaller->deleteCookie(cookie);
-        }
-    }
+    const types::TypeMarshaller* marshaller = dynamic_cast<types::TypeMarshaller*>(transport);
+    if (sender && marshaller)
+        policy.data_size = marshalledSize(static_cast<base::OutputPortInterface&>(port), *marshaller);
     base::ChannelElementBase::shared_ptr element = transport->createStream(&port, policy, sender);
     if (!element)
         log(Error) << "transport " << policy.transport << " failed to create a remote channel for " << describe(port)

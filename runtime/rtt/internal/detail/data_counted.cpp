@@ -80,12 +80,10 @@ private:
 
     std::size_t claim() {
         const std::size_t n = samples_.count();
-        std::size_t i = hint_.load(std::memory_order_relaxed);
+        std::size_t i = freed_.load(std::memory_order_relaxed);
         for (std::size_t tries = 2 * n; tries > 0; --tries) {
+            if (claimSlot(i)) return i;
             i = i + 1 < n ? i + 1 : 0;
-            if (!claimSlot(i)) continue;
-            hint_.store(i, std::memory_order_relaxed);
-            return i;
         }
         return kNone;
     }
@@ -97,7 +95,9 @@ private:
     }
     void publish(std::size_t i) {
         const std::size_t old = current_.exchange(i, std::memory_order_acq_rel);  // W2
-        if (old != kNone) unhold(old);
+        if (old == kNone) return;
+        unhold(old);
+        freed_.store(old, std::memory_order_relaxed);
     }
     void unhold(std::size_t i) { state(i).fetch_and(~kHeld, std::memory_order_release); }  // W3
 
@@ -134,7 +134,8 @@ private:
     }
 
     SampleArray samples_;
-    std::atomic<std::size_t> hint_{0};  // where the last writer was; only spreads the writers
+    // Where writers look first: large samples stay in the caches if the same few slots are used again and again.
+    std::atomic<std::size_t> freed_{0};
     alignas(64) std::atomic<std::size_t> current_{kNone};
 };
 

@@ -22,11 +22,12 @@
 // current slot is never written.
 // New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader.
 // If it fails, another reader was first; the reader starts again and cannot return an older sample than that one.
-#include <rtt/internal/SampleBox.hpp>
+#include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
 #include <atomic>
 #include <cstdint>
+#include <new>
 
 namespace RTT {
 namespace internal {
@@ -34,28 +35,27 @@ namespace detail {
 
 namespace {
 
-typedef std::uint64_t Word;
-constexpr std::size_t kMaxWords = 16;
+typedef SampleWord Word;
 constexpr unsigned kSlotBits = 16;
 constexpr Word kNone = ~Word(0);  // also: no slot ever has this version
 
 struct Slot {
     std::atomic<std::uint32_t> owner{0};
     std::atomic<Word> version{0};  // written by the owner only
-    std::atomic<Word> words[1];    // really as many as the sample needs
+    AtomicWord words[1];           // really as many as the sample needs
 };
 
 class VersionedData final : public SampleStore {
 public:
     VersionedData(const types::TypeOps& ops, std::size_t threads)
         : SampleStore(ops),
-          words_((ops.size + sizeof(Word) - 1) / sizeof(Word)),
+          words_(wordsFor(ops.size)),
           slots_(threads + 2),
           stride_((sizeof(Slot) + (words_ - 1) * sizeof(Word) + 63) / 64 * 64),
           block_(static_cast<unsigned char*>(::operator new(stride_* slots_, std::align_val_t(64)))) {
         for (std::size_t i = 0; i < slots_; ++i) {
             Slot* s = new (block_ + i * stride_) Slot;
-            for (std::size_t w = 1; w < words_; ++w) new (&s->words[0] + w) std::atomic<Word>;
+            for (std::size_t w = 1; w < words_; ++w) new (s->words + w) AtomicWord;
         }
     }
     ~VersionedData() override { ::operator delete(block_, std::align_val_t(64)); }
@@ -76,7 +76,7 @@ public:
             hint_.store(i, std::memory_order_relaxed);
             const Word version = slot.version.load(std::memory_order_relaxed) + 1;
             slot.version.store(version, std::memory_order_relaxed);               // W2
-            storeWords(slot, sample);                                             // W3
+            storeWords(slot.words, sample, ops_.size);                            // W3
             current_.store(version << kSlotBits | i, std::memory_order_release);  // W4
             slot.owner.store(0, std::memory_order_release);                       // W5
             return WriteSuccess;
@@ -93,16 +93,12 @@ public:
             const Slot& slot = at(indexOf(current));
             const Word version = current >> kSlotBits;
             if (slot.version.load(std::memory_order_acquire) != version) continue;  // R2
-            Word copy[kMaxWords];
-            for (std::size_t w = 0; w < words_; ++w)
-                copy[w] = (&slot.words[0])[w].load(std::memory_order_acquire);                                // R3
+            WordsCopy copy;
+            loadWords(copy, slot.words, words_);                                                              // R3
             if (slot.version.load(std::memory_order_relaxed) != version) continue;                            // R4
             if (seen != current && !read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel))  // R5
                 continue;
-            if (words_ == 1 && ops_.size == sizeof(Word))
-                std::memcpy(sample, copy, sizeof(Word));
-            else
-                std::memcpy(sample, copy, ops_.size);
+            copyOut(sample, copy, ops_.size);
             return seen == current ? OldData : NewData;
         }
     }
@@ -116,20 +112,6 @@ public:
 private:
     static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
     Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
-    void storeWords(Slot& slot, const void* sample) {
-        const unsigned char* from = static_cast<const unsigned char*>(sample);
-        std::size_t left = ops_.size;
-        for (std::size_t w = 0; left > 0; ++w, from += sizeof(Word)) {
-            Word word = 0;
-            const std::size_t n = left < sizeof(Word) ? left : sizeof(Word);
-            if (n == sizeof(Word))
-                std::memcpy(&word, from, sizeof(Word));
-            else
-                std::memcpy(&word, from, n);
-            (&slot.words[0])[w].store(word, std::memory_order_release);
-            left -= n;
-        }
-    }
     void resizeElements(const void*) override {}  // plain samples all have one size
 
     const std::size_t words_, slots_, stride_;
@@ -142,7 +124,7 @@ private:
 
 }  // namespace
 
-bool fitsVersionedData(const types::TypeOps& ops) { return ops.trivial && ops.size <= kMaxWords * sizeof(Word); }
+bool fitsVersionedData(const types::TypeOps& ops) { return fitsWords(ops); }
 
 StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec) {
     return StorePtr(new VersionedData(ops, spec.maxThreads));

@@ -21,6 +21,9 @@ StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec);
 StorePtr makeCountedData(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
+/** Whether makeWordBuffer() can store the type. */
+bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
+StorePtr makeWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
 StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 
 /** Runs a function at the end of the scope, also when assigning a sample throws. */
