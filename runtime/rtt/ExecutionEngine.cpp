@@ -1,145 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+// What a step consists of. How it is asked for is in engine_queue.cpp.
 #include <rtt/ExecutionEngine.hpp>
 
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/detail/engine_removal.hpp>
 
 #include <algorithm>
 #include <exception>
 
 namespace RTT {
 
+using internal::EngineGate;
 using internal::Mailbox;
 
 namespace {
-
-/** Takes a function out of an engine, in the engine's thread. Lives on the stack of the waiting remover. */
-class RemoveMessage : public base::DisposableInterface {
-public:
-    RemoveMessage(std::vector<base::ExecutableInterface*>& functions, base::ExecutableInterface* function,
-                  std::shared_ptr<internal::WaitPoint> waitPoint)
-        : functions_(functions), function_(function), wait_point_(std::move(waitPoint)) {}
-    void executeAndDispose() override {
-        // Leaves a hole, because the engine may be walking the list: it closes holes after the walk.
-        std::replace(functions_.begin(), functions_.end(), function_, static_cast<base::ExecutableInterface*>(nullptr));
-        dispose();
-    }
-    void dispose() override {
-        const auto waitPoint = wait_point_;  // `this` is gone as soon as done_ is seen
-        done_.store(true);
-        waitPoint->notify();
-    }
-    bool done() const { return done_.load(); }
-
-private:
-    std::vector<base::ExecutableInterface*>& functions_;
-    base::ExecutableInterface* function_;
-    std::shared_ptr<internal::WaitPoint> wait_point_;
-    std::atomic<bool> done_{false};
-};
-
-/** The steps this thread is in, innermost first: a sequential activity may execute within the step of another. */
-struct Stepping {
-    explicit Stepping(const ExecutionEngine* stepped) : engine(stepped), outer(innermost) { innermost = this; }
-    ~Stepping() { innermost = outer; }
-    const ExecutionEngine* engine;
-    const Stepping* outer;
-    static thread_local const Stepping* innermost;
-};
-thread_local const Stepping* Stepping::innermost = nullptr;
-
-std::string nameOf(const base::TaskCore* task) { return task ? task->getName() : "GlobalEngine"; }
-
+std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskCore::getName() : "GlobalEngine"; }
 }  // namespace
 
-ExecutionEngine::ExecutionEngine(base::TaskCore* owner)
-    : task_(owner), wait_point_(std::make_shared<internal::WaitPoint>()) {
+ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : gate_(new EngineGate(this)), task_(owner) {
     functions_.reserve(16);
     deferred_ports_.reserve(16);
 }
 
 ExecutionEngine::~ExecutionEngine() {
+    const_cast<EngineGate&>(*gate_).close();  // from here on nobody puts anything into the queue
     disposeQueued();
     for (base::ExecutableInterface* function : functions_)
         if (function) function->unloaded();
-}
-
-void ExecutionEngine::disposeQueued() {
-    Mailbox::Item item;
-    while (mailbox_.take(item)) {
-        if (item.kind == Mailbox::Kind::Message)
-            static_cast<base::DisposableInterface*>(item.what)->dispose();
-        else if (item.kind == Mailbox::Kind::AddFunction)
-            static_cast<base::ExecutableInterface*>(item.what)->unloaded();
-    }
-}
-
-bool ExecutionEngine::accepts() const { return getActivity() && !(task_ && task_->inFatalError()); }
-
-// The component may enter FatalError between our look at its state and put(). Its thread then enters the new state,
-// notifies and disposes of what is queued, in this order; we put, notify and look at the state again. notify() changes one
-// word in both, so one of the two comes second and sees what the other did before: the message is disposed of.
-bool ExecutionEngine::enqueue(Mailbox::Item item) {
-    if (!item.what || !accepts() || !mailbox_.put(item)) return false;
-    wait_point_->notify();  // this engine's thread may be inside waitForMessages()
-    if (!accepts()) {
-        disposeQueued();
-        return true;
-    }
-    getActivity()->trigger();
-    return true;
-}
-
-bool ExecutionEngine::process(base::DisposableInterface* message) { return enqueue({Mailbox::Kind::Message, message}); }
-
-bool ExecutionEngine::process(base::PortInterface* port) { return enqueue({Mailbox::Kind::Port, port}); }
-
-bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
-    if (!function || !accepts()) return false;
-    function->loaded(this);
-    if (enqueue({Mailbox::Kind::AddFunction, function})) return true;
-    function->unloaded();
-    return false;
-}
-
-bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
-    if (!function || !function->isLoaded() || function->getEngine() != this) return true;
-    RemoveMessage message(functions_, function, wait_point_);
-    base::ActivityInterface* activity = getActivity();
-    if (activity && activity->isActive() && !isSelf()) {
-        // The queue is in order, so an addition that still waits in it is executed before the removal.
-        if (!process(&message)) return false;
-        waitForMessages([&] { return message.done(); });
-    } else {
-        processMailbox(Depth::Waiting);
-        message.executeAndDispose();
-    }
-    function->unloaded();
-    return true;
-}
-
-void ExecutionEngine::waitForMessages(const boost::function<bool()>& done) {
-    const bool self = isSelf();
-    while (!done()) {
-        const std::uint32_t ticket = wait_point_->prepare();
-        if (self) processMailbox(Depth::Waiting);
-        if (done() || (self && !mailbox_.empty()))
-            wait_point_->cancel();
-        else
-            wait_point_->wait(ticket);
-    }
-    // The trigger that came with the port may have been used up before we waited.
-    if (self && deferred_ && getActivity()) getActivity()->trigger();
-}
-
-bool ExecutionEngine::isSelf() const { return getActivity() && getActivity()->isSelf(); }
-
-bool ExecutionEngine::isStepping() const {
-    for (const Stepping* step = Stepping::innermost; step; step = step->outer)
-        if (step->engine == this) return true;
-    return false;
 }
 
 void ExecutionEngine::setExceptionTask() {
@@ -148,18 +38,37 @@ void ExecutionEngine::setExceptionTask() {
 }
 
 void ExecutionEngine::setFatalTask() {
-    wait_point_->notify();  // see enqueue()
-    base::ActivityInterface* activity = getActivity();
-    // If it does not stop, its thread executes what is queued; else nobody will, and those who wait must learn that.
-    if (!activity || !activity->isActive() || activity->stop()) disposeQueued();
+    // See accepts(): who has queued something and did not see the new state has done so before this.
+    gate_->waitPoint.notify();
+    const EngineGate::Visit visit(*gate_);
+    if (base::ActivityInterface* activity = visit.activity()) activity->stop();
+    disposeQueued();  // those who wait must learn that nobody will execute it
 }
 
 bool ExecutionEngine::stopTask() {
-    base::ActivityInterface* activity = getActivity();
+    const EngineGate::Visit visit(*gate_);
+    base::ActivityInterface* const activity = visit.activity();
     if (!activity || !activity->isActive()) return true;
     if (!activity->stop()) return false;
-    activity->start();
+    startActivity();
     return true;
+}
+
+// A sender may have queued something while the activity was not active, so that its trigger was refused. Both change the
+// word of the wait point before they look at what the other one does (mark() here, notify() in enqueue()), so either
+// the sender finds the activity active or we find what it queued.
+bool ExecutionEngine::startActivity() {
+    const EngineGate::Visit visit(*gate_);
+    base::ActivityInterface* const activity = visit.activity();
+    if (!activity || !activity->start()) return false;
+    gate_->waitPoint.mark();
+    if (hasWork()) activity->trigger();
+    return true;
+}
+
+void ExecutionEngine::setActivity(base::ActivityInterface* activity) {
+    base::RunnableInterface::setActivity(activity);
+    const_cast<EngineGate&>(*gate_).setActivity(activity);
 }
 
 bool ExecutionEngine::initialize() { return true; }
@@ -170,89 +79,131 @@ void ExecutionEngine::finalize() {}
 bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_; }
 
 void ExecutionEngine::work(WorkReason reason) {
-    const Stepping here(this);
+    const bool nested = gate_->isStepping();
+    const Step here(*gate_);
     if (task_) {
         ++task_->mCycleCounter;
         ++(reason == Trigger ? task_->mTriggerCounter : reason == TimeOut ? task_->mTimeOutCounter : task_->mIOCounter);
     }
-    processMailbox(Depth::Step);
-    if (reason == Trigger) return;
-    processFunctions();
-    processHooks();
+    // The master of a slave that waits executes the slave's triggers meanwhile.
+    processMailbox(here, nested ? Depth::Waiting : Depth::Step);
+    if (nested || reason == Trigger || here.gone()) return;
+    processFunctions(here);
+    if (!here.gone()) processHooks(here);
 }
 
 // Calls what others wrote. False if it threw; the component is in Exception then.
 template <class Action>
-bool ExecutionEngine::guarded(const char* what, Action&& action) {
+bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& action) {
+    std::string why;
     try {
         action();
         return true;
     } catch (const std::exception& e) {
-        log(Error) << "in " << nameOf(task_) << ": " << what << " threw: " << e.what() << endlog();
+        why = e.what();
     } catch (...) {
-        log(Error) << "in " << nameOf(task_) << ": " << what << " threw something that is no std::exception"
-                   << endlog();
+        why = "something that is no std::exception";
     }
-    if (task_) task_->exception();
+    log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task_)) << ": " << what
+               << " threw: " << why << endlog();
+    if (!here.gone() && task_) task_->exception();
     return false;
 }
 
-void ExecutionEngine::processMailbox(Depth depth) {
-    if (depth == Depth::Step) callDeferredPorts();
+void ExecutionEngine::processMailbox(const Step& here, Depth depth) {
+    if (depth == Depth::Step) callDeferredPorts(here);
     Mailbox::Item item;
-    while (mailbox_.take(item)) execute(item, depth);
+    bool any = false;
+    for (; !here.gone() && mailbox_.take(item); any = true) execute(here, item, depth);
+    if (here.gone()) return;
     // Those that came up while one of these messages waited for something.
-    if (depth == Depth::Step) callDeferredPorts();
+    if (depth == Depth::Step) callDeferredPorts(here);
+    // Other threads may wait here for what a message does.
+    if (any && !here.gone()) gate_->waitPoint.notify();
 }
 
-void ExecutionEngine::execute(Mailbox::Item item, Depth depth) {
+void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth) {
+    if (!item.what) return;  // withdrawn
     switch (item.kind) {
         case Mailbox::Kind::Message:
-            guarded("a message", [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
+            guarded(here, "a message",
+                    [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
             break;
         case Mailbox::Kind::Port:
             // A component in the middle of its updateHook() does not expect its callbacks because it calls somebody.
-            deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
-            deferred_ = true;
-            if (depth == Depth::Step) callDeferredPorts();
+            if (depth == Depth::Waiting || !deferred_ports_.empty()) {
+                deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
+                deferred_ = true;
+            } else if (task_) {
+                guarded(here, "the callback of a port",
+                        [&] { task_->dataOnPortCallback(static_cast<base::PortInterface*>(item.what)); });
+                if (here.gone()) return;
+            }
+            if (depth == Depth::Step) callDeferredPorts(here);
             break;
         case Mailbox::Kind::AddFunction:
             functions_.push_back(static_cast<base::ExecutableInterface*>(item.what));
             break;
+        case Mailbox::Kind::RemoveFunction: {
+            auto* const removal = static_cast<Removal*>(item.what);
+            // Leaves a hole, because the engine may be walking the list: it closes holes after the walk.
+            takeOut(removal->function);
+            if (executing_ == removal->function) {
+                // Its execute() waits for something, further down the stack.
+                removal->next = removals_;
+                removals_ = removal;
+            } else {
+                removal->finish(Removal::Removed);
+            }
+            break;
+        }
     }
 }
 
-void ExecutionEngine::callDeferredPorts() {
+void ExecutionEngine::callDeferredPorts(const Step& here) {
     if (!deferred_) return;
     // By index: a callback that waits for something may add to the list.
-    for (std::size_t i = 0; i != deferred_ports_.size(); ++i)
-        if (task_) guarded("the callback of a port", [&] { task_->dataOnPortCallback(deferred_ports_[i]); });
+    for (std::size_t i = 0; i != deferred_ports_.size(); ++i) {
+        if (task_) guarded(here, "the callback of a port", [&] { task_->dataOnPortCallback(deferred_ports_[i]); });
+        if (here.gone()) return;
+    }
     deferred_ports_.clear();
     deferred_ = false;
 }
 
-void ExecutionEngine::processFunctions() {
+void ExecutionEngine::processFunctions(const Step& here) {
     // Functions added or removed by those that run here take effect in the next step.
     for (std::size_t i = 0, count = functions_.size(); i != count; ++i) {
         base::ExecutableInterface* function = functions_[i];
+        if (task_ && task_->base::TaskCore::inFatalError()) return;
+        if (!function) continue;
+        executing_ = function;
         bool again = false;
-        if (!function || (guarded("a function", [&] { again = function->execute(); }) && again)) continue;
-        if (functions_[i] == function) {
+        const bool returned = guarded(here, "a function", [&] { again = function->execute(); });
+        if (here.gone()) return;
+        executing_ = nullptr;
+        if (!(returned && again) && functions_[i] == function) {
             functions_[i] = nullptr;
             function->unloaded();
+        }
+        while (Removal* const removal = removals_) {
+            removals_ = removal->next;
+            removal->finish(Removal::Removed);
         }
     }
     functions_.erase(std::remove(functions_.begin(), functions_.end(), nullptr), functions_.end());
 }
 
-void ExecutionEngine::processHooks() {
+void ExecutionEngine::processHooks(const Step& here) {
     if (!task_) return;
+    // Not through the virtual functions: a sub-class of a component that was stopped may be under destruction.
     using Core = base::TaskCore;
-    if (task_->getTaskState() == Core::Running && task_->getTargetState() == Core::Running)
-        guarded("updateHook()", [this] { task_->updateHook(); });
+    if (task_->Core::getTaskState() == Core::Running && task_->Core::getTargetState() == Core::Running)
+        guarded(here, "updateHook()", [this] { task_->updateHook(); });
+    if (here.gone()) return;
     // error() in updateHook() is served in the same step.
-    if (task_->getTaskState() == Core::RunTimeError && task_->getTargetState() >= Core::Running)
-        guarded("errorHook()", [this] { task_->errorHook(); });
+    if (task_->Core::getTaskState() == Core::RunTimeError && task_->Core::getTargetState() >= Core::Running)
+        guarded(here, "errorHook()", [this] { task_->errorHook(); });
 }
 
 }  // namespace RTT

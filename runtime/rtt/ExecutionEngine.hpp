@@ -6,12 +6,13 @@
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
 #include <rtt/base/RunnableInterface.hpp>
+#include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/Mailbox.hpp>
-#include <rtt/internal/WaitPoint.hpp>
 
 #include <boost/function.hpp>
 
-#include <memory>
+#include <atomic>
+#include <cstdint>
 #include <vector>
 
 namespace RTT {
@@ -28,10 +29,15 @@ class TaskCore;
  *   TimeOut, IOReady    the same, then functions, then updateHook() or errorHook()
  *
  * While a component waits for the operation of another one it executes messages, so that two components that call each
- * other do not wait for ever; its port callbacks, functions and hooks have to wait with it.
+ * other do not wait for ever; its port callbacks, functions and hooks have to wait with it. A thread that is within the
+ * steps of several components (a master and its slave) executes the messages of all of them.
  *
  * What throws here puts the component into Exception. One queue of Mailbox::kCapacity entries takes everything that
- * other threads ask for.
+ * other threads ask for; asking costs at most one wake-up of the component's thread, and none if it is awake. Nothing of
+ * it is lost while the activity is stopped, started or exchanged.
+ *
+ * An engine may be destroyed while others send to it, also within its own step (by an operation, a port callback, a
+ * function or updateHook(), which then return to nobody), but not while it waits.
  */
 class RTT_API ExecutionEngine : public base::RunnableInterface {
 public:
@@ -47,13 +53,18 @@ public:
     bool process(base::PortInterface* port);
     /** Executes `function` in every step until its execute() returns false. False as above. Any thread. */
     bool runFunction(base::ExecutableInterface* function);
-    /** Stops executing it; waits until it is not being executed. True if it was not loaded or is removed. */
+    /** Stops executing it; waits until it is not being executed, except in the engine's own thread. True if it was not
+        loaded or is removed; false if the queue is full. */
     bool removeFunction(base::ExecutableInterface* function);
 
     /** Waits until `done()` is true. In the engine's own thread it executes messages meanwhile; blocks. */
     void waitForMessages(const boost::function<bool()>& done);
-    /** Wakes those who wait here; see internal::WaitPoint. */
-    const std::shared_ptr<internal::WaitPoint>& waitPoint() const { return wait_point_; }
+    /** The same, at most until the monotonic time in ns; returns done(). */
+    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline);
+    /** For those who may outlive this engine. */
+    const boost::intrusive_ptr<const internal::EngineGate>& gate() const { return gate_; }
+    /** Queues a message for the engine of `gate`, if it still exists. As process(). */
+    static bool process(const internal::EngineGate& gate, base::DisposableInterface* message);
 
     /** True in the thread that executes this engine. Real-time safe. */
     bool isSelf() const;
@@ -70,7 +81,12 @@ public:
     void setFatalTask();
     /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop. */
     bool stopTask();
+    /** Starts the activity and sees to it that it executes what was queued meanwhile. */
+    bool startActivity();
 
+    base::ActivityInterface* getActivity() const override { return gate_->activity(); }
+    /** Called by the activity; blocks until no other thread uses the previous one. */
+    void setActivity(base::ActivityInterface* activity) override;
     bool initialize() override;
     void step() override;
     void loop() override;
@@ -81,25 +97,36 @@ public:
 
 private:
     enum class Depth { Step, Waiting };
+    typedef internal::EngineGate::Step Step;
+    class Removal;
 
     bool accepts() const;
+    bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();
-    void processMailbox(Depth depth);
-    void execute(internal::Mailbox::Item item, Depth depth);
-    void callDeferredPorts();
-    void processFunctions();
-    void processHooks();
-    template <class Action>
-    bool guarded(const char* what, Action&& action);
+    static bool processWaiting();
+    void triggerDeferred();
+    void takeOut(base::ExecutableInterface* function);
+    void awaitRemoval(Removal& removal, const internal::EngineGate& waiting);
 
+    // These are given the step they belong to, because what they call may destroy this engine: they return then.
+    void processMailbox(const Step& here, Depth depth);
+    void execute(const Step& here, internal::Mailbox::Item item, Depth depth);
+    void callDeferredPorts(const Step& here);
+    void processFunctions(const Step& here);
+    void processHooks(const Step& here);
+    template <class Action>
+    bool guarded(const Step& here, const char* what, Action&& action);
+
+    const boost::intrusive_ptr<const internal::EngineGate> gate_;
     base::TaskCore* task_;
     internal::Mailbox mailbox_;
-    std::shared_ptr<internal::WaitPoint> wait_point_;
 
     // Touched in the engine's thread only. Ports whose callbacks came up while the component was waiting:
     std::vector<base::PortInterface*> deferred_ports_;
     std::vector<base::ExecutableInterface*> functions_;
+    base::ExecutableInterface* executing_ = nullptr;
+    Removal* removals_ = nullptr;        // of executing_
     std::atomic<bool> deferred_{false};  // there are such ports
 };
 

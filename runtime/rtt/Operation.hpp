@@ -97,16 +97,8 @@ private:
         // An operation that is only a signal.
         if (!ready()) calls([](Args...) -> R { return internal::NA<R>::na(); });
         internal::CalleeBase& callee = *caller()->function();
-        if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>(), &emit);
+        if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>());
         return static_cast<OperationSignal&>(*callee.signal());
-    }
-    static void emit(const internal::SignalBase& signal, void* const* arguments) {
-        emitWith(static_cast<const OperationSignal&>(signal), arguments, std::index_sequence_for<Args...>());
-    }
-    template <std::size_t... I>
-    static void emitWith(const OperationSignal& signal, void* const* arguments, std::index_sequence<I...>) {
-        (void)arguments;
-        signal.emit(static_cast<Args>(*static_cast<std::remove_cv_t<std::remove_reference_t<Args>>*>(arguments[I]))...);
     }
 };
 

@@ -15,7 +15,10 @@ base::OperationCallerBaseInvoker::~OperationCallerBaseInvoker() = default;
 namespace internal {
 
 base::OperationCallerInterface::shared_ptr localOperation(OperationInterfacePart* part) {
-    return part->getLocalOperation();
+    const base::OperationCallerInterface::shared_ptr local = part->getLocalOperation();
+    if (!local)
+        log(Error) << "operation '" << part->getName() << "' cannot be called from C++: it is remote" << endlog();
+    return local;
 }
 
 OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name) {

@@ -40,7 +40,7 @@ public:
     virtual bool ready() const = 0;
     /** Binds to an operation; null unbinds. False if its signature differs. */
     virtual bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) = 0;
-    virtual bool setImplementation(OperationCallerInterface::shared_ptr implementation,
+    virtual bool setImplementation(DisposableInterface::shared_ptr implementation,
                                    ExecutionEngine* caller = nullptr) = 0;
     virtual void disconnect() = 0;
     virtual void setCaller(ExecutionEngine* caller) = 0;
@@ -85,7 +85,7 @@ public:
         setImplementationPart(internal::findOperation(service, name), caller);
     }
     /** From what Service::getLocalOperation() gives. */
-    OperationCaller(base::OperationCallerInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) {
+    OperationCaller(base::DisposableInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) {
         setImplementation(implementation, caller);
     }
     OperationCaller(const OperationCaller& other) : OperationCallerBaseInvoker(other.name_, other.caller_) {
@@ -107,7 +107,7 @@ public:
         setImplementationPart(internal::findOperation(service, name_), caller_);
         return *this;
     }
-    OperationCaller& operator=(base::OperationCallerInterface::shared_ptr implementation) {
+    OperationCaller& operator=(base::DisposableInterface::shared_ptr implementation) {
         setImplementation(implementation, caller_);
         return *this;
     }
@@ -131,7 +131,7 @@ public:
         }
         return setImplementation(internal::localOperation(part), caller);
     }
-    bool setImplementation(base::OperationCallerInterface::shared_ptr implementation,
+    bool setImplementation(base::DisposableInterface::shared_ptr implementation,
                            ExecutionEngine* caller = nullptr) override {
         if (caller) caller_ = caller;
         auto* typed = dynamic_cast<base::OperationCallerBase<Signature>*>(implementation.get());

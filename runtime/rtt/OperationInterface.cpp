@@ -3,11 +3,23 @@
 #include <rtt/OperationInterface.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
+#include <rtt/Handle.hpp>
 #include <rtt/internal/DataSource.hpp>
 
 namespace RTT {
 
 OperationInterfacePart::~OperationInterfacePart() = default;
+
+Handle OperationInterfacePart::produceSignal(base::ActionInterface*, const Args&, ExecutionEngine*) const {
+    throw no_asynchronous_operation_exception("operation '" + getName() + "' is no signal");
+}
+
+OperationInterfacePart::shared_constptr OperationInterfacePart::hold(const OperationInterfacePart* part) {
+    if (!part) return nullptr;
+    shared_constptr held = part->weak_from_this().lock();
+    return held ? held : shared_constptr(part, [](const OperationInterfacePart*) {});
+}
+
 OperationInterface::OperationInterface() = default;
 OperationInterface::~OperationInterface() = default;
 
@@ -45,6 +57,10 @@ base::DataSourceBase::shared_ptr OperationInterface::produceCollect(
     const std::string& name, const Args& args, internal::DataSource<bool>::shared_ptr blocking) const {
     return part(name).produceCollect(args, blocking);
 }
+Handle OperationInterface::produceSignal(const std::string& name, base::ActionInterface* action, const Args& args,
+                                         ExecutionEngine* subscriber) const {
+    return part(name).produceSignal(action, args, subscriber);
+}
 OperationInterface::Descriptions OperationInterface::getArgumentList(const std::string& name) const {
     return part(name).getArgumentList();
 }
@@ -53,6 +69,9 @@ std::string OperationInterface::getDescription(const std::string& name) const { 
 int OperationInterface::getArity(const std::string& name) const { return static_cast<int>(part(name).arity()); }
 int OperationInterface::getCollectArity(const std::string& name) const {
     return static_cast<int>(part(name).collectArity());
+}
+const types::TypeInfo* OperationInterface::getCollectType(const std::string& name, int index) const {
+    return part(name).getCollectType(static_cast<unsigned>(index));
 }
 bool OperationInterface::isSynchronous(const std::string& name) const { return part(name).isSynchronous(); }
 

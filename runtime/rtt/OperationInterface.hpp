@@ -6,7 +6,6 @@
 #include <rtt/OperationInterfacePart.hpp>
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,18 +30,22 @@ public:
     /** Null if there is none. */
     OperationInterfacePart* getPart(const std::string& name) const;
 
-    // All of these throw name_not_found_exception; the first four also what OperationInterfacePart throws.
+    // All of these throw name_not_found_exception; the first five also what OperationInterfacePart throws.
     base::DataSourceBase::shared_ptr produce(const std::string& name, const Args& args, ExecutionEngine* caller) const;
     base::DataSourceBase::shared_ptr produceSend(const std::string& name, const Args& args,
                                                  ExecutionEngine* caller) const;
     base::DataSourceBase::shared_ptr produceHandle(const std::string& name) const;
     base::DataSourceBase::shared_ptr produceCollect(const std::string& name, const Args& args,
                                                     boost::intrusive_ptr<internal::DataSource<bool>> blocking) const;
+    /** Owns `action` only if it does not throw. */
+    Handle produceSignal(const std::string& name, base::ActionInterface* action, const Args& args,
+                         ExecutionEngine* subscriber) const;
     Descriptions getArgumentList(const std::string& name) const;
     std::string getResultType(const std::string& name) const;
     std::string getDescription(const std::string& name) const;
     int getArity(const std::string& name) const;
     int getCollectArity(const std::string& name) const;
+    const types::TypeInfo* getCollectType(const std::string& name, int index) const;
     bool isSynchronous(const std::string& name) const;
 
     /** Takes ownership; replaces what has the name. */
@@ -52,7 +55,7 @@ public:
 
 private:
     OperationInterfacePart& part(const std::string& name) const;
-    std::map<std::string, std::unique_ptr<OperationInterfacePart>> parts_;
+    std::map<std::string, boost::shared_ptr<OperationInterfacePart>> parts_;
 };
 
 }  // namespace RTT

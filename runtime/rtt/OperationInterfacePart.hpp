@@ -6,12 +6,19 @@
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 
+#include <boost/enable_shared_from_this.hpp>
+#include <boost/shared_ptr.hpp>
+
 #include <string>
 #include <vector>
 
 namespace RTT {
 
 class ExecutionEngine;
+class Handle;
+namespace base {
+class ActionInterface;
+}
 namespace types {
 class TypeInfo;
 }
@@ -30,10 +37,12 @@ struct ArgumentDescription {
 
 /**
  * One operation of a service, for users that learn its signature at run time: scripts, consoles, transports. Nothing
- * here is real-time safe, but evaluating what produce() returns is, if the operation is.
+ * here is real-time safe, but evaluating what produce() returns is, if the operation is. Belongs to its service; those
+ * who may outlive the registration hold it.
  */
-class RTT_API OperationInterfacePart {
+class RTT_API OperationInterfacePart : public boost::enable_shared_from_this<OperationInterfacePart> {
 public:
+    typedef boost::shared_ptr<const OperationInterfacePart> shared_constptr;
     typedef std::vector<base::DataSourceBase::shared_ptr> Args;
 
     virtual ~OperationInterfacePart();
@@ -59,10 +68,21 @@ public:
         whether it waits. Its value is the SendStatus. */
     virtual base::DataSourceBase::shared_ptr produceCollect(
         const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const = 0;
+    /**
+     * Has `action` executed with each call of the operation, before the operation itself, after the arguments of the call
+     * were assigned to the variables `args`. In the thread of `subscriber`, by a message to it if the call is made in
+     * another one; a null subscriber stands for whatever thread calls. The connection owns `action`, which may be null.
+     * Calls by other threads than the subscriber's allocate memory. Throws no_asynchronous_operation_exception if the
+     * operation is no signal (see Service::addEventOperation()), and wrong_number_of_args_exception and its siblings.
+     */
+    virtual Handle produceSignal(base::ActionInterface* action, const Args& args, ExecutionEngine* subscriber) const;
     /** The operation itself, to be narrowed to OperationCallerBase<Signature>; null if it is remote. */
     virtual base::OperationCallerInterface::shared_ptr getLocalOperation() const { return nullptr; }
     /** False for operations that can only be called. */
     virtual bool isSynchronous() const { return false; }
+
+    /** `part` held; not so if it does not belong to a service, then it has to outlive its users. */
+    static shared_constptr hold(const OperationInterfacePart* part);
 };
 
 }  // namespace RTT

@@ -4,10 +4,16 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/OperationPart.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace RTT {
+
+void internal::throwNoObject() {
+    throw std::runtime_error("the operation was called while there was no object for it");
+}
 
 Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner) {
     shared_ptr made(new Service(name, owner));
@@ -27,7 +33,12 @@ void Service::setOwner(TaskContext* owner) {
 
 ExecutionEngine* Service::getOwnerExecutionEngine() const { return owner_ ? owner_->engine() : nullptr; }
 
-void Service::setParent(shared_ptr parent) { parent_ = parent; }
+void Service::setParent(shared_ptr parent) {
+    if (parent.get() != holder_) holder_ = nullptr;
+    parent_ = parent;
+}
+
+Service::shared_ptr Service::getParent() const { return holder_ ? holder_->provides() : parent_.lock(); }
 
 Service::shared_ptr Service::provides() {
     // In the constructor of a sub-class nobody owns this yet; the pointer then does not either.
@@ -57,7 +68,7 @@ Service::ProviderNames Service::getProviderNames() const {
 }
 
 bool Service::addService(shared_ptr service) {
-    if (!service) return false;
+    if (!service || service.get() == this) return false;
     const auto present = services_.find(service->getName());
     if (present != services_.end()) {
         if (present->second == service) return true;
@@ -67,6 +78,7 @@ bool Service::addService(shared_ptr service) {
     }
     services_[service->getName()] = service;
     service->setParent(provides());
+    service->holder_ = this;
     service->setOwner(owner_);
     return true;
 }
@@ -76,6 +88,7 @@ void Service::removeService(const std::string& name) {
     if (found == services_.end()) return;
     const shared_ptr removed = found->second;  // may be held by others
     services_.erase(found);
+    if (removed->holder_ && removed->holder_ != this) return;  // was added elsewhere since
     removed->setParent(nullptr);
     removed->setOwner(nullptr);
 }
@@ -104,6 +117,27 @@ bool Service::setOperationThread(const std::string& name, ExecutionThread et) {
     const auto found = implementations_.find(name);
     if (found == implementations_.end()) return false;
     found->second->setThread(et, found->second->getOwner());
+    return true;
+}
+
+bool Service::resetOperation(const std::string& name, base::OperationBase* operation) {
+    const auto found = implementations_.find(name);
+    const auto* const part = dynamic_cast<const internal::OperationPart*>(getPart(name));
+    if (found == implementations_.end() || !part) {
+        log(Error) << "operation '" << name << "' of '" << name_ << "' was not reset: there is no such operation"
+                   << endlog();
+        return false;
+    }
+    OperationInterfacePart* const reset =
+        operation && operation->ready() ? part->reimplemented(operation->implementation()) : nullptr;
+    if (!reset) {
+        log(Error) << "operation '" << name << "' of '" << name_
+                   << "' was not reset: the new one has no function, or one of another signature" << endlog();
+        return false;
+    }
+    operation->setOwner(getOwnerExecutionEngine());
+    found->second = operation->implementation();
+    OperationInterface::add(name, reset);
     return true;
 }
 

@@ -22,6 +22,25 @@ namespace RTT {
 class ServiceRequester;
 class TaskContext;
 
+namespace internal {
+[[noreturn]] RTT_API void throwNoObject();
+
+/** A member function of an object that is looked up with each call, and held meanwhile. Throws std::runtime_error if there is
+    none. */
+template <class Member, class Object, class Signature = typename SignatureOf<Member>::type>
+struct LateMember;
+template <class Member, class Object, class R, class... A>
+struct LateMember<Member, Object, R(A...)> {
+    Member member;
+    boost::intrusive_ptr<DataSource<boost::shared_ptr<Object>>> source;
+    R operator()(A... args) const {
+        const boost::shared_ptr<Object> object = source->get();
+        if (!object) throwNoObject();
+        return ((*object).*member)(static_cast<A>(args)...);
+    }
+};
+}  // namespace internal
+
 /**
  * A named group of operations, ports, attributes, properties and further services, in a component or process-wide.
  * Not thread safe, except calling operations; not real-time safe.
@@ -50,7 +69,7 @@ public:
     void setOwner(TaskContext* owner);
     ExecutionEngine* getOwnerExecutionEngine() const;
     /** Null for the root. */
-    shared_ptr getParent() const { return parent_.lock(); }
+    shared_ptr getParent() const;
     void setParent(shared_ptr parent);
 
     /** This service. */
@@ -74,6 +93,10 @@ public:
     void removeOperation(const std::string& name);
     /** For local operations; callers made before are not affected. */
     bool setOperationThread(const std::string& name, ExecutionThread et);
+    /** Gives the operation `name` the function of another one, and its thread, for callers made from now on. It keeps its
+        name, its description and its listeners. False, and an error, if there is no local operation of that name, its
+        signature is another one or the new one has no function. */
+    bool resetOperation(const std::string& name, base::OperationBase* operation);
     OperationInterface* operations() { return this; }
     DataFlowInterface* ports() { return this; }
 
@@ -96,6 +119,20 @@ public:
     Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
                                                                             ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, false);
+    }
+    /** Registers a member function of the object that the source gives at the time of the call, in the thread of the call. */
+    template <class Function, class Object>
+    Operation<typename internal::SignatureOf<Function>::type>& addOperationDS(
+        const std::string& name, Function function, internal::DataSource<boost::shared_ptr<Object>>* object,
+        ExecutionThread et = ClientThread) {
+        return addOperation(name, internal::LateMember<Function, Object>{function, object}, et);
+    }
+    template <class Function, class Source>
+    Operation<typename internal::SignatureOf<Function>::type>& addOperationDS(const std::string& name,
+                                                                              Function function,
+                                                                              boost::intrusive_ptr<Source> object,
+                                                                              ExecutionThread et = ClientThread) {
+        return addOperationDS(name, function, object.get(), et);
     }
     /** Can be called, in the caller's thread, but not sent. */
     template <class Signature>
@@ -143,6 +180,7 @@ private:
     std::map<std::string, base::OperationCallerInterface::shared_ptr> implementations_;
     std::string name_, doc_;
     TaskContext* owner_;
+    Service* holder_ = nullptr;  // has this in services_; a parent may have no owner yet, in its constructor
     boost::weak_ptr<Service> parent_;
 };
 

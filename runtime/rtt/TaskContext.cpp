@@ -4,14 +4,13 @@
 
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
-
-#include <algorithm>
 
 namespace RTT {
 
 TaskContext::TaskContext(const std::string& name, TaskState initial_state)
-    : TaskCore(initial_state),
+    : TaskCore(initial_state, name),
       service_(boost::make_shared<Service>(name)),
       requester_(boost::make_shared<ServiceRequester>(name, this)) {
     service_->setOwner(this);
@@ -27,46 +26,87 @@ TaskContext::~TaskContext() {
     requester_->setOwner(nullptr);
     clear();
     providers_.clear();
-    for (TaskContext* user : std::vector<TaskContext*>(users_)) user->removePeer(this);
-    while (!peers_.empty()) removePeer(peers_.begin()->first);
-    if (activity_) activity_->run(nullptr);
-    activity_.reset();
+    leaveAll();
+    releaseActivity();
 }
 
 const std::string& TaskContext::getName() const { return service_->getName(); }
 
 bool TaskContext::setActivity(base::ActivityInterface* new_act) {
     base::ActivityInterface::shared_ptr owned(new_act);
-    if (isRunning()) {
-        log(Error) << getName() << ": the activity cannot be changed while the component is running" << endlog();
+    const char* why = nullptr;
+    if (isRunning())
+        why = "while the component is running";
+    else if (engine()->isStepping())
+        why = "by the thread of the present one";
+    else if (activity_ && activity_->isActive() && !activity_->stop() && activity_->isActive())
+        why = "because the present one does not stop";
+    if (why) {
+        log(Error) << getName() << ": the activity cannot be changed " << why << endlog();
+        owned.reset();
+        // The new one was attached to the engine if it was made with it.
+        if (engine()->getActivity() != activity_.get()) engine()->setActivity(activity_.get());
         return false;
     }
-    if (engine()->isStepping()) {
-        log(Error) << getName() << ": the activity cannot be changed by the thread of the present one" << endlog();
-        return false;
-    }
-    if (!owned) owned.reset(new Activity(engine(), getName()));
-    owned->stop();
-    if (activity_) {
-        activity_->stop();
-        activity_->run(nullptr);
-    }
-    activity_ = owned;
-    activity_->run(engine());
-    activity_->start();
+    // Without the engine, which others may be triggering while its constructor runs.
+    if (!owned) owned.reset(new Activity(nullptr, getName()));
+    exchangeActivity(owned);
     return true;
 }
 
 void TaskContext::forceActivity(base::ActivityInterface* new_act) {
     if (!new_act) return;
-    new_act->stop();
-    if (activity_) {
-        activity_->stop();
-        activity_->run(nullptr);
+    if (activity_) activity_->stop();
+    exchangeActivity(base::ActivityInterface::shared_ptr(new_act));
+}
+
+void TaskContext::exchangeActivity(const base::ActivityInterface::shared_ptr& next) {
+    next->stop();
+    next->run(engine());  // before the old one lets go: who sends meanwhile must find one
+    const base::ActivityInterface::shared_ptr previous = activity_;
+    activity_ = next;
+    if (previous) previous->run(nullptr);
+    engine()->startActivity();
+}
+
+namespace {
+
+/** Destroys an activity, in the thread of the GlobalEngine, when it has returned from the step that asks for that. */
+class ActivityRelease : public base::DisposableInterface {
+public:
+    ActivityRelease(base::ActivityInterface::shared_ptr activity, boost::intrusive_ptr<const internal::EngineGate> gate)
+        : activity_(std::move(activity)), gate_(std::move(gate)) {}
+    void executeAndDispose() override {
+        gate_->waitForVisitors();  // who executes a sequential activity or a slave
+        delete this;               // joins the thread
     }
-    activity_.reset(new_act);
-    activity_->run(engine());
-    activity_->start();
+    void dispose() override { delete this; }
+
+private:
+    base::ActivityInterface::shared_ptr activity_;
+    boost::intrusive_ptr<const internal::EngineGate> gate_;
+};
+
+}  // namespace
+
+void TaskContext::releaseActivity() {
+    if (!activity_) return;
+    const bool withinStep = engine()->isStepping();
+    // Its destructor would wait for who is executing, too, but not execute the messages of this thread, for one of which that
+    // may be waiting.
+    engine()->setActivity(nullptr);
+    if (!withinStep && activity_->isActive()) {
+        engine()->gate()->waitForStep();
+        activity_->stop();
+    }
+    activity_->run(nullptr);
+    if (withinStep) {
+        // Its code is further down the stack of this very thread. Moved, so that it is not destroyed below.
+        auto* const release = new ActivityRelease(std::move(activity_), engine()->gate());
+        if (!internal::GlobalEngine::Instance()->process(release))
+            log(Error) << getName() << ": the activity of the destroyed component cannot be released" << endlog();
+    }
+    activity_.reset();
 }
 
 base::ActivityInterface* TaskContext::getActivity() { return activity_.get(); }
@@ -78,63 +118,6 @@ bool TaskContext::ready() { return true; }
 void TaskContext::clear() {
     service_->clear();
     requester_->clear();
-}
-
-bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
-    if (!peer) return false;
-    if (alias.empty()) alias = peer->getName();
-    if (!peers_.emplace(alias, peer).second) return false;
-    peer->users_.push_back(this);
-    return true;
-}
-
-void TaskContext::removePeer(const std::string& name) {
-    const auto found = peers_.find(name);
-    if (found == peers_.end()) return;
-    TaskContext* const peer = found->second;
-    peers_.erase(found);
-    // One entry for each name that the peer has here.
-    const auto user = std::find(peer->users_.begin(), peer->users_.end(), this);
-    if (user != peer->users_.end()) peer->users_.erase(user);
-}
-
-void TaskContext::removePeer(TaskContext* peer) {
-    for (auto entry = peers_.begin(); entry != peers_.end();) {
-        const auto next = std::next(entry);
-        if (entry->second == peer) removePeer(std::string(entry->first));
-        entry = next;
-    }
-}
-
-bool TaskContext::connectPeers(TaskContext* peer) {
-    if (!peer || hasPeer(peer->getName()) || peer->hasPeer(getName())) return false;
-    return addPeer(peer) && peer->addPeer(this);
-}
-
-void TaskContext::disconnectPeers(const std::string& name) {
-    if (TaskContext* peer = getPeer(name)) {
-        removePeer(peer);
-        peer->removePeer(this);
-    }
-}
-
-void TaskContext::disconnect() {
-    for (base::PortInterface* port : ports()->getPorts()) port->disconnect();
-    for (TaskContext* user : std::vector<TaskContext*>(users_)) user->removePeer(this);
-    while (!peers_.empty()) removePeer(peers_.begin()->first);
-}
-
-TaskContext::PeerList TaskContext::getPeerList() const {
-    PeerList names;
-    for (const auto& entry : peers_) names.push_back(entry.first);
-    return names;
-}
-
-bool TaskContext::hasPeer(const std::string& name) const { return peers_.count(name) != 0; }
-
-TaskContext* TaskContext::getPeer(const std::string& name) const {
-    const auto found = peers_.find(name);
-    return found == peers_.end() ? nullptr : found->second;
 }
 
 bool TaskContext::connectPorts(TaskContext* peer) {

@@ -24,10 +24,13 @@ namespace RTT {
  * A component: a life cycle (base::TaskCore), an interface of ports, operations, properties, attributes and services, an
  * activity that executes it, and peers it knows by name.
  *
- * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks use its members
- * should call stop() in its own destructor, because its thread runs until ~TaskContext.
+ * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use its
+ * members should call stop() and then getActivity()->stop() in its own destructor: its thread runs until ~TaskContext, and
+ * stop() waits for nothing if the component is not running.
  *
- * Changing the interface, the peers or the activity is for one thread at a time and not real-time safe.
+ * Changing the interface or the activity is for one thread at a time and not real-time safe; others may call operations,
+ * send, trigger and write to the ports meanwhile. Peers may be changed by any thread. A component may be destroyed in any
+ * thread, its own included (see ExecutionEngine), while others call operations that it executes itself: those fail.
  */
 class RTT_API TaskContext : public base::TaskCore {
 public:
@@ -39,8 +42,9 @@ public:
 
     const std::string& getName() const override;
 
-    /** Takes ownership, stops the old activity and starts the new one; null gives a new default activity. False while
-        running, and, with an error, in the thread of the present activity. */
+    /** Takes ownership, stops the old activity and starts the new one, which executes what was queued meanwhile; null gives
+        a new default activity. False, with an error, while running, within a step of the component, and if the old one does
+        not stop. Blocks until the step that is being executed is over. */
     bool setActivity(base::ActivityInterface* new_act);
     base::ActivityInterface* getActivity();
     template <class ActivityType>
@@ -180,10 +184,16 @@ private:
     void dataOnPortRemoved(base::PortInterface* port);
 
     void addStandardInterface();
+    void exchangeActivity(const base::ActivityInterface::shared_ptr& next);
+    void releaseActivity();
+    void forgetPeer(const std::string& name);
+    void forgetPeer(TaskContext* peer);
+    void leaveAll();
 
     Service::shared_ptr service_;
     ServiceRequester::shared_ptr requester_;
     std::map<std::string, ServiceRequester::shared_ptr> providers_;
+    // Of all components, these are changed under one lock, because each change concerns two of them.
     std::map<std::string, TaskContext*> peers_;
     std::vector<TaskContext*> users_;  // those that have this as a peer
     internal::PortCallbacks port_callbacks_;

@@ -12,12 +12,15 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/ServiceRequester.cpp
   ${CMAKE_CURRENT_LIST_DIR}/TaskContext.cpp
   ${CMAKE_CURRENT_LIST_DIR}/task_interface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/task_peers.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/engine_queue.cpp
   ${CMAKE_CURRENT_LIST_DIR}/base/DisposableInterface.cpp
   ${CMAKE_CURRENT_LIST_DIR}/base/OperationBase.cpp
   ${CMAKE_CURRENT_LIST_DIR}/base/TaskCore.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/CallPool.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/CallSource.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/Callee.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/EngineGate.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalEngine.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalService.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/Mailbox.cpp
@@ -29,4 +32,5 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/ServiceLoader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SignalBase.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/WaitPoint.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/action_slot.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/detail/call_handles.cpp)

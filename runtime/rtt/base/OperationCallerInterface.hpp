@@ -4,7 +4,8 @@
 #define ORO_OPERATION_CALLER_INTERFACE_HPP
 
 #include <rtt/SendStatus.hpp>
-#include <rtt/rtt-config.h>
+#include <rtt/base/DisposableInterface.hpp>
+#include <rtt/internal/EngineGate.hpp>
 
 #include <boost/shared_ptr.hpp>
 
@@ -28,33 +29,36 @@ private:
 };
 
 namespace internal {
+class CalleeBase;
 class SentCall;
-class WaitPoint;
 }  // namespace internal
 
 namespace base {
 
-/** An operation as its callers hold it, without its signature. */
-class RTT_API OperationCallerInterface {
+/** An operation as its callers hold it, without its signature. No message, but held as one by code written for RTT 2. */
+class RTT_API OperationCallerInterface : public DisposableInterface {
 public:
     typedef boost::shared_ptr<OperationCallerInterface> shared_ptr;
 
-    virtual ~OperationCallerInterface();
-    /** True if there is a function to call. */
+    ~OperationCallerInterface() override;
+    void executeAndDispose() final {}
+    void dispose() final {}
+    /** True if there is a function to call and the component that provides it exists. */
     virtual bool ready() const = 0;
     /** Which thread executes, and the engine of the component that provides the operation. */
-    void setThread(ExecutionThread et, ExecutionEngine* owner) {
-        thread_ = et;
-        owner_ = owner;
-    }
+    void setThread(ExecutionThread et, ExecutionEngine* owner);
     ExecutionThread getThread() const { return thread_; }
-    ExecutionEngine* getOwner() const { return owner_; }
+    /** Null if there is none or it was destroyed. */
+    ExecutionEngine* getOwner() const { return owner_ ? owner_->engine() : nullptr; }
     /** The engine of the component that calls: while that waits, it executes its own messages. */
     void setCaller(ExecutionEngine* caller) { caller_ = caller; }
     ExecutionEngine* getCaller() const { return caller_; }
 
     /** The same operation for another caller; the caller of this function owns it. */
     virtual OperationCallerInterface* cloneFor(ExecutionEngine* caller) const = 0;
+
+    /** The function and its signal; null if there is none in this process. */
+    virtual internal::CalleeBase* callee() const { return nullptr; }
 
     /** True if a call has to be sent to another thread. */
     bool isSend() const;
@@ -63,6 +67,8 @@ protected:
     OperationCallerInterface() = default;
     OperationCallerInterface(const OperationCallerInterface&) = default;
 
+    /** The component that provides this was destroyed. */
+    bool isGone() const { return owner_ && owner_->closed(); }
     /** Hands the call to the engine that executes it; the reference of the queue is taken. False if refused. */
     bool enqueue(internal::SentCall& call) const;
     /** The same and waits for its end. Throws SendError. */
@@ -70,7 +76,7 @@ protected:
 
 private:
     ExecutionThread thread_ = ClientThread;
-    ExecutionEngine* owner_ = nullptr;
+    boost::intrusive_ptr<const internal::EngineGate> owner_;
     ExecutionEngine* caller_ = nullptr;
 };
 

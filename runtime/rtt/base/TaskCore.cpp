@@ -7,15 +7,80 @@
 #include <rtt/base/ActivityInterface.hpp>
 
 #include <exception>
+#include <unistd.h>
 
 namespace RTT {
 namespace base {
 
+using internal::EngineGate;
+
+std::uint64_t TaskCore::pack(const States& states) {
+    return std::uint64_t(std::uint32_t(states.changer)) << 32 | std::uint32_t(states.target) << 8 |
+           std::uint32_t(states.state);
+}
+
+TaskCore::States TaskCore::states() const {
+    const std::uint64_t packed = states_;
+    return {static_cast<TaskState>(packed & 0xff), static_cast<TaskState>(packed >> 8 & 0xff),
+            static_cast<int>(packed >> 32)};
+}
+
+// Changes all of it at once, as `modify` says, which returns false to leave it as it is.
+template <class Modify>
+bool TaskCore::modify(Modify&& modify) {
+    for (;;) {
+        const States before = states();
+        States after = before;
+        if (!modify(after)) return false;
+        std::uint64_t packed = pack(before);
+        if (states_.compare_exchange_strong(packed, pack(after))) return true;
+    }
+}
+
+/** The claim of a thread to change the state. A hook may make a change within the change that called it. */
+class TaskCore::Change {
+public:
+    explicit Change(TaskCore& task) : task_(task) {
+        const int self = static_cast<int>(gettid());
+        granted_ = task_.modify([&](States& now) {
+            outermost_ = now.changer == 0;
+            if (!outermost_ && now.changer != self) return false;
+            now.changer = self;
+            return true;
+        });
+        outermost_ = outermost_ && granted_;
+    }
+    ~Change() { end(); }
+    Change(const Change&) = delete;
+    Change& operator=(const Change&) = delete;
+    explicit operator bool() const { return granted_; }
+
+    /** Ends the change in the same moment in which the new state begins, because the next change may come out of that, in
+        the component's thread. False if the state is not `from` any more. */
+    bool leave(TaskState from, TaskState to) {
+        if (!task_.modify([&](States& now) {
+                if (now.state != from) return false;
+                now.state = now.target = to;
+                if (outermost_) now.changer = 0;
+                return true;
+            }))
+            return false;
+        outermost_ = false;
+        return true;
+    }
+
+private:
+    void end() {
+        if (outermost_) task_.modify([](States& now) { return now.changer = 0, true; });
+    }
+    TaskCore& task_;
+    bool outermost_ = false, granted_ = false;
+};
+
 TaskCore::TaskCore(TaskState initial_state, const std::string& name)
     : ee(new ExecutionEngine(this)),
-      mTaskState(initial_state),
-      mTargetState(initial_state),
       mInitialState(initial_state),
+      states_(pack({initial_state, initial_state, 0})),
       name_(name) {}
 
 TaskCore::~TaskCore() {
@@ -25,21 +90,29 @@ TaskCore::~TaskCore() {
 
 const std::string& TaskCore::getName() const { return name_; }
 
-void TaskCore::setState(TaskState state) {
-    mTargetState = state;
-    mTaskState = state;
+// Sets the target, unless exception() or fatal() has come in between.
+void TaskCore::aim(TaskState to) {
+    modify([to](States& now) {
+        if (now.target == Exception || now.target == FatalError) return false;
+        now.target = to;
+        return true;
+    });
 }
 
 // Calls a hook that decides about a change of state. A hook that changes the state itself and yet answers true
 // contradicts itself; that is treated like an exception.
 template <class Hook>
 TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hook hook) {
-    const TaskState target = mTargetState;
+    const TaskState target = states().target;
     try {
         if (!hook()) return Outcome::Refused;
-        if (mTaskState == during && mTargetState == target) return Outcome::Accepted;
-        log(Error) << getName() << ": the hook of " << function
-                   << " changed the state of the component and returned true" << endlog();
+        const States now = states();
+        // error() and recover() do not hinder stop().
+        const bool same = now.state == during || (during >= Running && now.state >= Running);
+        if (same && now.target == target) return Outcome::Accepted;
+        log(Error) << getName() << ": the state of the component was changed while the hook of " << function
+                   << " executed, and that returned true" << endlog();
+        if (now.state == Exception || now.state == FatalError) return Outcome::Threw;
     } catch (const std::exception& e) {
         log(Error) << getName() << ": the hook of " << function << " threw: " << e.what() << endlog();
     } catch (...) {
@@ -51,41 +124,41 @@ TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hoo
 }
 
 bool TaskCore::configure() {
-    const TaskState from = mTaskState;
-    if (from != Stopped && from != PreOperational) return false;
-    mTargetState = Stopped;
+    Change change(*this);
+    const TaskState from = states().state;
+    if (!change || (from != Stopped && from != PreOperational)) return false;
+    aim(Stopped);
     switch (callHook("configure()", from, [this] { return configureHook(); })) {
-        case Outcome::Accepted: setState(Stopped); return true;
-        case Outcome::Refused:
-            if (mTaskState == from) setState(PreOperational);
-            return false;
+        case Outcome::Accepted: return change.leave(from, Stopped);
+        case Outcome::Refused: change.leave(from, PreOperational); return false;
         case Outcome::Threw: break;
     }
     return false;
 }
 
 bool TaskCore::cleanup() {
-    if (mTaskState != Stopped) return false;
-    mTargetState = PreOperational;
+    Change change(*this);
+    if (!change || states().state != Stopped) return false;
+    aim(PreOperational);
     cleaned_up_ = true;
     const Outcome outcome = callHook("cleanup()", Stopped, [this] { return cleanupHook(), true; });
     cleaned_up_ = false;
-    if (outcome != Outcome::Accepted) return false;
-    setState(PreOperational);
-    return true;
+    return outcome == Outcome::Accepted && change.leave(Stopped, PreOperational);
 }
 
 bool TaskCore::start() {
-    if (mTaskState != Stopped) return false;
-    mTargetState = Running;
+    Change change(*this);
+    if (!change || states().state != Stopped) return false;
+    aim(Running);
     switch (callHook("start()", Stopped, [this] { return startHook(); })) {
         case Outcome::Accepted:
             ++mStartCounter;
-            setState(Running);
+            if (!change.leave(Stopped, Running)) return false;
             if (mTriggerOnStart) trigger();
             return true;
         case Outcome::Refused:
-            if (mTaskState == Stopped) mTargetState = Stopped;
+            // It may have called error().
+            if (!change.leave(Stopped, Stopped)) change.leave(RunTimeError, Stopped);
             return false;
         case Outcome::Threw: break;
     }
@@ -93,47 +166,55 @@ bool TaskCore::start() {
 }
 
 bool TaskCore::stop() {
-    if (mTaskState < Running) return false;
-    mTargetState = Stopped;  // the engine calls no further hook
+    Change change(*this);
+    if (!change || states().state < Running) return false;
+    aim(Stopped);  // the engine calls no further hook
     if (!ee->stopTask()) {
         log(Error) << getName() << ": stop() failed, because the step that is being executed does not end" << endlog();
-        mTargetState = mTaskState.load();
+        modify([](States& now) { return now.target = now.state, true; });
         return false;
     }
-    const TaskState from = mTaskState;
+    const TaskState from = states().state;
     if (from < Running) return false;  // that step ended in Exception or FatalError
-    mTargetState = Stopped;            // again: it may have called error() or recover()
+    aim(Stopped);                      // again: it may have called error() or recover()
     stopped_ = true;
     const Outcome outcome = callHook("stop()", from, [this] { return stopHook(), true; });
     stopped_ = false;
-    if (outcome != Outcome::Accepted) return false;
-    setState(Stopped);
-    return true;
+    return outcome == Outcome::Accepted && (change.leave(Running, Stopped) || change.leave(RunTimeError, Stopped));
 }
 
 bool TaskCore::activate() {
-    if (ee->getActivity()) ee->getActivity()->start();
+    ee->startActivity();
     return isActive();
 }
 
 void TaskCore::error() {
-    if (mTargetState >= Running) setState(RunTimeError);
+    modify([](States& now) {
+        if (now.target < Running) return false;
+        now.state = now.target = RunTimeError;
+        return true;
+    });
 }
 
 bool TaskCore::recover() {
-    if (mTaskState == Exception)
-        setState(mInitialState);
-    else if (mTaskState == RunTimeError)
-        setState(Running);
-    else
-        return false;
-    return true;
+    return modify([this](States& now) {
+        if (now.state != Exception && now.state != RunTimeError) return false;
+        const TaskState from = now.state;
+        now.state = from == Exception ? mInitialState : Running;
+        if (now.target == from) now.target = now.state;  // else stop() is under way
+        return true;
+    });
 }
 
 void TaskCore::exception() {
-    const TaskState from = mTaskState;
-    if (from == FatalError) return;
-    setState(Exception);
+    TaskState from = FatalError;
+    if (!modify([&](States& now) {
+            from = now.state;
+            if (from == FatalError) return false;
+            now.state = now.target = Exception;
+            return true;
+        }))
+        return;
     try {
         // A hook that threw is not called again because of that.
         if (from >= Running && !stopped_) stopHook();
@@ -150,26 +231,52 @@ void TaskCore::exception() {
 }
 
 void TaskCore::fatal() {
-    setState(FatalError);
+    modify([](States& now) { return now.state = now.target = FatalError, true; });
     ee->setFatalTask();
 }
 
-bool TaskCore::update() { return ee->getActivity() && ee->getActivity()->execute(); }
-bool TaskCore::trigger() { return ee->getActivity() && ee->getActivity()->timeout(); }
+bool TaskCore::update() {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() && visit.activity()->execute();
+}
 
-bool TaskCore::isConfigured() const { return mTaskState >= Stopped; }
-bool TaskCore::isRunning() const { return mTaskState >= Running; }
-bool TaskCore::isActive() const { return ee->getActivity() && ee->getActivity()->isActive(); }
-bool TaskCore::inFatalError() const { return mTaskState == FatalError; }
-bool TaskCore::inException() const { return mTaskState == Exception; }
-bool TaskCore::inRunTimeError() const { return mTaskState == RunTimeError; }
-TaskCore::TaskState TaskCore::getTaskState() const { return mTaskState; }
-TaskCore::TaskState TaskCore::getTargetState() const { return mTargetState; }
+bool TaskCore::trigger() {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() && visit.activity()->timeout();
+}
 
-Seconds TaskCore::getPeriod() const { return ee->getActivity() ? ee->getActivity()->getPeriod() : -1.0; }
-bool TaskCore::setPeriod(Seconds period) { return ee->getActivity() && ee->getActivity()->setPeriod(period); }
-unsigned TaskCore::getCpuAffinity() const { return ee->getActivity() ? ee->getActivity()->getCpuAffinity() : ~0u; }
-bool TaskCore::setCpuAffinity(unsigned cpu) { return ee->getActivity() && ee->getActivity()->setCpuAffinity(cpu); }
+bool TaskCore::isActive() const {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() && visit.activity()->isActive();
+}
+
+Seconds TaskCore::getPeriod() const {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() ? visit.activity()->getPeriod() : -1.0;
+}
+
+bool TaskCore::setPeriod(Seconds period) {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() && visit.activity()->setPeriod(period);
+}
+
+unsigned TaskCore::getCpuAffinity() const {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() ? visit.activity()->getCpuAffinity() : ~0u;
+}
+
+bool TaskCore::setCpuAffinity(unsigned cpu) {
+    const EngineGate::Visit visit(*ee->gate());
+    return visit.activity() && visit.activity()->setCpuAffinity(cpu);
+}
+
+bool TaskCore::isConfigured() const { return states().state >= Stopped; }
+bool TaskCore::isRunning() const { return states().state >= Running; }
+bool TaskCore::inFatalError() const { return states().state == FatalError; }
+bool TaskCore::inException() const { return states().state == Exception; }
+bool TaskCore::inRunTimeError() const { return states().state == RunTimeError; }
+TaskCore::TaskState TaskCore::getTaskState() const { return states().state; }
+TaskCore::TaskState TaskCore::getTargetState() const { return states().target; }
 
 bool TaskCore::configureHook() { return true; }
 bool TaskCore::startHook() { return true; }

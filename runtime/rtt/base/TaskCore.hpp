@@ -7,6 +7,7 @@
 #include <rtt/rtt-config.h>
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 
 namespace RTT {
@@ -24,9 +25,11 @@ class PortInterface;
  *   any state --fatal()--> FatalError, for good
  *
  * The functions that change the state call the hooks in the thread of the caller; updateHook() and errorHook() run in
- * the component's thread. Changing the state is for one thread at a time; asking for it is for any. None of the
- * functions is real-time safe unless the hooks are; they block as long as the hooks do, stop() and fatal() also until
- * the step that is being executed is over.
+ * the component's thread. All may be called from any thread. configure(), start(), stop() and cleanup() are for one thread
+ * at a time: while one of them is under way, they return false in other threads. error(), exception() and fatal()
+ * may come in between; then the change that was under way returns false. None of the functions is real-time safe unless
+ * the hooks are; they block as long as the hooks do, stop() and fatal() also until the step that is being executed
+ * is over.
  */
 class RTT_API TaskCore {
 public:
@@ -110,8 +113,6 @@ protected:
 
     friend class RTT::ExecutionEngine;
     ExecutionEngine* ee;
-    std::atomic<TaskState> mTaskState;
-    std::atomic<TaskState> mTargetState;
     const TaskState mInitialState;
     /** How often it was started; counted before it is Running. */
     std::atomic<unsigned> mStartCounter{0};
@@ -120,13 +121,24 @@ protected:
 
 private:
     enum class Outcome { Accepted, Refused, Threw };
+    /** State, target and the thread (its Linux id) that is changing the state, which is 0 for none. */
+    struct States {
+        TaskState state, target;
+        int changer;
+    };
+    class Change;
+    static std::uint64_t pack(const States& states);
+    States states() const;
+    template <class Modify>
+    bool modify(Modify&& modify);
+    void aim(TaskState to);
     template <class Hook>
     Outcome callHook(const char* function, TaskState during, Hook hook);
-    void setState(TaskState state);
 
+    std::atomic<std::uint64_t> states_;  // packed: a change is one atomic operation
     std::string name_;
     // stopHook() or cleanupHook() is being called by stop() or cleanup().
-    bool stopped_ = false, cleaned_up_ = false;
+    std::atomic<bool> stopped_{false}, cleaned_up_{false};
 };
 
 }  // namespace base

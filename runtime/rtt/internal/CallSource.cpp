@@ -2,40 +2,68 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/CallSource.hpp>
 
+#include <rtt/Logger.hpp>
+#include <rtt/base/OperationBase.hpp>
 #include <rtt/internal/OperationTable.hpp>
+
+#include <stdexcept>
 
 namespace RTT {
 namespace internal {
 
-GenericCall::GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table,
-                         std::vector<Source> arguments)
-    : caller_(std::move(caller)), table_(&table), arguments_(std::move(arguments)), addresses_(arguments_.size() + 1) {}
+void throwNoValue() { throw std::logic_error("there is no result, and its type has no default value"); }
 
-void GenericCall::evaluateArguments() const {
+GenericCall::GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table,
+                         std::vector<Source> arguments, std::shared_ptr<const base::OperationDescription> description)
+    : caller_(std::move(caller)),
+      table_(&table),
+      arguments_(std::move(arguments)),
+      description_(std::move(description)),
+      addresses_(arguments_.size() + 1) {}
+
+bool GenericCall::evaluateArguments() const {
     for (std::size_t i = 0; i != arguments_.size(); ++i) {
         base::DataSourceBase& source = *arguments_[i];
-        source.evaluate();
+        failed_ = i;
+        if (!source.evaluate()) return false;
         addresses_[i] =
             table_->types[i + 1].isOutput() ? source.getRawPointer() : const_cast<void*>(source.getRawConstPointer());
+        if (!addresses_[i]) return false;
     }
+    return true;
 }
 
-void GenericCall::invoke(void* result) const {
-    evaluateArguments();
+bool GenericCall::invoke(void* result) const {
+    if (!evaluateArguments()) return false;
     table_->invoke(*caller_, addresses_.data(), result);
     for (std::size_t i = 0; i != arguments_.size(); ++i)
         if (table_->types[i + 1].isOutput()) arguments_[i]->updated();
+    return true;
 }
 
-SentCall::shared_ptr GenericCall::send() const {
-    evaluateArguments();
-    return table_->send(*caller_, addresses_.data());
+bool GenericCall::send(SentCall::shared_ptr& sent) const {
+    sent = nullptr;
+    if (!evaluateArguments()) return false;
+    sent = table_->send(*caller_, addresses_.data());
+    return true;
 }
+
+std::string GenericCall::whyNot() const {
+    return "operation '" + description_->name + "' was not called: its argument " + std::to_string(failed_ + 1) +
+           " could not be evaluated";
+}
+
+bool GenericCall::report() const {
+    log(Error) << whyNot() << endlog();
+    return false;
+}
+
+void GenericCall::fail() const { throw std::runtime_error(whyNot()); }
 
 GenericCall GenericCall::copy(CopyMap& cloned) const {
     std::vector<Source> arguments;
     for (const Source& argument : arguments_) arguments.push_back(argument->copy(cloned));
-    return GenericCall(caller_, *table_, std::move(arguments));
+    return GenericCall(caller_, *table_, std::move(arguments), description_);
 }
 
 template class CallSource<void>;

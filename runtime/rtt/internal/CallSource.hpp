@@ -6,18 +6,22 @@
 
 #include <rtt/FlowStatus.hpp>
 #include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/NA.hpp>
 #include <rtt/internal/TypedCall.hpp>
 
 #include <boost/shared_ptr.hpp>
 
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace RTT {
 namespace base {
 class OperationCallerInterface;
-}
+struct OperationDescription;
+}  // namespace base
 namespace internal {
 
 struct OperationTable;
@@ -28,47 +32,59 @@ public:
     typedef base::DataSourceBase::shared_ptr Source;
     typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 
-    /** The types of the sources have been checked. */
+    /** The types of the sources have been checked. The description is for messages. */
     GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table,
-                std::vector<Source> arguments);
+                std::vector<Source> arguments, std::shared_ptr<const base::OperationDescription> description);
 
-    /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. */
-    void invoke(void* result) const;
-    /** Evaluates the arguments and sends; null if refused. */
-    SentCall::shared_ptr send() const;
+    /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. False, and nothing is called, if
+        an argument cannot be evaluated. */
+    bool invoke(void* result) const;
+    /** Evaluates the arguments and sends; `sent` is null if refused. False, and nothing is sent, if an argument cannot be
+        evaluated. */
+    bool send(SentCall::shared_ptr& sent) const;
+    /** After one of them gave false: logs why; returns false. */
+    bool report() const;
+    /** The same as an exception, a std::runtime_error. */
+    [[noreturn]] void fail() const;
     GenericCall copy(CopyMap& cloned) const;
 
 private:
-    void evaluateArguments() const;
+    bool evaluateArguments() const;
+    std::string whyNot() const;
 
     boost::shared_ptr<base::OperationCallerInterface> caller_;
     const OperationTable* table_;
     std::vector<Source> arguments_;
+    std::shared_ptr<const base::OperationDescription> description_;
     mutable std::vector<void*> addresses_;  // of the evaluated arguments
+    mutable std::size_t failed_ = 0;        // the argument that could not be evaluated
 };
 
-/** The result is kept, so that value() can give it again. */
+/** The result is kept, so that value() can give it again; a default value while there is none, and after the operation threw.
+    If an argument cannot be evaluated the operation is not called: evaluate() logs an error and is false, get() throws
+    std::runtime_error. Both throw what the operation throws. */
 template <class R>
 class CallSource final : public DataSource<R> {
 public:
     explicit CallSource(GenericCall call) : call_(std::move(call)) {}
 
-    bool evaluate() const override {
-        call_.invoke(&result_);
-        return true;
-    }
+    bool evaluate() const override { return call_.invoke(&result_) || call_.report(); }
     R get() const override {
-        call_.invoke(&result_);
+        if (!call_.invoke(&result_)) call_.fail();
         return result_.get();
     }
-    R value() const override { return result_.get(); }
-    typename DataSource<R>::const_reference_t rvalue() const override { return result_.get(); }
+    R value() const override { return kept().get(); }
+    typename DataSource<R>::const_reference_t rvalue() const override { return kept().get(); }
     /** Null before the first evaluation. */
     const void* getRawConstPointer() override { return result_.address(); }
     CallSource* clone() const override { return new CallSource(call_); }
     CallSource* copy(GenericCall::CopyMap& cloned) const override { return new CallSource(call_.copy(cloned)); }
 
 private:
+    const ResultStore<R>& kept() const {
+        if (!result_.address()) result_.take(&NA<R>::na);
+        return result_;
+    }
     GenericCall call_;
     mutable ResultStore<R> result_;
 };

@@ -13,16 +13,17 @@ void CalleeBase::deref() const {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-void CalleeBase::listen(std::shared_ptr<SignalBase> signal, Emit emit) {
-    emit_ = emit;
+void CalleeBase::listen(std::shared_ptr<SignalBase> signal) {
     signal_ = std::move(signal);
-    // Release: who sees the signal sees the function that emits it.
+    // Release: who calls sees the signal complete.
     listeners_.store(signal_.get(), std::memory_order_release);
 }
 
 void CalleeBase::listenLike(const CalleeBase* other) {
-    if (other && other->signal_) listen(other->signal_, other->emit_);
+    if (other && other->signal_ && !signal_) listen(other->signal_);
 }
+
+void CalleeBase::emit(const SignalBase& signal, void* const* arguments) { signal.emitErased(arguments); }
 
 }  // namespace internal
 }  // namespace RTT

@@ -24,9 +24,6 @@ class SignalBase;
 
 class RTT_API CalleeBase {
 public:
-    /** Calls what is connected to the signal, with pointers to the arguments. */
-    typedef void (*Emit)(const SignalBase& signal, void* const* arguments);
-
     CalleeBase() = default;
     virtual ~CalleeBase();
     CalleeBase(const CalleeBase&) = delete;
@@ -36,18 +33,19 @@ public:
     void deref() const;
 
     /** Once at most; may be done while others call. */
-    void listen(std::shared_ptr<SignalBase> signal, Emit emit);
+    void listen(std::shared_ptr<SignalBase> signal);
     /** Takes over the signal of the callee that this one replaces, if that has one. */
     void listenLike(const CalleeBase* other);
     const std::shared_ptr<SignalBase>& signal() const { return signal_; }
 
 protected:
     const SignalBase* listeners() const { return listeners_.load(std::memory_order_acquire); }
-    Emit emit_ = nullptr;
+    /** Calls what is connected to the signal, with pointers to the arguments. */
+    static void emit(const SignalBase& signal, void* const* arguments);
 
 private:
     mutable std::atomic<int> references_{0};
-    std::atomic<const SignalBase*> listeners_{nullptr};  // stored last
+    std::atomic<const SignalBase*> listeners_{nullptr};
     std::shared_ptr<SignalBase> signal_;
 };
 
@@ -65,7 +63,7 @@ public:
         if (const SignalBase* signal = listeners()) {
             void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))...,
                                  nullptr};
-            emit_(*signal, all);
+            emit(*signal, all);
         }
         return call(std::forward<Args>(args)...);
     }

@@ -6,6 +6,7 @@
 
 #include <rtt/internal/DataSourceGenerator.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/NA.hpp>
 #include <rtt/types/FunctionSignature.hpp>
 #include <boost/function.hpp>
 #include <algorithm>
@@ -29,6 +30,11 @@ public:
     static bool accept(const List& list) {
         return list.size() == sizeof...(A) && accept(list, std::index_sequence_for<A...>());
     }
+    /** False if one of them cannot be. */
+    bool evaluate() const {
+        return std::all_of(sources_.begin(), sources_.end(), [](const auto& source) { return source->evaluate(); });
+    }
+    /** After evaluate(). */
     template <class F>
     decltype(auto) call(const F& f) const {
         return callWith(f, std::index_sequence_for<A...>());
@@ -58,7 +64,6 @@ private:
     template <class T>
     static decltype(auto) value(const base::DataSourceBase::shared_ptr& source) {
         using V = typename remove_cr<T>::type;
-        source->evaluate();
         if constexpr (isOutput<T>)
             return *static_cast<V*>(source->getRawPointer());
         else
@@ -90,6 +95,7 @@ public:
         : function_(std::move(f)), arguments_(std::move(arguments)), result_() {}
 
     bool evaluate() const override {
+        if (!arguments_.evaluate()) return false;
         result_ = arguments_.call(function_);
         return true;
     }
@@ -120,22 +126,23 @@ public:
         : function_(std::move(f)), arguments_(std::move(arguments)) {}
 
     bool evaluate() const override {
+        if (!arguments_.evaluate()) return false;
         result_ = std::addressof(arguments_.call(function_));
         return true;
     }
     R get() const override {
         evaluate();
-        return *result_;
+        return referred();
     }
     R value() const override { return rvalue(); }
     const R& rvalue() const override {
         if (!result_) evaluate();
-        return *result_;
+        return referred();
     }
     void set(typename AssignableDataSource<R>::param_t value) override { set() = value; }
     R& set() override {
         evaluate();
-        return *result_;
+        return referred();
     }
     FusedFunctorDataSource* clone() const override { return new FusedFunctorDataSource(function_, arguments_); }
     FusedFunctorDataSource* copy(CopyMap& cloned) const override {
@@ -143,6 +150,8 @@ public:
     }
 
 private:
+    /** A default value if the arguments could never be evaluated. */
+    R& referred() const { return result_ ? *result_ : NA<R&>::na(); }
     function_type function_;
     detail::CallArguments<A...> arguments_;
     mutable R* result_ = nullptr;

@@ -6,6 +6,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/os/StartStopManager.hpp>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -14,20 +15,19 @@ namespace internal {
 
 namespace {
 
-struct Holder {
-    Holder() : activity(&engine, "GlobalEngine") { activity.start(); }
-    ~Holder() {
-        activity.stop();
-        activity.run(nullptr);
-    }
+enum State { Off, On, Releasing };
+
+struct Global {
     ExecutionEngine engine;
-    Activity activity;
+    std::mutex mutex;
+    std::unique_ptr<Activity> activity;
+    std::atomic<State> state{Off};
 };
 
-std::mutex mutex;
-std::unique_ptr<Holder>& holder() {
-    static std::unique_ptr<Holder> one;
-    return one;
+// The engine is never destroyed: others may be sending while, and after, its thread is ended.
+Global& global() {
+    static Global* const one = new Global;
+    return *one;
 }
 
 // __os_exit() ends the thread before it takes away what the thread may use.
@@ -36,14 +36,39 @@ const os::CleanupFunction releaseAtExit(&GlobalEngine::Release, os::StopEngines)
 }  // namespace
 
 ExecutionEngine* GlobalEngine::Instance() {
-    std::lock_guard<std::mutex> lock(mutex);
-    if (!holder()) holder() = std::make_unique<Holder>();
-    return &holder()->engine;
+    Global& g = global();
+    // Acquire: pairs with the store below, so that the activity is complete. Sending must not lock. Nor must the thread that
+    // is ending start another one.
+    if (g.state.load(std::memory_order_acquire) != Off) return &g.engine;
+    std::lock_guard<std::mutex> lock(g.mutex);
+    if (g.state == Off) {
+        // Given the engine when it is complete: who asked before the last Release() may be sending just now.
+        Activity::Options options;
+        options.name = "GlobalEngine";
+        g.activity = std::make_unique<Activity>(options);
+        g.activity->run(&g.engine);
+        g.activity->start();
+        g.state.store(On, std::memory_order_release);
+    }
+    return &g.engine;
 }
 
 void GlobalEngine::Release() {
-    std::lock_guard<std::mutex> lock(mutex);
-    holder().reset();
+    Global& g = global();
+    if (g.engine.isStepping()) return;
+    std::unique_ptr<Activity> last;
+    {
+        std::lock_guard<std::mutex> lock(g.mutex);
+        if (g.state != On) return;
+        g.state = Releasing;
+        last.swap(g.activity);
+    }
+    // Without the lock: what the thread is executing may come to Instance().
+    last->stop();
+    g.engine.setActivity(nullptr);  // whoever is triggering it is waited for before it is destroyed
+    last.reset();
+    g.engine.setFatalTask();  // disposes of what nobody executes any more
+    g.state = Off;
 }
 
 }  // namespace internal

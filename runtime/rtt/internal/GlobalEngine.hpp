@@ -13,8 +13,10 @@ namespace internal {
     client's thread. Its thread is started with the first use. Thread safe. */
 class RTT_API GlobalEngine {
 public:
+    /** Always the same engine. Real-time safe, except for the first use and the first after Release(). */
     static ExecutionEngine* Instance();
-    /** Stops its thread; the next Instance() starts it anew. */
+    /** Ends its thread, and refuses calls meanwhile; the next Instance() starts it anew. Blocks until what is being executed
+        ends. Does nothing in its own thread, or while another thread is in here. */
     static void Release();
 };
 

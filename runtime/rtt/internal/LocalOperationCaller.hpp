@@ -21,9 +21,10 @@ public:
 
     LocalOperationCaller() = default;
 
-    bool ready() const override { return callee_ != nullptr; }
+    bool ready() const override { return callee_ != nullptr && !this->isGone(); }
     void setFunction(Function function) { callee_ = std::move(function); }
     const Function& function() const { return callee_; }
+    CalleeBase* callee() const override { return callee_.get(); }
 
     R call(Args... args) override {
         if (!this->isSend()) return (*callee_)(std::forward<Args>(args)...);

@@ -5,20 +5,32 @@
 namespace RTT {
 namespace internal {
 
+namespace {
+constexpr std::uintptr_t kKindBits = 3;
+Mailbox::Kind kindOf(std::uintptr_t packed) { return static_cast<Mailbox::Kind>(packed & kKindBits); }
+}  // namespace
+
 Mailbox::Mailbox() : cells_(new Cell[kCapacity]) {
-    for (std::size_t i = 0; i != kCapacity; ++i) cells_[i].sequence.store(i, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i != kCapacity; ++i) {
+        cells_[i].sequence.store(i, std::memory_order_relaxed);
+        cells_[i].item.store(0, std::memory_order_relaxed);
+    }
+}
+
+std::uintptr_t Mailbox::pack(Item item) {
+    return reinterpret_cast<std::uintptr_t>(item.what) | static_cast<std::uintptr_t>(item.kind);
 }
 
 bool Mailbox::put(Item item) {
-    std::size_t position = tail_.load(std::memory_order_relaxed);
+    std::uint32_t position = tail_.load(std::memory_order_relaxed);
     for (;;) {
         Cell& cell = cells_[position % kCapacity];
         // Acquire: pairs with the release in take(); the cell was read before it is overwritten.
-        const std::size_t sequence = cell.sequence.load(std::memory_order_acquire);
-        const auto lead = static_cast<std::ptrdiff_t>(sequence) - static_cast<std::ptrdiff_t>(position);
+        const std::uint32_t sequence = cell.sequence.load(std::memory_order_acquire);
+        const auto lead = static_cast<std::int32_t>(sequence - position);
         if (lead == 0) {
             if (tail_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
-                cell.item = item;
+                cell.item.store(pack(item), std::memory_order_relaxed);
                 // Release: whoever sees this number sees the item.
                 cell.sequence.store(position + 1, std::memory_order_release);
                 return true;
@@ -32,15 +44,18 @@ bool Mailbox::put(Item item) {
 }
 
 bool Mailbox::take(Item& item) {
-    std::size_t position = head_.load(std::memory_order_relaxed);
+    std::uint32_t position = head_.load(std::memory_order_relaxed);
     for (;;) {
         Cell& cell = cells_[position % kCapacity];
         // Acquire: pairs with the release in put(), so that the item is there with its number.
-        const std::size_t sequence = cell.sequence.load(std::memory_order_acquire);
-        const auto lead = static_cast<std::ptrdiff_t>(sequence) - static_cast<std::ptrdiff_t>(position + 1);
+        const std::uint32_t sequence = cell.sequence.load(std::memory_order_acquire);
+        const auto lead = static_cast<std::int32_t>(sequence - (position + 1));
         if (lead == 0) {
             if (head_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
-                item = cell.item;
+                std::uintptr_t packed = cell.item.load(std::memory_order_relaxed);
+                // Either this or withdraw() has it.
+                if (kindOf(packed) >= Kind::AddFunction) packed = cell.item.exchange(packed & kKindBits);
+                item = {kindOf(packed), reinterpret_cast<void*>(packed & ~kKindBits)};
                 // Release: the producer of the next round overwrites the item after we have read it.
                 cell.sequence.store(position + kCapacity, std::memory_order_release);
                 return true;
@@ -53,8 +68,17 @@ bool Mailbox::take(Item& item) {
     }
 }
 
+bool Mailbox::withdraw(Item item) {
+    // A cell that was taken holds its item no more, so one that is found waits to be taken.
+    for (std::uint32_t i = 0; i != kCapacity; ++i) {
+        std::uintptr_t packed = pack(item);
+        if (cells_[i].item.compare_exchange_strong(packed, packed & kKindBits)) return true;
+    }
+    return false;
+}
+
 bool Mailbox::empty() const {
-    const std::size_t position = head_.load(std::memory_order_acquire);
+    const std::uint32_t position = head_.load(std::memory_order_acquire);
     return cells_[position % kCapacity].sequence.load(std::memory_order_acquire) != position + 1;
 }
 

@@ -17,36 +17,39 @@ namespace internal {
  * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, and, when the
  * component has failed for good, whoever clears up. Neither blocks nor allocates; both are real-time safe.
  *
- * Each cell carries a sequence number that tells whose turn it is:
+ * Each cell carries a sequence number that tells whose turn it is; the numbers wrap around:
  *   sequence == position              free for the producer that wins position
  *   sequence == position + 1          filled, for the consumer that wins position
  *   sequence == position + kCapacity  free again, one round later
  */
 class RTT_API Mailbox {
 public:
-    enum class Kind : std::uint8_t { Message, Port, AddFunction };
+    enum class Kind : std::uint8_t { Message, Port, AddFunction, RemoveFunction };
     struct Item {
         Kind kind;
-        void* what;
+        void* what;  ///< aligned to 4 bytes at least; null: was withdrawn
     };
-    static constexpr std::size_t kCapacity = 128;
+    static constexpr std::uint32_t kCapacity = 128;
 
     Mailbox();
     /** False if full. */
     bool put(Item item);
     /** False if empty, or if the next item is just being put. */
     bool take(Item& item);
+    /** Takes an AddFunction or a RemoveFunction back; it then comes out as null. False if it is not there any more. */
+    bool withdraw(Item item);
     /** A momentary truth. */
     bool empty() const;
 
 private:
     struct Cell {
-        std::atomic<std::size_t> sequence;
-        Item item;
+        std::atomic<std::uint32_t> sequence;
+        std::atomic<std::uintptr_t> item;  // the address, the kind in its two lowest bits
     };
+    static std::uintptr_t pack(Item item);
     std::unique_ptr<Cell[]> cells_;
-    alignas(64) std::atomic<std::size_t> tail_{0};
-    alignas(64) std::atomic<std::size_t> head_{0};
+    alignas(64) std::atomic<std::uint32_t> tail_{0};
+    alignas(64) std::atomic<std::uint32_t> head_{0};
 };
 
 }  // namespace internal

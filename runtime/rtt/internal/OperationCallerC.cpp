@@ -12,7 +12,7 @@ namespace RTT {
 namespace internal {
 
 OperationCallerC::OperationCallerC(const OperationInterfacePart* part, const std::string& name, ExecutionEngine* caller)
-    : part_(part), name_(name), caller_(caller) {}
+    : part_(OperationInterfacePart::hold(part)), name_(name), caller_(caller) {}
 OperationCallerC::~OperationCallerC() = default;
 
 OperationCallerC& OperationCallerC::arg(Source argument) {
@@ -65,8 +65,8 @@ SendHandleC OperationCallerC::send() {
     const Source sending = getSendDataSource();
     if (!sending) return SendHandleC();
     const Source handle = part_->produceHandle();
-    handle->update(sending.get());
-    return SendHandleC(handle, part_, name_);
+    if (!handle->update(sending.get())) return SendHandleC();
+    return SendHandleC(handle, part_.get(), name_);
 }
 
 bool OperationCallerC::ready() const {

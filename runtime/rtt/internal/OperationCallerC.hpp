@@ -10,7 +10,8 @@ namespace internal {
 
 /**
  * Calls an operation whose signature is known at run time only. Give it all arguments first:
- * `OperationCallerC(part, "add", engine).argC(2).arg(x).ret(sum).call()`. Real-time safe: calling again what was
+ * `OperationCallerC(part, "add", engine).argC(2).arg(x).ret(sum).call()`. Keeps what it was made for when the operation is
+ * removed or replaced, as OperationCaller does. Real-time safe: calling again what was
  * called before, if the operation is.
  */
 class RTT_API OperationCallerC {
@@ -43,7 +44,8 @@ public:
         return ret(Source(new ReferenceDataSource<T>(variable)));
     }
 
-    /** False, and an error, if something is wrong with the arguments. Throws what the operation throws. */
+    /** False, and an error, if something is wrong with the arguments or one of them cannot be evaluated; the operation is not
+        called then. Throws what the operation throws. */
     bool call();
     /** As above; the handle is not ready then. */
     SendHandleC send();
@@ -55,12 +57,12 @@ public:
     /** The source whose evaluation calls, or sends; null if something is wrong. */
     Source getCallDataSource();
     Source getSendDataSource();
-    const OperationInterfacePart* getOrp() const { return part_; }
+    const OperationInterfacePart* getOrp() const { return part_.get(); }
 
 private:
     bool prepare();
 
-    const OperationInterfacePart* part_ = nullptr;
+    OperationInterfacePart::shared_constptr part_;
     std::string name_;
     ExecutionEngine* caller_ = nullptr;
     OperationInterfacePart::Args arguments_;

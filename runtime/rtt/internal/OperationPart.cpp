@@ -3,8 +3,10 @@
 #include <rtt/internal/OperationPart.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
+#include <rtt/Handle.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/OperationTable.hpp>
+#include <rtt/internal/detail/action_slot.hpp>
 #include <rtt/internal/detail/call_handles.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
@@ -97,12 +99,14 @@ void OperationPart::checkSendable() const {
 }
 
 OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* caller) const {
-    return table_->makeSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
+    return table_->makeSource(
+        GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args), description_));
 }
 
 OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const {
     checkSendable();
-    return new detail::SendSource(GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args)));
+    return new detail::SendSource(
+        GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args), description_));
 }
 
 OperationPart::Source OperationPart::produceHandle() const {
@@ -121,6 +125,29 @@ OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource
         if (!args[i]->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(i + 1), args[i]->getType());
     }
     return new detail::CollectSource(*table_, handle, Args(args.begin() + 1, args.end()), std::move(blocking));
+}
+
+Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& args,
+                                    ExecutionEngine* subscriber) const {
+    CalleeBase* const callee = caller_->callee();
+    if (!callee || !callee->signal()) return OperationInterfacePart::produceSignal(action, args, subscriber);
+    checkCount(table_->arity, args.size());
+    for (std::size_t i = 0; i != args.size(); ++i) {
+        const ValueType& type = table_->types[i + 1];
+        if (!args[i] || !holds(*args[i], type)) throwWrongType(i + 1, type, args[i]);
+        if (!args[i]->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(i + 1), args[i]->getType());
+        // What is handed to another thread is copied to values of its type.
+        if (subscriber && !type.info()->buildValue()) throwWrongType(i + 1, type, args[i]);
+    }
+    const auto slot = std::make_shared<detail::ActionSlot>(action, args, subscriber);
+    callee->signal()->add(slot, true);
+    return Handle(slot);
+}
+
+OperationPart* OperationPart::reimplemented(Caller implementation) const {
+    if (typeid(*implementation) != typeid(*caller_)) return nullptr;
+    if (implementation->callee() && caller_->callee()) implementation->callee()->listenLike(caller_->callee());
+    return new OperationPart(description_, std::move(implementation), *table_, call_only_);
 }
 
 }  // namespace internal

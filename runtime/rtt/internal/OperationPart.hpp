@@ -35,6 +35,11 @@ public:
     Source produceSend(const Args& args, ExecutionEngine* caller) const override;
     Source produceHandle() const override;
     Source produceCollect(const Args& args, boost::intrusive_ptr<DataSource<bool>> blocking) const override;
+    Handle produceSignal(base::ActionInterface* action, const Args& args, ExecutionEngine* subscriber) const override;
+
+    /** The same operation with another function of the same signature; null if that has another one. Whoever listens to
+        this listens to the new one. The caller owns it. */
+    OperationPart* reimplemented(Caller implementation) const;
 
 private:
     Args checkedArguments(const Args& args) const;

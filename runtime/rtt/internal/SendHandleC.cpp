@@ -24,7 +24,7 @@ DataSource<bool>::shared_ptr constant(bool value) { return new ConstantDataSourc
 }  // namespace
 
 SendHandleC::SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name)
-    : handle_(handle), part_(part), name_(name) {}
+    : handle_(handle), part_(OperationInterfacePart::hold(part)), name_(name) {}
 
 SendHandleC::~SendHandleC() {
     if (!auto_collect_ || !handle_) return;

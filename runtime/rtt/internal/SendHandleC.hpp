@@ -46,13 +46,13 @@ public:
     void setAutoCollect(bool on) { auto_collect_ = on; }
 
     const Source& getSendHandleDataSource() const { return handle_; }
-    const OperationInterfacePart* getOrp() const { return part_; }
+    const OperationInterfacePart* getOrp() const { return part_.get(); }
 
 private:
     SendStatus fetch(bool wait);
 
     Source handle_;
-    const OperationInterfacePart* part_ = nullptr;
+    OperationInterfacePart::shared_constptr part_;
     std::string name_;
     OperationInterfacePart::Args arguments_;
     bool auto_collect_ = false;

@@ -4,8 +4,12 @@
 
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
+#include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/os/detail/futex.hpp>
 
 #include <exception>
 
@@ -18,17 +22,19 @@ namespace internal {
 SentCall::SentCall() = default;
 SentCall::~SentCall() = default;
 
+// It is the thread that waits, so what counts is the engine it executes: it may be executing an operation of the caller
+// for a third component, which others then call.
 void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
-    caller_ = caller;
     executor_ = executor;
-    if (caller) wait_point_ = caller->waitPoint();
+    if (!caller) return;
+    const EngineGate* const own = EngineGate::ofThisThread();
+    waiting_ = own ? own : caller->gate().get();
 }
 
 void SentCall::finish(State state) {
-    // After the state is stored the caller may be gone, with its engine; the wait point is ours too.
-    const std::shared_ptr<WaitPoint> waitPoint = wait_point_;
-    state_.store(state);
-    if (waitPoint) waitPoint->notify();
+    // After the state is stored the caller may be gone, with its engine; the gate, and this, are ours until deref().
+    if (state_.exchange(state) & kParked) os::detail::futexWakeAll(state_);
+    if (waiting_) waiting_->waitPoint.notify();
     deref();
 }
 
@@ -61,18 +67,37 @@ SendStatus SentCall::status() const {
 }
 
 SendStatus SentCall::collect() {
-    if (!caller_) {
-        if (state() == Waiting) {
+    if (state() == Waiting) {
+        if (!waiting_) {
             log(Error) << "an operation is collected by somebody who is no component: set the caller's engine "
                           "(this->engine() in a component, GlobalEngine::Instance() elsewhere)"
                        << endlog();
             return CollectFailure;
         }
-    } else {
-        caller_->waitForMessages([this] { return state() != Waiting; });
+        const auto done = [this] { return state() != Waiting; };
+        const EngineGate* const own = EngineGate::ofThisThread();
+        if (own && own != waiting_.get()) {
+            // Sent by another component, so nobody will tell this thread's engine of the end.
+            while (!own->engine()->waitForMessages(done, rtos_get_time_ns() + 1000000)) {
+            }
+        } else if (own || waiting_->isSelf()) {
+            waiting_->engine()->waitForMessages(done);
+        } else {
+            park();
+        }
     }
     checkError();
     return status();
+}
+
+// On the call itself: many threads that are no components may wait, each for its own, and none shall wake the others.
+void SentCall::park() {
+    std::uint32_t seen = state_.load(std::memory_order_acquire);
+    while ((seen & ~kParked) == Waiting) {
+        if (!(seen & kParked) && !state_.compare_exchange_weak(seen, seen | kParked)) continue;
+        os::detail::futexWait(state_, Waiting | kParked, os::detail::kForever);
+        seen = state_.load(std::memory_order_acquire);
+    }
 }
 
 SendStatus SentCall::collectIfDone() const {
@@ -96,26 +121,57 @@ namespace base {
 
 OperationCallerInterface::~OperationCallerInterface() = default;
 
+void OperationCallerInterface::setThread(ExecutionThread et, ExecutionEngine* owner) {
+    thread_ = et;
+    owner_ = owner ? owner->gate() : nullptr;
+}
+
 bool OperationCallerInterface::isSend() const { return thread_ == OwnThread && owner_ && !owner_->isSelf(); }
 
 bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
-    ExecutionEngine* executor = thread_ == OwnThread && owner_ ? owner_ : internal::GlobalEngine::Instance();
-    call.setEngines(caller_, executor);
+    const internal::EngineGate& gate =
+        thread_ == OwnThread && owner_ ? *owner_ : *internal::GlobalEngine::Instance()->gate();
+    call.setEngines(caller_, gate.engine());
     call.ref();  // the queue's
-    if (executor->process(&call)) return true;
+    if (ExecutionEngine::process(gate, &call)) return true;
     call.dispose();
     return false;
 }
+
+namespace {
+
+// No virtual functions here: the sub-class of a component may be under destruction, its engine and its TaskCore are not.
+
+/** The component that provides an operation, and what keeps it from executing calls; for messages. */
+std::string whyRefused(const internal::EngineGate& gate) {
+    const internal::EngineGate::Visit visit(gate);
+    if (!visit.engine()) return "the component that provides it was destroyed";
+    const TaskCore* const task = visit.engine()->getTaskCore();
+    const std::string who = task ? "component '" + task->TaskCore::getName() + "'" : std::string("the GlobalEngine");
+    if (task && task->TaskCore::inFatalError()) return who + " is in FatalError";
+    if (!visit.activity()) return who + " has no activity";
+    return "too many messages are waiting for " + who;
+}
+
+void warnIfInactive(const internal::EngineGate& gate) {
+    const internal::EngineGate::Visit visit(gate);
+    if (!visit.activity() || visit.activity()->isActive() || !visit.engine()->getTaskCore()) return;
+    log(Warning) << "a call waits until the activity of component '"
+                 << visit.engine()->getTaskCore()->TaskCore::getName() << "' is started, which is to execute it"
+                 << endlog();
+}
+
+}  // namespace
 
 void OperationCallerInterface::enqueueAndWait(internal::SentCall& call) const {
     if (!caller_)
         throw SendError(CollectFailure,
                         "an operation that is executed in its component's thread was called without a caller: "
                         "set the caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
-    if (!enqueue(call) || call.collect() == SendFailure)
-        throw SendError(SendFailure,
-                        "the component that provides the operation takes no calls: it is in FatalError, has no "
-                        "activity, or too many calls are waiting");
+    const bool accepted = enqueue(call);
+    if (accepted && call.state() == internal::SentCall::Waiting) warnIfInactive(*owner_);
+    if (!accepted || call.collect() == SendFailure)
+        throw SendError(SendFailure, "an operation was not executed: " + whyRefused(*owner_));
 }
 
 }  // namespace base

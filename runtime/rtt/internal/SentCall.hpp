@@ -11,13 +11,14 @@
 
 #include <atomic>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
+#include <new>
 
 namespace RTT {
 class ExecutionEngine;
 namespace internal {
 
-class WaitPoint;
+class EngineGate;
 
 /** One call on its way through the queue of an engine, and its result afterwards. Referred to by the queue and by the
     handles of the caller. Memory comes from CallPool. */
@@ -35,9 +36,9 @@ public:
     void executeAndDispose() final;
     void dispose() final;
     bool isError() const final { return state() == Threw; }
-    State state() const { return state_.load(std::memory_order_acquire); }
+    State state() const { return static_cast<State>(state_.load(std::memory_order_acquire) & ~kParked); }
 
-    /** The engine whose thread collects, and the one that executes. */
+    /** The engine of the component that collects, null if none, and the one that executes. */
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
     /** What collecting gives now. */
@@ -57,6 +58,9 @@ public:
     // The destructor is virtual, so the size that counts is that of the sub-class.
     static void* operator new(std::size_t size) { return CallPool::take(size); }
     static void operator delete(void* block) { CallPool::give(block); }
+    // Arguments of larger alignment (Eigen with AVX) do not fit into the pool's blocks.
+    static void* operator new(std::size_t size, std::align_val_t alignment) { return ::operator new(size, alignment); }
+    static void operator delete(void* block, std::align_val_t alignment) { ::operator delete(block, alignment); }
 
     void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref();
@@ -66,13 +70,14 @@ protected:
     virtual void run() = 0;
 
 private:
+    static constexpr std::uint32_t kParked = 0x80000000u;  // in state_: a thread that executes no engine sleeps on it
     void finish(State state);
+    void park();
 
     std::atomic<int> references_{0};
-    std::atomic<State> state_{Waiting};
-    ExecutionEngine* caller_ = nullptr;
+    std::atomic<std::uint32_t> state_{Waiting};
     ExecutionEngine* executor_ = nullptr;
-    std::shared_ptr<WaitPoint> wait_point_;
+    boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
 };
 
 inline void intrusive_ptr_add_ref(SentCall* call) { call->ref(); }

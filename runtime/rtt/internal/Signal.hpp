@@ -8,6 +8,11 @@
 #include <boost/function.hpp>
 #include <boost/shared_ptr.hpp>
 
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
 namespace RTT {
 namespace internal {
 
@@ -27,16 +32,25 @@ public:
     Handle setup(const SlotFunction& function) { return make(function, false); }
 
     void emit(Args... args) const {
-        if (auto all = this->snapshot())
-            for (const ConnectionPtr& connection : *all)
-                if (connection->connected()) static_cast<const Slot&>(*connection).function(args...);
+        void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))..., nullptr};
+        this->emitErased(all);
     }
     void operator()(Args... args) const { emit(args...); }
     int arity() const override { return static_cast<int>(sizeof...(Args)); }
 
 private:
-    struct Slot : Connection {
+    // Each function has a value of its own, so an argument to be moved from is copied.
+    template <class Arg>
+    using Passed = std::conditional_t<std::is_rvalue_reference_v<Arg>, std::decay_t<Arg>, Arg>;
+    struct Slot final : Connection {
         explicit Slot(const SlotFunction& f) : function(f) {}
+        void call(void* const* arguments) const override { callWith(arguments, std::index_sequence_for<Args...>()); }
+        template <std::size_t... I>
+        void callWith(void* const* arguments, std::index_sequence<I...>) const {
+            (void)arguments;
+            function(static_cast<Passed<Args>>(
+                *static_cast<std::remove_cv_t<std::remove_reference_t<Args>>*>(arguments[I]))...);
+        }
         SlotFunction function;
     };
     Handle make(const SlotFunction& function, bool connect) {

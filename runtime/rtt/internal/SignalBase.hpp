@@ -5,6 +5,8 @@
 
 #include <rtt/rtt-config.h>
 
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -20,6 +22,8 @@ public:
     class RTT_API Connection : public std::enable_shared_from_this<Connection> {
     public:
         virtual ~Connection();
+        /** Calls the function, with pointers to the arguments. */
+        virtual void call(void* const* arguments) const = 0;
         bool connect();
         bool disconnect();
         bool connected() const { return connected_.load(std::memory_order_acquire); }
@@ -33,7 +37,6 @@ public:
         std::atomic<bool> connected_{false};
     };
     typedef std::shared_ptr<Connection> ConnectionPtr;
-    typedef std::vector<ConnectionPtr> Connections;
 
     SignalBase() = default;
     virtual ~SignalBase();
@@ -42,18 +45,22 @@ public:
 
     /** The number of arguments of the functions. */
     virtual int arity() const = 0;
-
-protected:
+    /** Adds a function; if not connected now, its handle can do it later. Not real-time safe. */
     void add(const ConnectionPtr& connection, bool connect);
-    /** The functions at this moment, in order of connection; null if none. The list never changes, it is replaced. */
-    std::shared_ptr<const Connections> snapshot() const;
+    /** Calls all connected functions, with pointers to the arguments. Never locks; real-time safe if the functions are. */
+    void emitErased(void* const* arguments) const;
 
 private:
+    struct List;
+    friend void intrusive_ptr_add_ref(const List* list);
+    friend void intrusive_ptr_release(const List* list);
+
+    boost::intrusive_ptr<const List> snapshot() const;
     void change(const ConnectionPtr& connection, bool present);
 
     std::mutex mutex_;
-    std::shared_ptr<const Connections> connections_;
-    std::atomic<bool> any_{false};
+    std::atomic<const List*> connected_{nullptr};  // null: none. A list never changes, it is replaced.
+    std::vector<std::weak_ptr<Connection>> made_;  // those too that are not connected just now
 };
 
 }  // namespace internal

@@ -12,33 +12,34 @@ namespace RTT {
 namespace internal {
 
 /**
- * Where threads wait for something an engine is told. Shared by reference count, because whoever announces the end of
- * an operation may do so after the waiting component has seen it and is gone.
+ * Where threads wait for something an engine is told.
  *
- * A waiter: `auto ticket = prepare(); if (condition) cancel(); else wait(ticket);` A notifier changes the condition
- * and then calls notify(). All operations on both words are sequentially consistent, so either the notifier sees the
- * waiter or the waiter's condition is already true.
+ * A waiter: `auto ticket = point.ticket(); if (!condition) point.wait(ticket);` A notifier changes the condition and
+ * then calls notify().
+ *
+ * One word holds the number of notifications and, in its lowest bit, whether somebody sleeps. No wake-up is lost: the
+ * waiter sets the bit only if the number still is that of its ticket, in one atomic operation. A notification before that
+ * makes it fail; a later one finds the bit. If the notification came before the ticket, the waiter has seen its condition:
+ * the acquire load of the ticket pairs with the release of the addition. At most one system call for each time somebody
+ * went to sleep: the notifier that finds the bit clears it.
  */
 class RTT_API WaitPoint {
 public:
-    std::uint32_t prepare() {
-        waiters_.fetch_add(1);
-        return epoch_.load();
-    }
-    void cancel() { waiters_.fetch_sub(1); }
-    /** Sleeps until a notify() after prepare(). Blocks. */
-    void wait(std::uint32_t ticket);
-    /** Wakes all waiters. Real-time safe; a system call only if somebody waits. */
+    std::uint32_t ticket() const { return word_.load(std::memory_order_acquire) & ~kAsleep; }
+    /** Sleeps until a notify() after ticket(), or until the monotonic time in ns. Blocks. */
+    void wait(std::uint32_t ticket, std::int64_t deadline = INT64_MAX);
+    /** Wakes all waiters. Real-time safe; a system call only if somebody sleeps. */
     void notify() {
-        epoch_.fetch_add(1);
-        if (waiters_.load() != 0) wake();
+        if (word_.fetch_add(kStep) & kAsleep) wake();
     }
+    /** Lets no waiter fall asleep that does not know yet, but wakes nobody. */
+    void mark() { word_.fetch_add(kStep); }
 
 private:
+    static constexpr std::uint32_t kAsleep = 1, kStep = 2;
     void wake();
 
-    std::atomic<std::uint32_t> epoch_{0};
-    std::atomic<std::uint32_t> waiters_{0};
+    std::atomic<std::uint32_t> word_{0};
 };
 
 }  // namespace internal

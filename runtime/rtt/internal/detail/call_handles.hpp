@@ -12,11 +12,15 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Sends with each evaluation; the value is the handle. */
+/** Sends with each evaluation; the value is the handle, null if the operation was refused. Fails as CallSource does. */
 class SendSource final : public DataSource<SentCall::shared_ptr> {
 public:
     explicit SendSource(GenericCall call) : call_(std::move(call)) {}
-    SentCall::shared_ptr get() const override { return sent_ = call_.send(); }
+    bool evaluate() const override { return call_.send(sent_) || call_.report(); }
+    SentCall::shared_ptr get() const override {
+        if (!call_.send(sent_)) call_.fail();
+        return sent_;
+    }
     SentCall::shared_ptr value() const override { return sent_; }
     const SentCall::shared_ptr& rvalue() const override { return sent_; }
     SendSource* clone() const override { return new SendSource(call_); }

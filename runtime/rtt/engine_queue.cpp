@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// How other threads ask an engine for something, and how its own thread waits for others.
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/base/ActivityInterface.hpp>
+#include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/detail/engine_removal.hpp>
+#include <rtt/os/fosi.h>
+
+#include <algorithm>
+
+namespace RTT {
+
+using internal::EngineGate;
+using internal::Mailbox;
+
+namespace {
+constexpr std::int64_t kForever = INT64_MAX;
+constexpr std::int64_t kMillisecond = 1000000;
+
+/** A moment from now, for somebody who waits for two things and can sleep for one of them only. */
+std::int64_t soon(std::int64_t ms) { return rtos_get_time_ns() + ms * kMillisecond; }
+}  // namespace
+
+void ExecutionEngine::disposeQueued() {
+    Mailbox::Item item;
+    while (mailbox_.take(item)) {
+        if (!item.what) continue;
+        switch (item.kind) {
+            case Mailbox::Kind::Message: static_cast<base::DisposableInterface*>(item.what)->dispose(); break;
+            case Mailbox::Kind::Port: break;
+            case Mailbox::Kind::AddFunction: static_cast<base::ExecutableInterface*>(item.what)->unloaded(); break;
+            case Mailbox::Kind::RemoveFunction: static_cast<Removal*>(item.what)->finish(Removal::Disposed); break;
+        }
+    }
+}
+
+// The component may enter FatalError between our look at its state and put(). Its thread then enters the new state,
+// notifies and disposes of what is queued, in this order; we put, notify and look at the state again. Both change one
+// word, so one of the two comes second and sees what the other did before: the message is disposed of.
+bool ExecutionEngine::accepts() const { return !(task_ && task_->base::TaskCore::inFatalError()); }
+
+// In a visit to the gate, so that neither the engine nor its activity go away.
+bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activity) {
+    if (!item.what || !activity || !accepts() || !mailbox_.put(item)) return false;
+    // The engine's thread may be inside waitForMessages(). It does not need to know of ports there.
+    if (item.kind == Mailbox::Kind::Port)
+        gate_->waitPoint.mark();
+    else
+        gate_->waitPoint.notify();
+    if (!accepts()) {
+        disposeQueued();
+        return true;
+    }
+    activity->trigger();
+    return true;
+}
+
+bool ExecutionEngine::enqueue(Mailbox::Item item) {
+    const EngineGate::Visit visit(*gate_);
+    return enqueue(item, visit.activity());
+}
+
+bool ExecutionEngine::process(const EngineGate& gate, base::DisposableInterface* message) {
+    const EngineGate::Visit visit(gate);
+    ExecutionEngine* const engine = visit.engine();
+    return engine && engine->enqueue({Mailbox::Kind::Message, message}, visit.activity());
+}
+
+bool ExecutionEngine::process(base::DisposableInterface* message) { return enqueue({Mailbox::Kind::Message, message}); }
+
+bool ExecutionEngine::process(base::PortInterface* port) { return enqueue({Mailbox::Kind::Port, port}); }
+
+bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
+    if (!function || !getActivity() || !accepts()) return false;
+    function->loaded(this);
+    if (enqueue({Mailbox::Kind::AddFunction, function})) return true;
+    function->unloaded();
+    return false;
+}
+
+bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
+    if (!function || !function->isLoaded() || function->getEngine() != this) return true;
+    if (isSelf()) {
+        mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
+        takeOut(function);
+    } else {
+        const EngineGate* const own = EngineGate::ofThisThread();
+        const EngineGate& waiting = own ? *own : *gate_;
+        Removal removal(function, waiting);
+        // The queue is in order, so an addition that still waits in it is executed before the removal.
+        if (enqueue({Mailbox::Kind::RemoveFunction, &removal}))
+            awaitRemoval(removal, waiting);
+        else if (getActivity() && accepts())
+            return false;
+        else
+            removal.finish(Removal::Disposed);
+        if (removal.state() == Removal::Disposed) {
+            // Nobody executes any more, at most what is left of the last step.
+            gate_->waitForStep();
+            mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
+            takeOut(function);
+        }
+    }
+    function->unloaded();
+    return true;
+}
+
+// The thread of a component goes on executing its messages: the function may be waiting for one of them.
+void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) {
+    const auto finished = [&] { return removal.state() != Removal::Waiting; };
+    // Looks from time to time, because an activity that is not active tells nobody.
+    while (!waiting.engine()->waitForMessages(finished, soon(20))) {
+        const EngineGate::Visit visit(*gate_);
+        const bool executed = visit.activity() && visit.activity()->isActive();
+        if (!executed && mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal})) {
+            removal.finish(Removal::Disposed);
+            return;
+        }
+    }
+}
+
+void ExecutionEngine::takeOut(base::ExecutableInterface* function) {
+    std::replace(functions_.begin(), functions_.end(), function, static_cast<base::ExecutableInterface*>(nullptr));
+}
+
+// Executes the messages of all engines that this thread is executing. True if it is more than one.
+bool ExecutionEngine::processWaiting() {
+    const Step* const innermost = Step::innermost();
+    bool several = false;
+    for (const Step* step = innermost; step; step = step->outer()) {
+        ExecutionEngine* const engine = step->engine();
+        if (!engine) continue;
+        several |= engine != innermost->engine();
+        const Step here(*engine->gate_);
+        engine->processMailbox(here, Depth::Waiting);
+    }
+    return several;
+}
+
+bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline) {
+    if (!isSelf()) {
+        while (!done()) {
+            const std::uint32_t ticket = gate_->waitPoint.ticket();
+            if (done()) return true;
+            gate_->waitPoint.wait(ticket, deadline);
+            if (deadline != kForever && rtos_get_time_ns() >= deadline) return done();
+        }
+        return true;
+    }
+    const Step here(*gate_);  // also for a thread that stands for the activity and is not within a step
+    while (!done()) {
+        const std::uint32_t ticket = gate_->waitPoint.ticket();
+        const bool several = processWaiting();
+        if (done()) break;
+        if (!mailbox_.empty()) continue;
+        if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
+        gate_->waitPoint.wait(ticket, several ? std::min(deadline, soon(1)) : deadline);
+    }
+    // The trigger that came with a port may have been used up before we waited.
+    for (const Step* step = &here; step; step = step->outer())
+        if (ExecutionEngine* const engine = step->engine()) engine->triggerDeferred();
+    return true;
+}
+
+void ExecutionEngine::waitForMessages(const boost::function<bool()>& done) { waitForMessages(done, kForever); }
+
+void ExecutionEngine::triggerDeferred() {
+    if (!deferred_) return;
+    const EngineGate::Visit visit(*gate_);
+    if (visit.activity()) visit.activity()->trigger();
+}
+
+bool ExecutionEngine::isSelf() const { return gate_->isSelf(); }
+bool ExecutionEngine::isStepping() const { return gate_->isStepping(); }
+
+}  // namespace RTT

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_ENGINE_GATE_HPP
+#define ORO_INTERNAL_ENGINE_GATE_HPP
+
+#include <rtt/internal/WaitPoint.hpp>
+
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+
+#include <atomic>
+#include <cstdint>
+
+namespace RTT {
+class ExecutionEngine;
+namespace base {
+class ActivityInterface;
+}
+namespace internal {
+
+/**
+ * How others reach an ExecutionEngine whose activity may be exchanged, or which may be destroyed, at that moment. Shared by
+ * the engine, the callers of its component's operations and the calls that its component waits for; outlives the engine.
+ *
+ * A visitor counts itself and then looks who is there. Whoever takes the activity or the engine away does that first and
+ * then waits until nobody is left who may have seen it. Both words are accessed in one sequentially consistent order,
+ * so either the visitor is waited for or it finds nobody.
+ */
+class RTT_API EngineGate {
+public:
+    /** While one exists, what it gives is not destroyed. Never blocks; real-time safe. */
+    class RTT_API Visit {
+    public:
+        explicit Visit(const EngineGate& gate) noexcept;
+        ~Visit();
+        Visit(const Visit&) = delete;
+        Visit& operator=(const Visit&) = delete;
+        /** Null: destroyed. */
+        ExecutionEngine* engine() const { return gate_.engine_.load(); }
+        /** Null: there is none. */
+        base::ActivityInterface* activity() const { return gate_.activity_.load(); }
+
+    private:
+        friend class EngineGate;
+        const EngineGate& gate_;
+        const Visit* outer_;               // of this thread
+        mutable bool keeps_gate_ = false;  // the engine was destroyed within
+    };
+
+    /** A step of the engine in this thread. Steps nest: a sequential activity may execute within the step of another. */
+    class RTT_API Step {
+    public:
+        explicit Step(const EngineGate& gate) noexcept;
+        ~Step();
+        Step(const Step&) = delete;
+        Step& operator=(const Step&) = delete;
+        /** The engine was destroyed within this step. */
+        bool gone() const { return !gate_; }
+        /** The engine; null if gone. */
+        ExecutionEngine* engine() const { return gate_ ? gate_->engine_.load(std::memory_order_relaxed) : nullptr; }
+        const Step* outer() const { return outer_; }
+        /** Of this thread; null if it is within no step. */
+        static const Step* innermost() noexcept { return innermost_; }
+
+    private:
+        friend class EngineGate;
+        mutable const EngineGate* gate_;
+        const Step* outer_;
+        const bool first_;  // not within another step of the same engine
+        static thread_local const Step* innermost_ __attribute__((tls_model("initial-exec")));
+    };
+
+    explicit EngineGate(ExecutionEngine* engine) : engine_(engine) {}
+    EngineGate(const EngineGate&) = delete;
+    EngineGate& operator=(const EngineGate&) = delete;
+
+    /** The gate of the engine that this thread is executing; null if none. */
+    static const EngineGate* ofThisThread() noexcept;
+
+    /** The engine was destroyed. Any thread; real-time safe, as all that follow unless they say otherwise. */
+    bool closed() const { return engine_.load(std::memory_order_acquire) == nullptr; }
+    /** For the engine and for those who know that it lives. */
+    ExecutionEngine* engine() const { return engine_.load(std::memory_order_acquire); }
+    base::ActivityInterface* activity() const { return activity_.load(std::memory_order_acquire); }
+    /** This thread is within a step of the engine. */
+    bool isStepping() const noexcept;
+    /** This thread is within a step of the engine, or stands for its activity. */
+    bool isSelf() const;
+
+    /** Blocks until no other thread uses the previous one. */
+    void setActivity(base::ActivityInterface* activity);
+    /** For the destructor of the engine. Blocks until no other thread uses it. */
+    void close();
+    /** Blocks until the visits of all other threads are over. A component's thread executes its messages meanwhile, because
+        who executes a sequential component may be waiting for one of them. */
+    void waitForVisitors() const;
+    /** Blocks until no thread is within a step; for an engine whose activity is not active. */
+    void waitForStep() const;
+
+    mutable WaitPoint waitPoint;
+
+    void ref() const { references_.fetch_add(1, std::memory_order_relaxed); }
+    void deref() const;
+
+private:
+    mutable std::atomic<std::uint32_t> references_{0};
+    mutable std::atomic<std::uint32_t> visitors_{0};
+    mutable std::atomic<std::uint32_t> steppers_{0};  // threads within a step
+    std::atomic<ExecutionEngine*> engine_;
+    std::atomic<base::ActivityInterface*> activity_{nullptr};
+};
+
+inline void intrusive_ptr_add_ref(const EngineGate* gate) { gate->ref(); }
+inline void intrusive_ptr_release(const EngineGate* gate) { gate->deref(); }
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Who knows whom.
+#include <rtt/TaskContext.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+namespace RTT {
+
+namespace {
+
+// A change concerns two components, and two of them may be destroyed at once.
+std::mutex& peersMutex() {
+    static std::mutex* const mutex = new std::mutex;  // never destroyed: components may be static
+    return *mutex;
+}
+typedef std::lock_guard<std::mutex> Lock;
+
+}  // namespace
+
+bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
+    if (!peer) return false;
+    if (alias.empty()) alias = peer->getName();
+    const Lock lock(peersMutex());
+    if (!peers_.emplace(alias, peer).second) return false;
+    peer->users_.push_back(this);
+    return true;
+}
+
+void TaskContext::removePeer(const std::string& name) {
+    const Lock lock(peersMutex());
+    forgetPeer(name);
+}
+
+void TaskContext::removePeer(TaskContext* peer) {
+    const Lock lock(peersMutex());
+    forgetPeer(peer);
+}
+
+void TaskContext::forgetPeer(const std::string& name) {
+    const auto found = peers_.find(name);
+    if (found == peers_.end()) return;
+    TaskContext* const peer = found->second;
+    peers_.erase(found);
+    // One entry for each name that the peer has here.
+    const auto user = std::find(peer->users_.begin(), peer->users_.end(), this);
+    if (user != peer->users_.end()) peer->users_.erase(user);
+}
+
+void TaskContext::forgetPeer(TaskContext* peer) {
+    for (auto entry = peers_.begin(); entry != peers_.end();) {
+        const auto next = std::next(entry);
+        if (entry->second == peer) forgetPeer(std::string(entry->first));
+        entry = next;
+    }
+}
+
+void TaskContext::leaveAll() {
+    const Lock lock(peersMutex());
+    for (TaskContext* user : std::vector<TaskContext*>(users_)) user->forgetPeer(this);
+    while (!peers_.empty()) forgetPeer(std::string(peers_.begin()->first));
+}
+
+bool TaskContext::connectPeers(TaskContext* peer) {
+    if (!peer || hasPeer(peer->getName()) || peer->hasPeer(getName())) return false;
+    if (!addPeer(peer)) return false;
+    if (peer->addPeer(this)) return true;
+    removePeer(peer->getName());  // somebody else was quicker
+    return false;
+}
+
+void TaskContext::disconnectPeers(const std::string& name) {
+    const Lock lock(peersMutex());
+    const auto found = peers_.find(name);
+    if (found == peers_.end()) return;
+    TaskContext* const peer = found->second;
+    forgetPeer(peer);
+    peer->forgetPeer(this);
+}
+
+void TaskContext::disconnect() {
+    for (base::PortInterface* port : ports()->getPorts()) port->disconnect();
+    leaveAll();
+}
+
+TaskContext::PeerList TaskContext::getPeerList() const {
+    const Lock lock(peersMutex());
+    PeerList names;
+    for (const auto& entry : peers_) names.push_back(entry.first);
+    return names;
+}
+
+bool TaskContext::hasPeer(const std::string& name) const {
+    const Lock lock(peersMutex());
+    return peers_.count(name) != 0;
+}
+
+TaskContext* TaskContext::getPeer(const std::string& name) const {
+    const Lock lock(peersMutex());
+    const auto found = peers_.find(name);
+    return found == peers_.end() ? nullptr : found->second;
+}
+
+}  // namespace RTT
