@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// In place of the runtime's header: the checker's futex. Deadlines never come, except 0, which is in the past.
+#ifndef OROFORGE_MODEL_FUTEX_HPP
+#define OROFORGE_MODEL_FUTEX_HPP
+
+#include <rtt/os/fosi.h>
+
+namespace RTT {
+namespace os {
+namespace detail {
+
+constexpr NANO_TIME kForever = LLONG_MAX;
+
+inline bool futexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected, NANO_TIME deadline) noexcept {
+    return deadline > 0 && model::futexWait(word, expected);
+}
+inline void futexWakeOne(const std::atomic<std::uint32_t>& word) noexcept { model::futexWake(word, 1); }
+inline void futexWakeAll(const std::atomic<std::uint32_t>& word) noexcept { model::futexWake(word, ~0u); }
+inline pid_t currentTid() noexcept { return static_cast<pid_t>(model::self()) + 1; }
+
+}  // namespace detail
+}  // namespace os
+}  // namespace RTT
+#endif

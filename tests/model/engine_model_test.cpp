@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// SentCall, EngineGate and the queue side of ExecutionEngine, with the real mailbox, wait point and pool of calls.
+#include <model/expect.hpp>
+#include <model/checker/substitute.hpp>
+
+#include <rtt/os/fosi.h>
+// Time stands still: what only happens after a while does not happen.
+#define rtos_get_time_ns() NANO_TIME(0)
+#define usleep(microseconds) model::yield()
+#include <rtt/ExecutionEngine.cpp>
+#include <rtt/engine_queue.cpp>
+#include <rtt/internal/CallPool.cpp>
+#include <rtt/internal/EngineGate.cpp>
+#include <rtt/internal/Mailbox.cpp>
+#include <rtt/internal/SentCall.cpp>
+#include <rtt/internal/WaitPoint.cpp>
+#include <rtt/base/DisposableInterface.cpp>
+#include <rtt/base/RunnableInterface.cpp>
+
+RTT::ExecutionEngine* RTT::internal::GlobalEngine::Instance() { return nullptr; }
+
+namespace {
+
+using model::require;
+using model::Trial;
+using RTT::ExecutionEngine;
+using RTT::base::ActivityInterface;
+using RTT::base::TaskCore;
+using RTT::internal::EngineGate;
+using RTT::internal::SentCall;
+
+void prepare() {
+    model::threadLocal(&RTT::internal::innermostVisit, sizeof RTT::internal::innermostVisit);
+    model::threadLocal(&EngineGate::Step::innermost_, sizeof EngineGate::Step::innermost_);
+}
+
+/** A call that says what became of it. */
+struct Call : SentCall {
+    explicit Call(std::atomic<int>& count) : freed(count) {}
+    ~Call() override { freed.fetch_add(1, std::memory_order_relaxed); }
+    void run() override { result = 42; }
+    const void* resultAddress() const override { return &result; }
+    void* argumentAddress(unsigned) override { return nullptr; }
+    model::Plain<int> result{0};
+    std::atomic<int>& freed;
+};
+
+/** A message on the stack. */
+struct Message : RTT::base::DisposableInterface {
+    void executeAndDispose() override { ended.fetch_add(1); }
+    void dispose() override { ended.fetch_add(1); }
+    bool isError() const override { return false; }
+    std::atomic<int> ended{0};
+};
+
+/** A thread that is no component calls an operation of a component and collects the result. */
+void calling(Trial& trial) {
+    prepare();
+    ExecutionEngine caller, engine;
+    ActivityInterface activity(&engine);
+    std::atomic<int> freed{0};
+    trial.thread([&] { activity.loop(); });
+    trial.thread([&] {
+        const SentCall::shared_ptr call(new Call(freed));
+        call->setEngines(&caller, &engine);
+        call->ref();
+        require(ExecutionEngine::process(*engine.gate(), call.get()), "refused");
+        require(call->collect() == RTT::SendSuccess, "not executed");
+        require(static_cast<Call&>(*call).result == 42, "no result");
+        activity.end();
+    });
+    trial.go();
+    require(freed == 1, "not freed, or twice");
+}
+
+/** The caller lets go of its handle without waiting. */
+void sending(Trial& trial) {
+    prepare();
+    ExecutionEngine caller, engine;
+    ActivityInterface activity(&engine);
+    std::atomic<int> freed{0};
+    trial.thread([&] { engine.work(ExecutionEngine::Trigger); });
+    trial.thread([&] {
+        const SentCall::shared_ptr call(new Call(freed));
+        call->setEngines(&caller, &engine);
+        call->ref();
+        require(ExecutionEngine::process(*engine.gate(), call.get()), "refused");
+        if (call->status() == RTT::SendSuccess) require(static_cast<Call&>(*call).result == 42, "no result");
+    });
+    trial.go();
+    engine.work(ExecutionEngine::Trigger);
+    require(freed == 1, "not freed, or twice");
+}
+
+/** The component enters FatalError while somebody sends: the message is refused, executed or disposed of. */
+void fatal(Trial& trial) {
+    prepare();
+    TaskCore task;
+    ExecutionEngine engine(&task);
+    ActivityInterface activity(&engine);
+    Message message;
+    bool accepted = false;
+    trial.thread([&] {
+        task.fatal.store(true);
+        engine.setFatalTask();
+    });
+    trial.thread([&] { accepted = engine.process(&message); });
+    trial.go();
+    require(message.ended == (accepted ? 1 : 0), "a message is forgotten, or ended twice");
+}
+
+/** A component waits for something that a message to it brings. */
+void waiting(Trial& trial) {
+    prepare();
+    ExecutionEngine engine;
+    ActivityInterface activity(&engine);
+    Message message;
+    trial.thread([&] {
+        activity.executor.store(model::self(), std::memory_order_relaxed);
+        engine.waitForMessages([&] { return message.ended.load() != 0; });
+    });
+    trial.thread([&] { require(engine.process(&message), "refused"); });
+    trial.go();
+}
+
+/** The engine is destroyed while somebody sends to it. */
+void destroying(Trial& trial) {
+    prepare();
+    auto* const engine = new ExecutionEngine;
+    auto* const activity = new ActivityInterface(engine);
+    const boost::intrusive_ptr<const EngineGate> gate = engine->gate();
+    Message message;
+    bool accepted = false;
+    trial.thread([&] {
+        delete engine;
+        delete activity;
+    });
+    trial.thread([&] { accepted = ExecutionEngine::process(*gate, &message); });
+    trial.go();
+    require(message.ended == (accepted ? 1 : 0), "a message is forgotten, or ended twice");
+}
+
+/** Somebody sends while the activity is being started: the message is executed. */
+void starting(Trial& trial) {
+    prepare();
+    ExecutionEngine engine;
+    ActivityInterface activity(&engine);
+    activity.active.store(false);
+    struct Last : Message {
+        explicit Last(ActivityInterface& a) : activity(a) {}
+        void executeAndDispose() override {
+            Message::executeAndDispose();
+            activity.end();
+        }
+        ActivityInterface& activity;
+    } message(activity);
+    trial.thread([&] { activity.loop(); });
+    trial.thread([&] { require(engine.startActivity(), "not started"); });
+    trial.thread([&] { require(engine.process(&message), "refused"); });
+    trial.go();
+    require(message.ended == 1, "not executed, or twice");
+}
+
+TEST(Engine, sending_while_the_activity_starts) { EXPECT_TRUE(model::holds(starting)); }
+TEST(Engine, a_call_is_collected) { EXPECT_TRUE(model::holds(calling)); }
+TEST(Engine, a_call_is_sent_and_forgotten) { EXPECT_TRUE(model::holds(sending)); }
+TEST(Engine, sending_to_a_component_that_fails) { EXPECT_TRUE(model::holds(fatal)); }
+TEST(Engine, a_waiting_component_executes_messages) { EXPECT_TRUE(model::holds(waiting)); }
+TEST(Engine, sending_to_a_component_that_is_destroyed) { EXPECT_TRUE(model::holds(destroying)); }
+
+TEST(Engine, planted_faults_are_found) {
+    EXPECT_TRUE(model::catches("call_relaxed_state", calling));
+    EXPECT_TRUE(model::catches("call_sleeps_for_ever", calling));
+    EXPECT_TRUE(model::catches("call_relaxed_deref", sending));
+    EXPECT_TRUE(model::catches("engine_state_not_asked_again", fatal));
+    EXPECT_TRUE(model::catches("engine_not_notified", waiting));
+    EXPECT_TRUE(model::catches("engine_start_not_marked", starting));
+    EXPECT_TRUE(model::catches("engine_start_forgets", starting));
+    EXPECT_TRUE(model::catches("gate_relaxed_visit", destroying));
+    EXPECT_TRUE(model::catches("gate_visitors_ignored", destroying));
+    EXPECT_TRUE(model::catches("gate_relaxed_leave", destroying));
+}
+
+}  // namespace

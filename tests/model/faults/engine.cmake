@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+set(queue rtt/engine_queue.cpp)
+set(call rtt/internal/SentCall.cpp)
+set(step rtt/ExecutionEngine.cpp)
+set(gate rtt/internal/EngineGate.cpp)
+under_test(${queue} ${call} ${step} ${gate})
+faulty_value(call_relaxed_state ${call} [=[if (@{state_.exchange(state)}@ & kParked)]=]
+  [=[state_.exchange(state, std::memory_order_relaxed)]=])
+faulty_value(call_sleeps_for_ever ${call}
+  [=[os::detail::futexWait(state_, @{Waiting | kParked}@, os::detail::kForever);]=]
+  [=[static_cast<std::uint32_t>(state_.load(std::memory_order_relaxed))]=])
+faulty_value(call_relaxed_deref ${call}
+  [=[if (references_.fetch_sub(1, @{std::memory_order_acq_rel}@) == 1) delete this;]=] [=[std::memory_order_relaxed]=])
+faulty_statement(engine_not_notified ${queue} [=[        @{gate_->waitPoint.notify();}@
+    if (!accepts())]=] [=[static_cast<void>(0);]=])
+faulty_value(engine_state_not_asked_again ${queue} [=[if (@{!accepts()}@) {
+        disposeQueued();]=] [=[false]=])
+faulty_value(gate_relaxed_visit ${gate} [=[@{gate_.visitors_.fetch_add(1)}@;]=]
+  [=[gate_.visitors_.fetch_add(1, std::memory_order_relaxed)]=])
+faulty_value(gate_visitors_ignored ${gate} [=[return @{visitors_.load() <= own}@; });]=] [=[true]=])
+faulty_value(gate_relaxed_leave ${gate} [=[gate_.visitors_.fetch_sub(1, @{std::memory_order_release}@);]=]
+  [=[std::memory_order_relaxed]=])
+faulty_statement(engine_start_not_marked ${step} [=[@{gate_->waitPoint.mark();}@
+    if (hasWork())]=] [=[static_cast<void>(0);]=])
+faulty_value(engine_start_forgets ${step} [=[if (@{hasWork()}@) activity->trigger();]=] [=[false]=])

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+set(file rtt/internal/PortCallbacks.cpp)
+under_test(${file})
+faulty_value(callbacks_relaxed_announcement ${file}
+  [=[entry->queued.exchange(true, @{std::memory_order_acq_rel}@);]=] [=[std::memory_order_relaxed]=])
+faulty_statement(callbacks_cleared_late ${file}
+  [=[@{held->queued.exchange(false, std::memory_order_acq_rel);
+    if (running || !held->whileRunning.load(std::memory_order_relaxed)) held->callback(port);}@]=]
+  [=[held->callback(port); held->queued.exchange(false);]=])
+faulty_statement(callbacks_deleted_at_once ${file}
+  [=[if (old) Reclaimer::retire(const_cast<Table*>(old), [](void* table) { delete static_cast<Table*>(table); });]=]
+  [=[delete old;]=])
+faulty_value(callbacks_relaxed_table ${file} [=[table_.store(next.release(), @{std::memory_order_release}@);]=]
+  [=[std::memory_order_relaxed]=])
+faulty_statement(callbacks_not_waited_for ${file} [=[@{if (gone) waitFor(*gone);}@]=] [=[]=])
+faulty_value(callbacks_removal_unseen ${file} [=[if (held->removed.load(@{std::memory_order_seq_cst}@)) return;]=]
+  [=[std::memory_order_relaxed]=])
+faulty_value(callbacks_relaxed_end ${file} [=[entry.executing.fetch_sub(1, @{std::memory_order_release}@);]=]
+  [=[std::memory_order_relaxed]=])
+faulty_value(callbacks_wait_for_each_other ${file}
+  [=[while (executes() && @{!Waiting::has(entry.thread.load(std::memory_order_relaxed))}@)]=] [=[true]=])

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+set(file rtt/internal/Reclaimer.cpp)
+set(header rtt/internal/Reclaimer.hpp)
+under_test(${file} ${header})
+adapt(${file} [=[kPool = 64;]=] [=[kPool = 4;]=])
+faulty_value(reclaimer_no_barrier ${file} [=[if (@{!Reclaimer::asymmetric_}@) return;]=] [=[true]=])
+faulty_value(reclaimer_too_early ${file} [=[if (@{one.epoch < oldest}@)]=] [=[one.epoch <= oldest]=])
+faulty_value(reclaimer_relaxed_look ${file}
+  [=[r->epoch.load(@{std::memory_order_seq_cst}@);
+            if (epoch != 0]=] [=[std::memory_order_relaxed]=])
+faulty_value(reclaimer_waiters_forgotten ${file} [=[@{r->waiting.load(std::memory_order_seq_cst)}@) break;]=] [=[false]=])
+faulty_value(reclaimer_relaxed_synchronize ${file}
+  [=[const std::uint64_t inside = r->epoch.load(@{std::memory_order_seq_cst}@);]=] [=[std::memory_order_relaxed]=])
+faulty_value(reclaimer_relaxed_leave ${header}
+  [=[record.epoch.store(0, @{std::memory_order_release}@);]=] [=[std::memory_order_relaxed]=])
+faulty_value(reclaimer_relaxed_enter ${header}
+  [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), std::memory_order_relaxed);]=]
+  [=[std::memory_order_relaxed]=])
+faulty_value(reclaimer_relaxed_fence ${header} [=[epoch_.fetch_add(0, @{std::memory_order_acq_rel}@);]=]
+  [=[std::memory_order_relaxed]=])

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+set(file rtt/extras/SequentialActivity.cpp)
+under_test(${file})
+faulty_value(sequential_leaves_too_early ${file} [=[if (@{!requests_.compare_exchange_strong(seen, 0)}@) {]=]
+  [=[(requests_.store(0), false)]=])
+faulty_value(sequential_relaxed_trigger ${file} [=[if (@{requests_.fetch_add(1)}@ == 0)]=]
+  [=[requests_.fetch_add(1, std::memory_order_relaxed)]=])
+faulty_value(sequential_not_woken ${file} [=[if (@{before & kWaiting}@)]=] [=[false]=])
+faulty_value(sequential_stop_does_not_wait ${file} [=[while (@{requests != 0}@) {
+        // The mark]=] [=[false]=])

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+set(file rtt/extras/SlaveActivity.cpp)
+under_test(${file})
+faulty_value(slave_relaxed_claim ${file} [=[if (queued_.exchange(true, @{std::memory_order_acq_rel}@)) return false;]=]
+  [=[std::memory_order_relaxed]=])
+faulty_statement(slave_unqueued_late ${file}
+  [=[        @{queued_.exchange(false, std::memory_order_acq_rel);
+        {
+            os::MutexLock lock(mutex_);
+            if (slave_) slave_->executeTrigger();
+        }}@]=]
+  [=[if (slave_) slave_->executeTrigger(); queued_.exchange(false);]=])
+faulty_statement(slave_trigger_not_served ${file} [=[        if (active) executeOnce();
+    }
+    @{servePending();}@]=] [=[static_cast<void>(0);]=])
+faulty_value(slave_two_execute ${file}
+  [=[if (@{!executor_.compare_exchange_strong(nobody, static_cast<std::uint32_t>(self))}@) return false;]=]
+  [=[(executor_.store(static_cast<std::uint32_t>(self)), nobody != 0)]=])

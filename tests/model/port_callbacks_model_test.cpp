@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <model/expect.hpp>
+#define MODEL_SHARED_POINTERS
+#include <model/checker/substitute.hpp>
+
+#define pthread_key_create(key, destructor) static_cast<void>(0)
+#define pthread_setspecific(key, value) static_cast<void>(0)
+#define pthread_self() static_cast<pthread_t>(model::self() + 1)
+#include <rtt/internal/PortCallbacks.cpp>
+#include <rtt/internal/Reclaimer.cpp>
+
+namespace {
+
+using model::require;
+using model::Trial;
+using RTT::internal::PortCallbacks;
+using RTT::internal::Reclaimer;
+using RTT::internal::ReclaimerState;
+
+/** A port, the queue of its component's engine, and what the callback saw. */
+typedef RTT::internal::Waiting Waiting;
+// Made now: their memory must not be that of a run.
+const bool listsExist = (Waiting::mutex(), Waiting::threads(), true);
+
+void prepare() {
+    model::threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
+    new (&ReclaimerState::instance()) ReclaimerState;
+    new (&Waiting::mutex()) std::mutex;
+    new (&Waiting::threads()) std::vector<pthread_t>;
+}
+
+struct Component {
+    PortCallbacks callbacks;
+    RTT::base::PortInterface* const port = reinterpret_cast<RTT::base::PortInterface*>(&callbacks);
+    std::atomic<int> sample{0}, queued{0};
+    int taken = 0, seen = 0, calls = 0;
+
+    Component() {
+        prepare();
+        add();
+    }
+    void add() {
+        callbacks.set(port, [this](RTT::base::PortInterface*) {
+            seen = sample.load(std::memory_order_relaxed);
+            ++calls;
+        });
+    }
+    void write(int value) {
+        sample.store(value, std::memory_order_relaxed);
+        if (callbacks.announce(port, true)) queued.fetch_add(1, std::memory_order_release);
+    }
+    void step() {
+        if (queued.load(std::memory_order_acquire) == taken) return;
+        ++taken;
+        callbacks.call(port, true);
+    }
+};
+
+/** After the last callback the component has seen the last sample. */
+void oneWriter(Trial& trial) {
+    Component component;
+    trial.thread([&] {
+        component.write(1);
+        component.write(2);
+    });
+    trial.thread([&] {
+        component.step();
+        component.step();
+    });
+    trial.go();
+    while (component.queued.load() != component.taken) component.step();
+    require(component.seen == 2, "the component was not told of the last sample");
+    require(component.calls == component.queued.load(), "not called once for each time it was queued");
+}
+
+/** The component removes its port and adds it again while somebody announces. */
+void removing(Trial& trial) {
+    Component component;
+    trial.thread([&] { component.write(1); });
+    trial.thread([&] {
+        component.callbacks.remove(component.port);
+        component.add();
+    });
+    trial.go();
+    Reclaimer::collect();
+    require(Reclaimer::pending() == 0, "tables are left");
+    component.write(2);
+    component.step();
+    if (component.queued.load() != component.taken) component.step();
+    require(component.seen == 2, "the component was not told of the last sample");
+}
+
+/** A port is removed by another thread: afterwards its callback is not executed any more. */
+void removedWhileCalled(Trial& trial) {
+    prepare();
+    PortCallbacks callbacks;
+    auto* const port = reinterpret_cast<RTT::base::PortInterface*>(&callbacks);
+    model::Plain<int> data(0);  // what the callback uses
+    callbacks.set(port, [&](RTT::base::PortInterface*) { data = data + 1; });
+    callbacks.announce(port, true);
+    trial.thread([&] { callbacks.call(port, true); });
+    trial.thread([&] {
+        callbacks.remove(port);
+        data = 7;
+    });
+    trial.go();
+    require(data == 7, "called after it was removed");
+}
+
+/** Two callbacks that remove each other's port do not wait for each other. */
+void removingEachOther(Trial& trial) {
+    prepare();
+    std::array<PortCallbacks, 2> callbacks;
+    const auto portOf = [&](std::size_t i) { return reinterpret_cast<RTT::base::PortInterface*>(&callbacks[i]); };
+    for (std::size_t i = 0; i < 2; ++i) {
+        callbacks[i].set(portOf(i), [&, i](RTT::base::PortInterface*) { callbacks[1 - i].remove(portOf(1 - i)); });
+        callbacks[i].announce(portOf(i), true);
+    }
+    for (std::size_t i = 0; i < 2; ++i) trial.thread([&, i] { callbacks[i].call(portOf(i), true); });
+    trial.go();
+}
+
+TEST(PortCallbacks, one_writer) { EXPECT_TRUE(model::holds(oneWriter)); }
+TEST(PortCallbacks, a_port_is_removed_while_it_is_announced) { EXPECT_TRUE(model::holds(removing)); }
+
+TEST(PortCallbacks, a_port_is_removed_while_its_callback_runs) { EXPECT_TRUE(model::holds(removedWhileCalled)); }
+TEST(PortCallbacks, callbacks_remove_each_others_ports) { EXPECT_TRUE(model::holds(removingEachOther, {0})); }
+
+TEST(PortCallbacks, planted_faults_are_found) {
+    EXPECT_TRUE(model::catches("callbacks_relaxed_announcement", oneWriter));
+    EXPECT_TRUE(model::catches("callbacks_cleared_late", oneWriter));
+    EXPECT_TRUE(model::catches("callbacks_deleted_at_once", removing));
+    EXPECT_TRUE(model::catches("callbacks_relaxed_table", removing));
+    EXPECT_TRUE(model::catches("callbacks_not_waited_for", removedWhileCalled));
+    EXPECT_TRUE(model::catches("callbacks_removal_unseen", removedWhileCalled));
+    EXPECT_TRUE(model::catches("callbacks_relaxed_end", removedWhileCalled));
+    EXPECT_TRUE(model::catches("callbacks_wait_for_each_other", removingEachOther, {0}));
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <model/expect.hpp>
+#include <model/checker/substitute.hpp>
+
+#include <rtt/os/fosi.h>
+#define rtos_get_time_ns() NANO_TIME(0)  // time stands still
+#include <rtt/base/ActivityInterface.cpp>
+#include <rtt/base/DisposableInterface.cpp>
+#include <rtt/base/RunnableInterface.cpp>
+#include <rtt/extras/SequentialActivity.cpp>
+#include <rtt/extras/SlaveActivity.cpp>
+#include <rtt/internal/AccessGate.cpp>
+#include <rtt/os/ThreadInterface.cpp>
+
+RTT::os::ThreadInterface* volatile mainThread = nullptr;
+RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return mainThread; }
+int RTT::os::detail::addThread(const char*, unsigned) { return 0; }
+void RTT::os::detail::removeThread(int) {}
+void RTT::os::detail::log(LogLevel, const char*, const std::string&) {}
+
+namespace {
+
+using model::require;
+using model::Trial;
+using RTT::base::DisposableInterface;
+using RTT::extras::SequentialActivity;
+using RTT::extras::SlaveActivity;
+
+/** Of the slave: sees what others have queued. */
+struct Runner : RTT::base::RunnableInterface {
+    std::atomic<int> queued{0};
+    model::Plain<int> seen{0};  // two executions at the same time would be a data race
+    bool initialize() override { return true; }
+    void step() override {}
+    void finalize() override { seen = seen + 100; }
+    void work(WorkReason) override { seen = queued.load(std::memory_order_relaxed); }
+};
+
+/** Of the master: keeps the one message of its slave. */
+struct MasterRunner : RTT::base::RunnableInterface {
+    std::atomic<DisposableInterface*> message{nullptr};
+    bool initialize() override { return true; }
+    void step() override {}
+    void finalize() override {}
+    bool process(DisposableInterface* m) override {
+        require(message.exchange(m, std::memory_order_acq_rel) == nullptr, "queued twice");
+        return true;
+    }
+    void executeQueued() {
+        if (DisposableInterface* const m = message.exchange(nullptr, std::memory_order_acq_rel)) m->executeAndDispose();
+    }
+};
+
+struct World {
+    MasterRunner masterRunner;
+    SequentialActivity master{&masterRunner};
+    Runner runner;
+    SlaveActivity* slave = new SlaveActivity(&master, &runner);
+    World() { require(master.start() && slave->start(), "not started"); }
+    ~World() { delete slave; }
+    void trigger(int value) {
+        runner.queued.store(value, std::memory_order_relaxed);
+        require(slave->trigger(), "refused");
+    }
+};
+
+/** The message is queued at most once, and the slave sees what came before the last trigger. */
+void triggering(Trial& trial) {
+    World world;
+    trial.thread([&] {
+        world.trigger(1);
+        world.trigger(2);
+    });
+    trial.thread([&] {
+        world.masterRunner.executeQueued();
+        world.masterRunner.executeQueued();
+    });
+    trial.go();
+    world.masterRunner.executeQueued();
+    require(world.runner.seen == 2, "a trigger was forgotten");
+}
+
+/** The trigger comes while another thread executes the slave. */
+void triggeredWhileExecuting(Trial& trial) {
+    World world;
+    world.trigger(1);
+    trial.thread([&] { world.slave->execute(); });
+    trial.thread([&] {
+        world.runner.queued.store(2, std::memory_order_relaxed);
+        world.masterRunner.executeQueued();
+    });
+    trial.go();
+    require(world.runner.seen == 2, "a trigger was forgotten");
+}
+
+/** The slave is stopped and destroyed while the master executes its trigger. */
+void destroying(Trial& trial) {
+    World world;
+    world.trigger(1);
+    trial.thread([&] {
+        delete world.slave;
+        world.slave = nullptr;
+    });
+    trial.thread([&] { world.masterRunner.executeQueued(); });
+    trial.go();
+    require(world.runner.seen >= 100, "executed after it was destroyed");
+}
+
+TEST(SlaveActivity, two_triggers) { EXPECT_TRUE(model::holds(triggering)); }
+TEST(SlaveActivity, a_trigger_while_it_is_executed) { EXPECT_TRUE(model::holds(triggeredWhileExecuting)); }
+TEST(SlaveActivity, destroyed_while_its_trigger_is_executed) { EXPECT_TRUE(model::holds(destroying)); }
+
+TEST(SlaveActivity, planted_faults_are_found) {
+    EXPECT_TRUE(model::catches("slave_relaxed_claim", triggering));
+    EXPECT_TRUE(model::catches("slave_unqueued_late", triggering));
+    EXPECT_TRUE(model::catches("slave_trigger_not_served", triggeredWhileExecuting));
+    EXPECT_TRUE(model::catches("slave_two_execute", triggeredWhileExecuting));
+}
+
+}  // namespace
