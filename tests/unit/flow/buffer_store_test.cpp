@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The contract of a buffer, run on every implementation of one.
+#include "store_cases.hpp"
+
 #include <rtt/internal/SampleStore.hpp>
 #include <rtt/types/TypeOps.hpp>
 
@@ -13,163 +15,183 @@ using namespace RTT;
 using internal::SampleStore;
 using internal::StoreSpec;
 
-class BufferStore : public testing::TestWithParam<StoreSpec::Lock> {
+template <class C>
+class BufferStore : public testing::Test {
 protected:
+    typedef typename C::Type T;
     void make(StoreSpec::Kind kind, std::size_t size, bool oldData = true) {
         StoreSpec spec;
         spec.kind = kind;
-        spec.lock = GetParam();
+        spec.lock = C::lock;
         spec.size = size;
         spec.oldData = oldData;
-        store = SampleStore::make(types::typeOps<std::string>(), spec, nullptr);
+        store = SampleStore::make(types::typeOps<T>(), spec, nullptr);
     }
+    static T text(int i) { return C::sample(i); }
     WriteStatus write(int i) {
-        const std::string s = text(i);
+        const T s = text(i);
         return store->write(&s);
     }
     FlowStatus read(bool copyOld = true) { return store->read(&out, copyOld); }
-    static std::string text(int i) { return "a string too long to be stored in place, number " + std::to_string(i); }
-    /** Reads a new sample and tells its number, or -1. */
-    int readNumber() {
-        if (read() != NewData) return -1;
-        return std::stoi(out.substr(out.rfind(' ')));
-    }
+    /** Reads a new sample; true if it is number `i`. */
+    bool readsNew(int i) { return read() == NewData && out == text(i); }
 
     std::unique_ptr<SampleStore> store;
-    std::string out = "untouched";
+    const T untouched = text(20);
+    T out = untouched;
 };
+TYPED_TEST_SUITE(BufferStore, flow_test::StoreCases);
 
-static std::string nameOf(const testing::TestParamInfo<StoreSpec::Lock>& info) {
-    return info.param == StoreSpec::Unsync ? "UnSync" : info.param == StoreSpec::Locked ? "Locked" : "LockFree";
-}
-INSTANTIATE_TEST_SUITE_P(AllLocks, BufferStore,
-                         testing::Values(StoreSpec::Unsync, StoreSpec::Locked, StoreSpec::LockFree), nameOf);
-
-TEST_P(BufferStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite) {
-    make(StoreSpec::Buffer, 3);
-    EXPECT_EQ(read(), NoData);
-    EXPECT_EQ(out, "untouched");
+TYPED_TEST(BufferStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite) {
+    this->make(StoreSpec::Buffer, 3);
+    EXPECT_EQ(this->read(), NoData);
+    EXPECT_EQ(this->out, this->untouched);
 }
 
-TEST_P(BufferStore, GivesSamplesInTheOrderOfWriting) {
-    make(StoreSpec::Buffer, 3);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(write(i), WriteSuccess);
-    EXPECT_EQ(store->size(), 3u);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(readNumber(), i);
-    EXPECT_EQ(store->size(), 0u);
+TYPED_TEST(BufferStore, GivesSamplesInTheOrderOfWriting) {
+    this->make(StoreSpec::Buffer, 3);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(this->write(i), WriteSuccess);
+    EXPECT_EQ(this->store->size(), 3u);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(this->readsNew(i));
+    EXPECT_EQ(this->store->size(), 0u);
 }
 
-TEST_P(BufferStore, StaysInOrderOverManyTurns) {
+TYPED_TEST(BufferStore, StaysInOrderOverManyTurns) {
     for (const std::size_t size : {1u, 2u, 3u, 5u, 8u}) {
-        make(StoreSpec::Buffer, size);
+        this->make(StoreSpec::Buffer, size);
         int written = 0, got = 0;
         for (int round = 0; round < 50; ++round) {
-            for (std::size_t n = 0; n < 1 + round % size; ++n) ASSERT_EQ(write(written++), WriteSuccess);
-            while (got < written) ASSERT_EQ(readNumber(), got++);
+            for (std::size_t n = 0; n < 1 + round % size; ++n) ASSERT_EQ(this->write(written++), WriteSuccess);
+            while (got < written) ASSERT_TRUE(this->readsNew(got++));
         }
     }
 }
 
-TEST_P(BufferStore, GivesTheLastSampleAsOldWhenEmpty) {
-    make(StoreSpec::Buffer, 3);
-    write(1);
-    write(2);
-    read();
-    read();
-    out = "untouched";
-    EXPECT_EQ(read(false), OldData);
-    EXPECT_EQ(out, "untouched");
-    EXPECT_EQ(read(true), OldData);
-    EXPECT_EQ(out, text(2));
-    EXPECT_EQ(read(true), OldData);
+TYPED_TEST(BufferStore, GivesTheLastSampleAsOldWhenEmpty) {
+    this->make(StoreSpec::Buffer, 3);
+    this->write(1);
+    this->write(2);
+    this->read();
+    this->read();
+    this->out = this->untouched;
+    EXPECT_EQ(this->read(false), OldData);
+    EXPECT_EQ(this->out, this->untouched);
+    EXPECT_EQ(this->read(true), OldData);
+    EXPECT_EQ(this->out, this->text(2));
+    EXPECT_EQ(this->read(true), OldData);
 }
 
-TEST_P(BufferStore, KeepsTheLastSampleWhileItFillsAgain) {
-    make(StoreSpec::Buffer, 2);
-    write(1);
-    read();
-    write(2);
-    write(3);
-    EXPECT_EQ(readNumber(), 2);
-    EXPECT_EQ(readNumber(), 3);
-    EXPECT_EQ(read(), OldData);
-    EXPECT_EQ(out, text(3));
+TYPED_TEST(BufferStore, KeepsTheLastSampleWhileItFillsAgain) {
+    this->make(StoreSpec::Buffer, 2);
+    this->write(1);
+    this->read();
+    this->write(2);
+    this->write(3);
+    EXPECT_TRUE(this->readsNew(2));
+    EXPECT_TRUE(this->readsNew(3));
+    EXPECT_EQ(this->read(), OldData);
+    EXPECT_EQ(this->out, this->text(3));
 }
 
-TEST_P(BufferStore, WithoutOldDataGivesNoDataWhenEmpty) {
-    make(StoreSpec::Buffer, 3, false);
-    write(1);
-    EXPECT_EQ(readNumber(), 1);
-    out = "untouched";
-    EXPECT_EQ(read(), NoData);
-    EXPECT_EQ(out, "untouched");
+TYPED_TEST(BufferStore, WithoutOldDataGivesNoDataWhenEmpty) {
+    this->make(StoreSpec::Buffer, 3, false);
+    this->write(1);
+    EXPECT_TRUE(this->readsNew(1));
+    this->out = this->untouched;
+    EXPECT_EQ(this->read(), NoData);
+    EXPECT_EQ(this->out, this->untouched);
 }
 
-TEST_P(BufferStore, RefusesTheNewestSampleWhenFull) {
-    make(StoreSpec::Buffer, 2);
-    EXPECT_EQ(write(1), WriteSuccess);
-    EXPECT_EQ(write(2), WriteSuccess);
-    EXPECT_EQ(write(3), WriteFailure);
-    EXPECT_EQ(store->dropped(), 1u);
-    EXPECT_EQ(readNumber(), 1);
-    EXPECT_EQ(write(4), WriteSuccess);
-    EXPECT_EQ(readNumber(), 2);
-    EXPECT_EQ(readNumber(), 4);
-    EXPECT_EQ(readNumber(), -1);
+TYPED_TEST(BufferStore, RefusesTheNewestSampleWhenFull) {
+    this->make(StoreSpec::Buffer, 2);
+    EXPECT_EQ(this->write(1), WriteSuccess);
+    EXPECT_EQ(this->write(2), WriteSuccess);
+    EXPECT_EQ(this->write(3), WriteFailure);
+    EXPECT_EQ(this->store->dropped(), 1u);
+    EXPECT_TRUE(this->readsNew(1));
+    EXPECT_EQ(this->write(4), WriteSuccess);
+    EXPECT_TRUE(this->readsNew(2));
+    EXPECT_TRUE(this->readsNew(4));
+    EXPECT_NE(this->read(), NewData);
 }
 
-TEST_P(BufferStore, CircularDropsTheOldestSampleWhenFull) {
-    make(StoreSpec::CircularBuffer, 2);
-    for (int i = 1; i <= 5; ++i) EXPECT_EQ(write(i), WriteSuccess);
-    EXPECT_EQ(store->dropped(), 3u);
-    EXPECT_EQ(readNumber(), 4);
-    EXPECT_EQ(readNumber(), 5);
-    EXPECT_EQ(read(), OldData);
-    EXPECT_EQ(out, text(5));
+TYPED_TEST(BufferStore, CircularDropsTheOldestSampleWhenFull) {
+    this->make(StoreSpec::CircularBuffer, 2);
+    for (int i = 1; i <= 5; ++i) EXPECT_EQ(this->write(i), WriteSuccess);
+    EXPECT_EQ(this->store->dropped(), 3u);
+    EXPECT_TRUE(this->readsNew(4));
+    EXPECT_TRUE(this->readsNew(5));
+    EXPECT_EQ(this->read(), OldData);
+    EXPECT_EQ(this->out, this->text(5));
 }
 
-TEST_P(BufferStore, OfSizeZeroRefusesEverything) {
+TYPED_TEST(BufferStore, OfSizeZeroRefusesEverything) {
     for (const StoreSpec::Kind kind : {StoreSpec::Buffer, StoreSpec::CircularBuffer}) {
-        make(kind, 0);
-        EXPECT_EQ(write(1), WriteFailure);
-        EXPECT_EQ(read(), NoData);
-        EXPECT_EQ(store->capacity(), 0u);
+        this->make(kind, 0);
+        EXPECT_EQ(this->write(1), WriteFailure);
+        EXPECT_EQ(this->read(), NoData);
+        EXPECT_EQ(this->store->capacity(), 0u);
     }
 }
 
-TEST_P(BufferStore, IsEmptyAfterClear) {
-    make(StoreSpec::Buffer, 3);
-    write(1);
-    read();
-    write(2);
-    store->clear();
-    EXPECT_EQ(read(), NoData);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(write(i), WriteSuccess);
-    EXPECT_EQ(readNumber(), 0);
+TYPED_TEST(BufferStore, IsEmptyAfterClear) {
+    this->make(StoreSpec::Buffer, 3);
+    this->write(1);
+    this->read();
+    this->write(2);
+    this->store->clear();
+    EXPECT_EQ(this->read(), NoData);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(this->write(i), WriteSuccess);
+    EXPECT_TRUE(this->readsNew(0));
 }
 
-TEST_P(BufferStore, NeverDeliversTheSizingSample) {
-    make(StoreSpec::Buffer, 2);
-    write(1);
-    const std::string sizing = "sizing sample";
-    store->setSample(&sizing, true);
-    EXPECT_EQ(read(), NoData);
-    EXPECT_EQ(out, "untouched");
-    EXPECT_TRUE(store->getSample(&out));
-    EXPECT_EQ(out, sizing);
+TYPED_TEST(BufferStore, NeverDeliversTheSizingSample) {
+    this->make(StoreSpec::Buffer, 2);
+    this->write(1);
+    const auto sizing = this->text(7);
+    this->store->setSample(&sizing, true);
+    EXPECT_EQ(this->read(), NoData);
+    EXPECT_EQ(this->out, this->untouched);
+    EXPECT_TRUE(this->store->getSample(&this->out));
+    EXPECT_EQ(this->out, sizing);
 }
 
-TEST_P(BufferStore, LeavesAHeldSampleInItsPlace) {
-    make(StoreSpec::Buffer, 2);
-    EXPECT_EQ(store->readHeld(), nullptr);
-    write(1);
-    write(2);
-    const void* held = store->readHeld();
+TYPED_TEST(BufferStore, LeavesAHeldSampleInItsPlace) {
+    this->make(StoreSpec::Buffer, 2);
+    EXPECT_EQ(this->store->readHeld(), nullptr);
+    this->write(1);
+    this->write(2);
+    const void* held = this->store->readHeld();
     ASSERT_TRUE(held);
-    EXPECT_EQ(*static_cast<const std::string*>(held), text(1));
-    EXPECT_EQ(write(3), WriteSuccess);
-    EXPECT_EQ(*static_cast<const std::string*>(held), text(1));
-    store->release(held);
-    EXPECT_EQ(readNumber(), 2);
-    EXPECT_EQ(readNumber(), 3);
+    EXPECT_EQ(*static_cast<const typename TypeParam::Type*>(held), this->text(1));
+    EXPECT_EQ(this->write(3), WriteSuccess);
+    EXPECT_EQ(*static_cast<const typename TypeParam::Type*>(held), this->text(1));
+    this->store->release(held);
+    EXPECT_TRUE(this->readsNew(2));
+    EXPECT_TRUE(this->readsNew(3));
+}
+
+TYPED_TEST(BufferStore, CountsWhatItHoldsOverManyTurns) {
+    this->make(StoreSpec::CircularBuffer, 3);
+    for (int i = 0; i < 20; ++i) {
+        this->write(i);
+        EXPECT_EQ(this->store->size(), static_cast<std::size_t>(i < 2 ? i + 1 : 3));
+    }
+    this->store->clear();
+    EXPECT_EQ(this->store->size(), 0u);
+    EXPECT_EQ(this->read(), NoData);
+    this->write(1);
+    EXPECT_TRUE(this->readsNew(1));
+    EXPECT_EQ(this->read(), OldData);
+}
+
+TYPED_TEST(BufferStore, GivesWhatWasReadAgainAfterACircularBufferHasOverflowed) {
+    this->make(StoreSpec::CircularBuffer, 1);
+    this->write(1);
+    EXPECT_TRUE(this->readsNew(1));
+    for (int i = 2; i <= 4; ++i) this->write(i);
+    EXPECT_TRUE(this->readsNew(4));
+    this->out = this->untouched;
+    EXPECT_EQ(this->read(), OldData);
+    EXPECT_EQ(this->out, this->text(4));
 }

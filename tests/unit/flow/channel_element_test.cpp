@@ -7,6 +7,7 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnID.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
 #include <gtest/gtest.h>
@@ -109,6 +110,22 @@ TEST(ChannelElement, ThatIsBrokenIsRemovedByTheNextWrite) {
     EXPECT_EQ(out.write(3), NotConnected);
     EXPECT_FALSE(out.connected());
     EXPECT_TRUE(log.contains("its last channel was found broken during write()")) << log.text();
+}
+
+TEST(ChannelElement, ThatAreBrokenAreAllRemovedByTheNextWrite) {
+    OutputPort<int> out("out");
+    InputPort<int> in("in");
+    out.connectTo(&in);
+    boost::intrusive_ptr<Sender<int>> senders[3];
+    for (auto& sender : senders) {
+        sender.reset(new Sender<int>);
+        out.addConnection(new internal::StreamConnID("topic"), sender, ConnPolicy());
+    }
+    for (auto& sender : senders) sender->broken = true;
+    EXPECT_EQ(out.write(1), NotConnected);
+    EXPECT_EQ(out.getManager()->getChannels().size(), 1u);
+    EXPECT_EQ(out.write(2), WriteSuccess);
+    for (auto& sender : senders) EXPECT_EQ(sender->closed, 1);
 }
 
 TEST(ChannelElement, ReceivesIntoTheStorageOfAnInputPort) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The contract of a data object, run on every implementation of one.
-#include "samples.hpp"
+#include "store_cases.hpp"
 
 #include <rtt/internal/SampleStore.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -17,46 +17,11 @@ using namespace RTT;
 using internal::SampleStore;
 using internal::StoreSpec;
 
-namespace {
-
-template <StoreSpec::Lock L, class T>
-struct Case {
-    static constexpr StoreSpec::Lock lock = L;
-    typedef T Type;
-};
-
-double value(double*, int i) { return i + 0.5; }
-char value(char*, int i) { return static_cast<char>('a' + i); }
-std::string value(std::string*, int i) {
-    return "a string too long to be stored in place, number " + std::to_string(i);
-}
-std::vector<double> value(std::vector<double>*, int i) { return std::vector<double>(100, i); }
-struct Bytes13 {
-    char text[13];
-    bool operator==(const Bytes13& o) const { return std::string(text, 13) == std::string(o.text, 13); }
-};
-Bytes13 value(Bytes13*, int i) {
-    Bytes13 b = {};
-    for (int n = 0; n < 13; ++n) b.text[n] = static_cast<char>('A' + i + n);
-    return b;
-}
-struct Big {
-    double numbers[100];
-    bool operator==(const Big& o) const { return std::equal(numbers, numbers + 100, o.numbers); }
-};
-Big value(Big*, int i) {
-    Big b;
-    for (double& n : b.numbers) n = ++i;
-    return b;
-}
-
-}  // namespace
-
 template <class C>
 class DataStore : public testing::Test {
 protected:
     typedef typename C::Type T;
-    static T sample(int i) { return value(static_cast<T*>(nullptr), i); }
+    static T sample(int i) { return C::sample(i); }
     static std::unique_ptr<SampleStore> make() {
         StoreSpec spec;
         spec.lock = C::lock;
@@ -72,13 +37,7 @@ protected:
     T out = sample(9);
 };
 
-typedef testing::Types<Case<StoreSpec::LockFree, double>, Case<StoreSpec::LockFree, char>,
-                       Case<StoreSpec::LockFree, std::string>, Case<StoreSpec::LockFree, std::vector<double>>,
-                       Case<StoreSpec::LockFree, Bytes13>, Case<StoreSpec::LockFree, Big>,
-                       Case<StoreSpec::Locked, double>, Case<StoreSpec::Locked, std::string>,
-                       Case<StoreSpec::Unsync, double>, Case<StoreSpec::Unsync, std::string>>
-    DataCases;
-TYPED_TEST_SUITE(DataStore, DataCases);
+TYPED_TEST_SUITE(DataStore, flow_test::StoreCases);
 
 TYPED_TEST(DataStore, GivesNoDataAndLeavesTheArgumentBeforeTheFirstWrite) {
     EXPECT_EQ(this->read(), NoData);

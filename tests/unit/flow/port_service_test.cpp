@@ -87,6 +87,12 @@ TEST(ComponentPorts, HaveAServiceWithOperations) {
     EXPECT_FALSE(c.out.connected());
 }
 
+TEST(ComponentPorts, DescribeTheirServiceWhenTheyAreDescribedLater) {
+    Component c;
+    c.in.doc("what goes in");
+    EXPECT_EQ(c.provides("in")->doc(), "what goes in");
+}
+
 TEST(ComponentPorts, AreReplacedByAPortOfTheSameName) {
     flow_test::LogCapture log;
     Component c, peer("peer");
@@ -156,6 +162,18 @@ TEST(EventPort, IsSignalledByInitOfANewConnection) {
     peer.out.createConnection(c.in, ConnPolicy::data());
     EXPECT_TRUE(soon([&] { return c.calls == 1; }));
     EXPECT_EQ(c.sum, 3);
+}
+
+TEST(EventPort, IsNotSignalledByADataSample) {
+    Component c, peer("peer");
+    peer.out.connectTo(&c.in);
+    ASSERT_TRUE(c.start());
+    peer.out.setDataSample(5);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(c.calls, 0);
+    peer.out.write(1);
+    EXPECT_TRUE(soon([&] { return c.calls == 1; }));
+    EXPECT_EQ(c.sum, 1);
 }
 
 TEST(EventPort, IsNotSignalledForADroppedSample) {

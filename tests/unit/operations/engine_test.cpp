@@ -10,34 +10,12 @@
 
 using namespace RTT;
 using oroforge::test::eventually;
+using oroforge::test::makeManual;
+using oroforge::test::Note;
 using oroforge::test::Probe;
+using oroforge::test::Steps;
 
 namespace {
-
-/** A message that says when it was executed or disposed of. */
-struct Note : base::DisposableInterface {
-    explicit Note(std::function<void()> action = {}) : onExecute(std::move(action)) {}
-    std::function<void()> onExecute;
-    std::atomic<int> executed{0}, disposed{0};
-    void executeAndDispose() override {
-        if (onExecute) onExecute();
-        ++executed;
-    }
-    void dispose() override { ++disposed; }
-};
-
-struct Steps : base::ExecutableInterface {
-    explicit Steps(std::function<bool()> step) : onExecute(std::move(step)) {}
-    std::function<bool()> onExecute;
-    std::atomic<int> executions{0};
-    bool execute() override {
-        ++executions;
-        return onExecute();
-    }
-};
-
-/** Steps are made by calling update(). */
-void makeManual(Probe& probe) { ASSERT_TRUE(probe.setActivity(new extras::SlaveActivity())); }
 
 TEST(EngineStep, MessagesThenFunctionsThenUpdateHook) {
     Probe probe;
@@ -103,62 +81,6 @@ TEST(EngineStep, CountsStepsByTheirReason) {
     EXPECT_EQ(counter("TimeOutCounter"), timeouts + 1);
     EXPECT_EQ(counter("TriggerCounter"), triggers + 2);
     EXPECT_EQ(counter("IOCounter"), ios + 1);
-}
-
-TEST(EngineFunctions, AreExecutedOncePerStepUntilDone) {
-    Probe probe;
-    makeManual(probe);
-    int left = 3;
-    Steps function([&] { return --left != 0; });
-    ASSERT_TRUE(probe.engine()->runFunction(&function));
-    for (int i = 1; i <= 3; ++i) {
-        ASSERT_TRUE(probe.update());
-        EXPECT_EQ(function.executions, i);
-        EXPECT_EQ(function.isLoaded(), i != 3);
-    }
-    ASSERT_TRUE(probe.update());
-    EXPECT_EQ(function.executions, 3);
-    EXPECT_TRUE(probe.engine()->runFunction(&function)) << "can be loaded again";
-    EXPECT_TRUE(probe.engine()->removeFunction(&function));
-    EXPECT_FALSE(function.isLoaded());
-}
-
-TEST(EngineFunctions, OneMayRemoveItselfOrAnotherWhileItExecutes) {
-    Probe probe;
-    std::atomic<int> others{0};
-    Steps other([&] { return ++others, true; });
-    Steps self([&] {
-        probe.engine()->removeFunction(&other);
-        probe.engine()->removeFunction(&self);
-        return true;
-    });
-    ASSERT_TRUE(probe.engine()->runFunction(&self));
-    ASSERT_TRUE(probe.engine()->runFunction(&other));
-    ASSERT_TRUE(probe.trigger());
-    ASSERT_TRUE(eventually([&] { return !self.isLoaded(); }));
-    EXPECT_EQ(others, 0);
-    EXPECT_FALSE(other.isLoaded());
-    EXPECT_EQ(self.executions, 1);
-    probe.getActivity()->stop();  // it is still in the function that removed itself
-}
-
-TEST(EngineFunctions, RemovingFromAnotherThreadWaitsUntilItIsNotExecuting) {
-    Probe probe;
-    probe.setPeriod(0.001);
-    std::atomic<bool> inside{false};
-    Steps function([&] {
-        inside = true;
-        usleep(3000);
-        inside = false;
-        return true;
-    });
-    ASSERT_TRUE(probe.engine()->runFunction(&function));
-    ASSERT_TRUE(eventually([&] { return inside.load(); }));
-    EXPECT_TRUE(probe.engine()->removeFunction(&function));
-    EXPECT_FALSE(inside);
-    const int executions = function.executions;
-    usleep(10000);
-    EXPECT_EQ(function.executions, executions);
 }
 
 TEST(EngineRefuses, NullAndWhatComesInFatalError) {

@@ -11,8 +11,8 @@ using RTT::internal::Mailbox;
 
 namespace {
 
-void* item(std::uintptr_t number) { return reinterpret_cast<void*>(number); }
-std::uintptr_t numberOf(const Mailbox::Item& taken) { return reinterpret_cast<std::uintptr_t>(taken.what); }
+void* item(std::uintptr_t number) { return reinterpret_cast<void*>(number << 2); }
+std::uintptr_t numberOf(const Mailbox::Item& taken) { return reinterpret_cast<std::uintptr_t>(taken.what) >> 2; }
 
 TEST(Mailbox, GivesItemsInOrder) {
     Mailbox box;

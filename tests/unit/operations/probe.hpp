@@ -4,6 +4,7 @@
 #define OROFORGE_TESTS_UNIT_OPERATIONS_PROBE_HPP
 
 #include <rtt/TaskContext.hpp>
+#include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/os/TimeService.hpp>
 
 #include <atomic>
@@ -84,6 +85,31 @@ private:
     std::mutex mutex_;
     std::string hooks_;
 };
+
+/** A message that says when it was executed or disposed of. */
+struct Note : RTT::base::DisposableInterface {
+    explicit Note(std::function<void()> action = {}) : onExecute(std::move(action)) {}
+    std::function<void()> onExecute;
+    std::atomic<int> executed{0}, disposed{0};
+    void executeAndDispose() override {
+        if (onExecute) onExecute();
+        ++executed;
+    }
+    void dispose() override { ++disposed; }
+};
+
+struct Steps : RTT::base::ExecutableInterface {
+    explicit Steps(std::function<bool()> step) : onExecute(std::move(step)) {}
+    std::function<bool()> onExecute;
+    std::atomic<int> executions{0};
+    bool execute() override {
+        ++executions;
+        return onExecute();
+    }
+};
+
+/** Steps are made by calling update(). */
+inline void makeManual(Probe& probe) { ASSERT_TRUE(probe.setActivity(new RTT::extras::SlaveActivity())); }
 
 }  // namespace oroforge::test
 

@@ -26,6 +26,44 @@ TEST(Activity, ConstructorsSelectTheScheduler) {
     EXPECT_TRUE(pinned.isPeriodic());
 }
 
+TEST(Activity, CallsOfExistingComponentsSelectTheConstructorTheyMean) {
+    CountingRunner r;
+    EXPECT_EQ(Activity(20, 0.01, &r, "name").getPeriod(), 0.01);
+    EXPECT_EQ(Activity(20, 0.01, 0, "name").getPeriod(), 0.01);
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0.01, 0, "name").getPeriod(), 0.01);
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0.01, 0, 0, "name").getPeriod(), 0.01);
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0, 1, &r, "name").getCpuAffinity(), 1u);
+    EXPECT_STREQ(Activity(os::LowestPriority, &r, "name").getName(), "name");
+    EXPECT_STREQ(Activity(&r, "name").getName(), "name");
+}
+
+TEST(Activity, OptionsAreGivenByName) {
+    CountingRunner r;
+    Activity::Options options;
+    options.name = "named";
+    options.period = 0.125;
+    options.cpuAffinity = 1u;
+    options.maxOverrun = 7;
+    options.stopTimeout = 3.0;
+    Activity a(options, &r);
+    EXPECT_STREQ(a.getName(), "named");
+    EXPECT_EQ(a.getPeriod(), 0.125);
+    EXPECT_EQ(a.getCpuAffinity(), 1u);
+    EXPECT_EQ(a.getMaxOverrun(), 7);
+    EXPECT_EQ(a.getStopTimeout(), 3.0);
+    EXPECT_EQ(r.getActivity(), &a);
+    EXPECT_EQ(Activity(Activity::Options()).getStopTimeout(), 1.0);
+    EXPECT_EQ(Activity(Activity::Options()).getMaxOverrun(), -1);
+}
+
+TEST(Activity, StopsWithinASecondWhateverItsPeriod) {
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0.5).getStopTimeout(), 1.0);
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0.001).getStopTimeout(), 1.0);
+    os::Thread::setLockTimeoutNoPeriod(4.0);
+    EXPECT_EQ(Activity(ORO_SCHED_OTHER, 0, 0.5).getStopTimeout(), 4.0);
+    os::Thread::setLockTimeoutNoPeriod(1.0);
+}
+
 TEST(Activity, RunConnectsBothSides) {
     CountingRunner r;
     {
@@ -95,115 +133,6 @@ TEST(Activity, TimeoutBeforeStartIsRemembered) {
     EXPECT_EQ(r.timeouts, 0);
     ASSERT_TRUE(a.start());
     EXPECT_TRUE(eventually([&] { return r.timeouts == 1; }));
-}
-
-TEST(Activity, PeriodicBeginsWithTriggerThenStepsEachPeriod) {
-    std::mutex mutex;
-    std::string order;
-    CountingRunner r;
-    r.onStep = [&] {
-        std::lock_guard<std::mutex> lock(mutex);
-        order += 's';
-    };
-    r.onWork = [&](auto reason) {
-        std::lock_guard<std::mutex> lock(mutex);
-        order += reason == base::RunnableInterface::TimeOut ? 'O' : 'T';
-    };
-    Activity a(ORO_SCHED_OTHER, 0, 0.005, &r);
-    const nsecs before = rtos_get_time_ns();
-    ASSERT_TRUE(a.start());
-    EXPECT_FALSE(a.start());
-    EXPECT_FALSE(a.timeout());
-    EXPECT_TRUE(eventually([&] { return r.timeouts >= 4; }));
-    EXPECT_GE(rtos_get_time_ns() - before, 4 * 5000000);
-    EXPECT_TRUE(a.stop());
-    EXPECT_EQ(order.substr(0, 5), "TsOsO");
-    EXPECT_EQ(r.loops, 0);
-    EXPECT_EQ(r.breaks, 0);
-}
-
-TEST(Activity, TriggerBetweenPeriods) {
-    CountingRunner r;
-    Activity a(ORO_SCHED_OTHER, 0, 30.0, &r);
-    ASSERT_TRUE(a.start());
-    ASSERT_TRUE(eventually([&] { return r.triggers == 1; }));
-    EXPECT_EQ(r.steps, 0);
-    EXPECT_TRUE(a.trigger());
-    EXPECT_TRUE(eventually([&] { return r.triggers == 2 && r.steps == 1; }));
-    EXPECT_EQ(r.timeouts, 0);
-    const nsecs before = rtos_get_time_ns();
-    EXPECT_TRUE(a.stop());
-    EXPECT_LT(rtos_get_time_ns() - before, Seconds_to_nsecs(20.0));  // does not wait for the period
-}
-
-TEST(Activity, AbsolutePolicyCatchesUp) {
-    CountingRunner r;
-    std::atomic<bool> slow{true};
-    r.onStep = [&] {
-        if (slow.exchange(false)) usleep(100000);
-    };
-    Activity a(ORO_SCHED_OTHER, 0, 0.01, &r);
-    a.setWaitPeriodPolicy(ORO_WAIT_ABS);
-    const nsecs start = rtos_get_time_ns();
-    ASSERT_TRUE(a.start());
-    ASSERT_TRUE(eventually([&] { return r.timeouts >= 20; }));
-    const nsecs took = rtos_get_time_ns() - start;
-    a.stop();
-    EXPECT_GE(took, 20 * 10000000LL - 1000000);
-    // No period is skipped: as many as have passed, whatever the machine was doing meanwhile.
-    EXPECT_LE(r.timeouts, (rtos_get_time_ns() - start) / 10000000);
-}
-
-TEST(Activity, RelativePolicyKeepsItsDistance) {
-    std::mutex mutex;
-    std::vector<nsecs> at;
-    CountingRunner r;
-    r.onStep = [&] {
-        std::lock_guard<std::mutex> lock(mutex);
-        at.push_back(rtos_get_time_ns());
-        if (at.size() == 2) usleep(50000);  // five periods
-    };
-    Activity a(ORO_SCHED_OTHER, 0, 0.01, &r);
-    a.setWaitPeriodPolicy(ORO_WAIT_REL);
-    ASSERT_TRUE(a.start());
-    ASSERT_TRUE(eventually([&] { return r.timeouts >= 6; }));
-    a.stop();
-    // At most one cycle follows at once; there is no burst of five.
-    EXPECT_GE(at[4] - at[3], 5000000);
-    EXPECT_GE(at[5] - at[4], 5000000);
-}
-
-TEST(Activity, TooManyOverrunsStopIt) {
-    CountingRunner r;
-    r.onStep = [] { usleep(4000); };
-    Activity a(ORO_SCHED_OTHER, 0, 0.001, &r);
-    a.setMaxOverrun(4);
-    ASSERT_TRUE(a.start());
-    EXPECT_TRUE(eventually([&] { return !a.isActive(); }));
-    EXPECT_FALSE(a.isRunning());
-    EXPECT_EQ(r.finalized, 1);
-    r.onStep = nullptr;
-    a.setMaxOverrun(-1);
-    EXPECT_TRUE(a.start());
-}
-
-TEST(Activity, SetPeriodAtAnyTime) {
-    CountingRunner r;
-    Activity a(&r);
-    EXPECT_FALSE(a.setPeriod(-1.0));
-    ASSERT_TRUE(a.start());
-    ASSERT_TRUE(eventually([&] { return r.triggers == 1; }));
-    EXPECT_TRUE(a.setPeriod(0.002));
-    EXPECT_TRUE(a.isPeriodic());
-    EXPECT_TRUE(eventually([&] { return r.timeouts >= 3; }));
-    EXPECT_TRUE(a.setPeriod(0.0));
-    EXPECT_FALSE(a.isPeriodic());
-    ASSERT_TRUE(eventually([&] { return r.loops >= 2; }));  // the change itself triggers
-    const int timeouts = r.timeouts;
-    usleep(10000);
-    EXPECT_EQ(r.timeouts, timeouts);
-    EXPECT_TRUE(a.timeout());
-    EXPECT_TRUE(eventually([&] { return r.timeouts == timeouts + 1; }));
 }
 
 TEST(Activity, StopAsksBreakLoopWhileExecuting) {

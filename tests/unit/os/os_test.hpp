@@ -5,11 +5,16 @@
 
 #include <rtt/base/RunnableInterface.hpp>
 #include <rtt/os/fosi.h>
+#include <rtt/os/log_hook.hpp>
 
 #include <atomic>
 #include <functional>
 #include <gtest/gtest.h>
+#include <mutex>
+#include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace oroforge::test {
 
@@ -27,7 +32,7 @@ bool eventually(Predicate&& predicate, double seconds = 20.0) {
 /** Counts every call. Each action, if set, runs in the call of the same name. */
 struct CountingRunner : RTT::base::RunnableInterface {
     std::atomic<int> initialized{0}, steps{0}, loops{0}, finalized{0}, breaks{0};
-    std::atomic<int> timeouts{0}, triggers{0};
+    std::atomic<int> timeouts{0}, triggers{0}, ios{0};
     std::atomic<bool> initializeResult{true}, breakResult{true}, hasWorkResult{false};
     std::function<void()> onStep, onLoop, onFinalize;
     std::function<void(WorkReason)> onWork;
@@ -54,8 +59,40 @@ struct CountingRunner : RTT::base::RunnableInterface {
     }
     bool hasWork() override { return hasWorkResult; }
     void work(WorkReason reason) override {
-        reason == Trigger ? ++triggers : ++timeouts;
+        ++(reason == Trigger ? triggers : reason == TimeOut ? timeouts : ios);
         if (onWork) onWork(reason);
+    }
+};
+
+/** Takes what the os layer and the activities log, from the first one on; each begins with nothing. */
+class LogCapture {
+public:
+    LogCapture() {
+        std::lock_guard<std::mutex> lock(mutex());
+        lines().clear();
+        RTT::os::setLogHook(&LogCapture::write);
+    }
+    /** Lines that begin with the level (2 Critical, 3 Error, 4 Warning, 5 Info) and contain the text. */
+    static int count(int level, const std::string& text) {
+        std::lock_guard<std::mutex> lock(mutex());
+        int found = 0;
+        for (const auto& line : lines())
+            if (line.first == level && line.second.find(text) != std::string::npos) ++found;
+        return found;
+    }
+
+private:
+    static void write(int level, const char* module, const std::string& text) {
+        std::lock_guard<std::mutex> lock(mutex());
+        lines().emplace_back(level, std::string(module) + ": " + text);
+    }
+    static std::mutex& mutex() {
+        static std::mutex& one = *new std::mutex;
+        return one;
+    }
+    static std::vector<std::pair<int, std::string>>& lines() {
+        static auto& all = *new std::vector<std::pair<int, std::string>>;
+        return all;
     }
 };
 

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace RTT;
@@ -105,4 +106,116 @@ TEST(PeriodicActivity, SetsThePeriodOfAThreadOfYours) {
     const extras::TimerThreadPtr thread(new TimerThread(ORO_SCHED_OTHER, 0, "mine", 0.5));
     PeriodicActivity a(0, 4000000, thread);
     EXPECT_EQ(a.getPeriod(), 0.004);
+}
+
+TEST(PeriodicActivity, SubClassMayReplaceTheRunner) {
+    struct Counter : PeriodicActivity {
+        std::atomic<int> steps{0}, initialized{0}, finalized{0};
+        Counter() : PeriodicActivity(ORO_SCHED_OTHER, 0, 0.002) {}
+        ~Counter() override { stop(); }
+        bool initialize() override { return ++initialized > 0; }
+        void step() override { ++steps; }
+        void finalize() override { ++finalized; }
+    } a;
+    ASSERT_TRUE(a.start());
+    EXPECT_TRUE(eventually([&] { return a.steps >= 3; }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_EQ(a.initialized, 1);
+    EXPECT_EQ(a.finalized, 1);
+}
+
+TEST(PeriodicActivity, ThreadEndsWithItsLastActivity) {
+    unsigned pid = 0;
+    {
+        PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.0071);
+        ASSERT_TRUE(a.start());
+        pid = a.thread()->getPid();
+    }
+    for (const os::threads::Info& info : os::threads::list()) EXPECT_NE(info.pid, pid);
+    EXPECT_TRUE(PeriodicActivity(ORO_SCHED_OTHER, 0, 0.0071).start());
+}
+
+TEST(PeriodicActivity, StartAndStopFromSeveralThreads) {
+    CountingRunner r;
+    PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.0005, &r);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 3; ++t)
+        threads.emplace_back([&] {
+            for (int i = 0; i < 300; ++i) a.start(), a.stop();
+        });
+    for (std::thread& thread : threads) thread.join();
+    (void)a.stop();
+    EXPECT_EQ(r.initialized, r.finalized);
+}
+
+TEST(PeriodicActivity, ActivitiesOfTwoThreadsMayStopEachOther) {
+    CountingRunner first, second;
+    PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.002, &first);
+    PeriodicActivity b(ORO_SCHED_OTHER, 0, 0.003, &second);
+    std::atomic<int> inside{0};
+    const auto stopOther = [&](PeriodicActivity& other) {
+        ++inside;
+        eventually([&] { return inside == 2; });
+        other.stop();
+    };
+    first.onStep = [&] { stopOther(b); };
+    second.onStep = [&] { stopOther(a); };
+    ASSERT_TRUE(a.start());
+    ASSERT_TRUE(b.start());
+    // Both wait for the other: at least one gives up, and nobody waits for ever.
+    EXPECT_TRUE(eventually([&] { return !a.isActive() || !b.isActive(); }));
+    EXPECT_TRUE(eventually([&] { return !a.isActive() || a.stop(); }));
+    EXPECT_TRUE(eventually([&] { return !b.isActive() || b.stop(); }));
+}
+
+TEST(PeriodicActivity, StopGivesUpOnAStepThatDoesNotReturn) {
+    const oroforge::test::LogCapture log;
+    CountingRunner r;
+    std::atomic<bool> inside{false}, leave{false};
+    r.onStep = [&] {
+        inside = true;
+        eventually([&] { return leave.load(); });
+    };
+    PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.002, &r);
+    ASSERT_TRUE(a.start());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_FALSE(a.stop());
+    EXPECT_TRUE(a.isActive());
+    EXPECT_TRUE(a.isRunning());
+    EXPECT_EQ(log.count(3, "cannot stop a periodic activity"), 1);
+    EXPECT_EQ(r.finalized, 0);
+    leave = true;
+    const int steps = r.steps;
+    EXPECT_TRUE(eventually([&] { return r.steps > steps; }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_EQ(r.finalized, 1);
+}
+
+TEST(PeriodicActivity, MayRestartItselfInAThreadThatIsFull) {
+    const extras::TimerThreadPtr thread(new TimerThread(ORO_SCHED_OTHER, 0, "full", 0.002));
+    std::vector<std::unique_ptr<CountingRunner>> runners;
+    std::vector<std::unique_ptr<PeriodicActivity>> activities;
+    std::atomic<int> restarts{0};
+    for (std::size_t i = 0; i < TimerThread::MaxActivities; ++i) {
+        runners.emplace_back(new CountingRunner);
+        activities.emplace_back(new PeriodicActivity(thread, runners.back().get()));
+    }
+    PeriodicActivity& restless = *activities[3];
+    runners[3]->onStep = [&] {
+        if (restless.stop() && restless.start()) ++restarts;
+    };
+    for (const auto& activity : activities) ASSERT_TRUE(activity->start());
+    EXPECT_TRUE(eventually([&] { return restarts >= 3; }));
+    EXPECT_TRUE(restless.isActive());
+    for (const auto& activity : activities) EXPECT_TRUE(eventually([&] { return activity->stop(); }));
+}
+
+TEST(PeriodicActivity, IsExecutedByOneThreadOnly) {
+    CountingRunner r;
+    PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.002, &r);
+    std::atomic<bool> self{false};
+    r.onStep = [&] { self = a.isSelf(); };
+    ASSERT_TRUE(a.start());
+    EXPECT_TRUE(eventually([&] { return self.load(); }));
+    EXPECT_FALSE(a.isSelf());
 }

@@ -7,6 +7,7 @@
 
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 using namespace RTT;
 using extras::SequentialActivity;
@@ -64,9 +65,9 @@ TEST(SequentialActivity, RecursionReturnsAtOnce) {
 TEST(SequentialActivity, RepeatsWhileThereIsWork) {
     CountingRunner r;
     SequentialActivity a(&r);
-    r.hasWorkResult = true;
     r.onStep = [&] { r.hasWorkResult = r.steps < 3; };
     ASSERT_TRUE(a.start());
+    r.hasWorkResult = true;
     EXPECT_TRUE(a.trigger());
     EXPECT_EQ(r.steps, 3);
 }
@@ -74,9 +75,9 @@ TEST(SequentialActivity, RepeatsWhileThereIsWork) {
 TEST(SequentialActivity, MayBeStoppedFromWithin) {
     CountingRunner r;
     SequentialActivity a(&r);
-    r.hasWorkResult = true;
     r.onStep = [&] { EXPECT_TRUE(a.stop()); };
     ASSERT_TRUE(a.start());
+    r.hasWorkResult = true;
     EXPECT_TRUE(a.trigger());
     EXPECT_FALSE(a.isActive());
     EXPECT_EQ(r.steps, 1);
@@ -109,4 +110,47 @@ TEST(SequentialActivity, StopWaitsForAnotherThread) {
     EXPECT_TRUE(eventually([&] { return a.stop(); }));
     EXPECT_TRUE(left);
     caller.join();
+}
+
+TEST(SequentialActivity, StartAndStopFromSeveralThreads) {
+    CountingRunner r;
+    SequentialActivity a(&r);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 3; ++t)
+        threads.emplace_back([&] {
+            for (int i = 0; i < 1000; ++i) a.start(), a.trigger(), a.stop();
+        });
+    for (std::thread& thread : threads) thread.join();
+    (void)a.stop();
+    EXPECT_EQ(r.initialized, r.finalized);
+}
+
+TEST(SequentialActivity, MessagesThatCameWhileItWasStoppedAreExecuted) {
+    CountingRunner r;
+    r.onStep = [&] { r.hasWorkResult = false; };
+    SequentialActivity a(&r);
+    ASSERT_TRUE(a.start());
+    EXPECT_EQ(r.steps, 0);
+    EXPECT_TRUE(a.stop());
+    r.hasWorkResult = true;
+    EXPECT_FALSE(a.trigger());
+    ASSERT_TRUE(a.start());
+    EXPECT_EQ(r.steps, 1);
+}
+
+TEST(SequentialActivity, StopWaitsForOneThatStoppedItself) {
+    CountingRunner r;
+    SequentialActivity a(&r);
+    std::atomic<bool> stopped{false}, left{false};
+    r.onStep = [&] {
+        stopped = a.stop();
+        usleep(30000);
+        left = true;
+    };
+    ASSERT_TRUE(a.start());
+    std::thread user([&] { a.trigger(); });
+    ASSERT_TRUE(eventually([&] { return stopped.load(); }));
+    EXPECT_FALSE(a.stop());
+    EXPECT_TRUE(left);
+    user.join();
 }

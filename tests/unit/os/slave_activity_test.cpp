@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include "os_test.hpp"
+#include "message_runner.hpp"
 
 #include <rtt/Activity.hpp>
-#include <rtt/base/DisposableInterface.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/os/MainThread.hpp>
 
-#include <deque>
-#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -16,38 +13,7 @@ using namespace RTT;
 using extras::SlaveActivity;
 using oroforge::test::CountingRunner;
 using oroforge::test::eventually;
-
-namespace {
-
-/** What an engine does with messages. */
-struct MessageRunner : CountingRunner {
-    std::mutex mutex;
-    std::deque<base::DisposableInterface*> queue;
-
-    ~MessageRunner() override {
-        for (base::DisposableInterface* message : queue) message->dispose();
-    }
-    bool process(base::DisposableInterface* message) override {
-        {
-            std::lock_guard<std::mutex> lock(mutex);
-            queue.push_back(message);
-        }
-        return getActivity()->trigger();
-    }
-    void work(WorkReason) override {
-        while (base::DisposableInterface* message = take()) message->executeAndDispose();
-    }
-    bool breakLoop() override { return true; }
-    base::DisposableInterface* take() {
-        std::lock_guard<std::mutex> lock(mutex);
-        if (queue.empty()) return nullptr;
-        base::DisposableInterface* const first = queue.front();
-        queue.pop_front();
-        return first;
-    }
-};
-
-}  // namespace
+using oroforge::test::MessageRunner;
 
 TEST(SlaveActivity, WithoutMasterExecutesInTheCaller) {
     CountingRunner r;
@@ -131,25 +97,6 @@ TEST(SlaveActivity, MasterThatTakesNoMessagesRefusesTriggers) {
     EXPECT_FALSE(a.trigger());  // the message is free again
 }
 
-TEST(SlaveActivity, MayDieWithItsTriggerInTheQueue) {
-    MessageRunner masterRunner;
-    Activity master(&masterRunner);
-    masterRunner.onLoop = [&] { usleep(5000); };
-    ASSERT_TRUE(master.start());
-    {
-        CountingRunner r;
-        SlaveActivity a(&master, &r);
-        ASSERT_TRUE(a.start());
-        EXPECT_TRUE(a.trigger());
-    }
-    EXPECT_TRUE(master.trigger());
-    EXPECT_TRUE(eventually([&] {
-        std::lock_guard<std::mutex> lock(masterRunner.mutex);
-        return masterRunner.queue.empty();
-    }));
-    EXPECT_TRUE(eventually([&] { return master.stop(); }));
-}
-
 TEST(SlaveActivity, TriggersAndUpdatesNeverExecuteTogether) {
     MessageRunner masterRunner;
     Activity master(&masterRunner);
@@ -166,4 +113,54 @@ TEST(SlaveActivity, TriggersAndUpdatesNeverExecuteTogether) {
     updates.join();
     EXPECT_TRUE(eventually([&] { return master.stop(); }));
     EXPECT_EQ(inside, r.triggers + r.timeouts);
+}
+
+TEST(SlaveActivity, TimeoutByTheMasterExecutesIt) {
+    MessageRunner masterRunner;
+    Activity master(ORO_SCHED_OTHER, 0, 0.002, &masterRunner);
+    CountingRunner r;
+    SlaveActivity a(&master, &r);
+    std::atomic<int> accepted{0}, nested{0};
+    r.onStep = [&] {
+        if (a.timeout()) ++nested;
+    };
+    masterRunner.onStep = [&] {
+        if (a.timeout()) ++accepted;
+    };
+    ASSERT_TRUE(master.start());
+    ASSERT_TRUE(a.start());
+    EXPECT_FALSE(a.timeout());  // by another thread: that of a periodic activity
+    EXPECT_TRUE(eventually([&] { return r.timeouts >= 3; }));
+    EXPECT_TRUE(eventually([&] { return master.stop(); }));
+    EXPECT_EQ(accepted, r.timeouts);
+    EXPECT_EQ(r.steps, r.timeouts);
+    EXPECT_EQ(nested, 0);
+    EXPECT_TRUE(a.stop());
+}
+
+TEST(SlaveActivity, MessagesThatCameWhileItWasStoppedAreExecuted) {
+    MessageRunner masterRunner;
+    Activity master(&masterRunner);
+    CountingRunner r;
+    SlaveActivity a(&master, &r);
+    ASSERT_TRUE(master.start());
+    r.hasWorkResult = true;
+    ASSERT_TRUE(a.start());
+    EXPECT_TRUE(eventually([&] { return r.triggers == 1; }));
+    EXPECT_TRUE(eventually([&] { return master.stop(); }));
+}
+
+TEST(SlaveActivity, WithoutMasterItBelongsToTheThreadThatExecutesIt) {
+    CountingRunner r;
+    SlaveActivity a(&r);
+    EXPECT_TRUE(a.isSelf());  // nobody did: the main thread
+    ASSERT_TRUE(a.start());
+    std::thread([&] {
+        EXPECT_FALSE(a.isSelf());
+        EXPECT_TRUE(a.execute());
+        EXPECT_TRUE(a.isSelf());
+    }).join();
+    EXPECT_FALSE(a.isSelf());
+    EXPECT_TRUE(a.execute());
+    EXPECT_TRUE(a.isSelf());
 }

@@ -8,10 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <linux/capability.h>
 #include <stdexcept>
-#include <sys/syscall.h>
-#include <sys/wait.h>
 #include <thread>
 
 using namespace RTT;
@@ -21,7 +18,7 @@ namespace {
 
 struct TestThread : os::Thread {
     std::atomic<int> steps{0}, loops{0}, initialized{0}, finalized{0};
-    std::function<void()> onLoop, onStep;
+    std::function<void()> onLoop, onStep, onBreak, onFinalize;
     bool initializeResult = true;
     bool breakResult = true;
 
@@ -40,24 +37,15 @@ struct TestThread : os::Thread {
         if (onLoop) onLoop();
         ++loops;
     }
-    bool breakLoop() override { return breakResult; }
-    void finalize() override { ++finalized; }
+    bool breakLoop() override {
+        if (onBreak) onBreak();
+        return breakResult;
+    }
+    void finalize() override {
+        ++finalized;
+        if (onFinalize) onFinalize();
+    }
 };
-
-bool dropPrivilege() {
-    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-    __user_cap_data_struct data[_LINUX_CAPABILITY_U32S_3] = {};
-    return syscall(SYS_capset, &header, data) == 0;
-}
-
-/** Runs a check in a process of its own without privileges; true if it held there. */
-bool unprivileged(std::function<bool()> check) {
-    const pid_t child = fork();
-    if (child == 0) _exit(dropPrivilege() && check() ? 0 : 1);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 }  // namespace
 
@@ -229,50 +217,118 @@ TEST(Thread, AffinityIsThatOfTheKernel) {
     EXPECT_EQ(t.getCpuAffinity(), all);
 }
 
-TEST(Scheduling, ValuesAreForcedIntoRange) {
-    int scheduler = 77;
-    EXPECT_FALSE(os::CheckScheduler(scheduler));
-    EXPECT_EQ(scheduler, ORO_SCHED_OTHER);
-    int priority = 20;
-    EXPECT_FALSE(os::CheckPriority(scheduler, priority));
-    EXPECT_EQ(priority, 0);
-    EXPECT_TRUE(os::CheckPriority(scheduler, priority));
-    scheduler = ORO_SCHED_RT;
-    EXPECT_FALSE(os::CheckPriority(scheduler, priority));
-    EXPECT_EQ(priority, 1);
-    EXPECT_FALSE(TestThread().setScheduler(77));
+TEST(Thread, AnyPeriodMayBeSetWhileIdle) {
+    TestThread t;
+    EXPECT_TRUE(t.setPeriod(1, 500000000));
+    EXPECT_EQ(t.getPeriod(), 1.5);
+    EXPECT_TRUE(t.setPeriod(TIME_SPEC{0, 2000000}));
+    EXPECT_EQ(t.getPeriodNS(), 2000000);
+    EXPECT_FALSE(t.setPeriod(-1.0));
+    ASSERT_TRUE(t.start());
+    EXPECT_TRUE(t.setPeriod(0.001));  // another period, still periodic
+    EXPECT_TRUE(eventually([&] { return t.steps >= 3; }));
+    EXPECT_EQ(t.loops, 0);
 }
 
-TEST(Scheduling, RealTimeIsUsedWhereAllowed) {
-    int scheduler = ORO_SCHED_RT;
-    if (!os::CheckScheduler(scheduler)) GTEST_SKIP() << "no privilege to use ORO_SCHED_RT";
-    os::Thread t(ORO_SCHED_RT, 150, 0.0, 0, "rt");
-    EXPECT_EQ(t.getScheduler(), sched_getscheduler(static_cast<pid_t>(t.getPid())));
-    if (t.getScheduler() != ORO_SCHED_RT) GTEST_SKIP() << "the system refuses ORO_SCHED_RT";
-    EXPECT_LE(t.getPriority(), os::HighestPriority);
-    EXPECT_TRUE(t.setPriority(5));
-    EXPECT_EQ(t.getPriority(), 5);
-    EXPECT_TRUE(t.setScheduler(ORO_SCHED_OTHER));
-    EXPECT_EQ(sched_getscheduler(static_cast<pid_t>(t.getPid())), SCHED_OTHER);
-    EXPECT_EQ(t.getPriority(), 0);
+TEST(Thread, TooManyOverrunsAreReported) {
+    const oroforge::test::LogCapture log;
+    TestThread t(0.001, "late");
+    t.onStep = [] { usleep(5000); };
+    t.setMaxOverrun(2);
+    ASSERT_TRUE(t.start());
+    EXPECT_TRUE(eventually([&] { return log.count(2, "setMaxOverrun()") == 1; }));
+    EXPECT_EQ(log.count(2, "thread 'late' stopped: it has missed its period 2 times too often"), 1);
 }
 
-TEST(Scheduling, WithoutThePrivilegeOnlyAWarning) {
-    EXPECT_TRUE(unprivileged([] {
-        int scheduler = ORO_SCHED_RT;
-        if (os::CheckScheduler(scheduler)) return true;  // this user has an rtprio limit
-        os::Thread t(ORO_SCHED_RT, 50, 0.0, 0, "rt");
-        return t.getScheduler() == ORO_SCHED_OTHER && t.getPriority() == 0;
-    }));
+TEST(Thread, OverrunsAreCountedUnderTheRelativePolicyToo) {
+    TestThread t(0.001);
+    t.onStep = [] { usleep(5000); };
+    t.setWaitPeriodPolicy(ORO_WAIT_REL);
+    t.setMaxOverrun(3);
+    ASSERT_TRUE(t.start());
+    EXPECT_TRUE(eventually([&] { return !t.isActive(); }));
 }
 
-TEST(Scheduling, RefusalByTheSystemGivesAnOrdinaryThread) {
-    EXPECT_TRUE(unprivileged([] {
-        int scheduler = ORO_SCHED_RT;
-        int priority = 99;
-        pthread_t thread;
-        const int error = os::detail::createThread(
-            thread, scheduler, priority, 0, [](void*) -> void* { return nullptr; }, nullptr, "rt");
-        return error == 0 && pthread_join(thread, nullptr) == 0 && scheduler == ORO_SCHED_OTHER && priority == 0;
-    }));
+TEST(Thread, ReportsItsCreation) {
+    const oroforge::test::LogCapture log;
+    TestThread t(0.25, "mine");
+    EXPECT_EQ(log.count(5, "creating thread 'mine': ORO_SCHED_OTHER, priority 0, CPU mask 0"), 1);
+    EXPECT_EQ(log.count(5, "created thread 'mine': ORO_SCHED_OTHER, priority 0"), 1);
+    EXPECT_EQ(log.count(5, "period 0.25 s, PID " + std::to_string(t.getPid())), 1);
+}
+
+TEST(Thread, ReportsWhyItCannotBeStopped) {
+    const oroforge::test::LogCapture log;
+    TestThread t(0.0, "busy");
+    std::atomic<bool> inside{false}, leave{false};
+    t.breakResult = false;
+    t.onLoop = [&] {
+        inside = true;
+        eventually([&] { return leave.load(); });
+    };
+    t.setStopTimeout(0.02);
+    ASSERT_TRUE(t.start());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_FALSE(t.stop());
+    EXPECT_EQ(log.count(4, "cannot stop thread 'busy': breakLoop() returned false"), 1);
+    t.breakResult = true;
+    EXPECT_FALSE(t.stop());
+    EXPECT_EQ(log.count(3, "cannot stop thread 'busy': loop() or step() has not returned within 0.02 s"), 1);
+    leave = true;
+    t.setStopTimeout(20.0);
+    EXPECT_TRUE(t.stop());
+}
+
+TEST(MainThread, IsAlwaysThere) {
+    os::ThreadInterface* const thread = os::MainThread::Instance();
+    EXPECT_STREQ(thread->getName(), "main");
+    EXPECT_TRUE(thread->start());
+    EXPECT_TRUE(thread->stop());
+    EXPECT_TRUE(thread->isActive());
+    EXPECT_TRUE(thread->isRunning());
+    EXPECT_FALSE(thread->isPeriodic());
+    EXPECT_EQ(thread->getPid(), static_cast<unsigned>(getpid()));
+    EXPECT_EQ(thread->getScheduler(), sched_getscheduler(0));
+    EXPECT_NE(thread->getCpuAffinity(), 0u);
+    EXPECT_GE(thread->threadNumber(), 0);
+}
+
+TEST(Thread, AnExceptionInFinalizeDoesNotKeepItFromStopping) {
+    const oroforge::test::LogCapture log;
+    TestThread t(0.001, "mine");
+    t.onFinalize = [] { throw std::runtime_error("boom"); };
+    ASSERT_TRUE(t.start());
+    EXPECT_TRUE(t.stop());
+    EXPECT_FALSE(t.isActive());
+    EXPECT_EQ(log.count(2, "finalize() of thread 'mine' threw: boom"), 1);
+    t.onFinalize = [] { throw 1; };
+    t.onStep = [&] { t.stop(); };  // and from the thread itself
+    ASSERT_TRUE(t.start());
+    EXPECT_TRUE(eventually([&] { return !t.isActive(); }));
+    t.onStep = [] { throw 2; };  // and after an exception
+    ASSERT_TRUE(eventually([&] { return t.start(); }));
+    EXPECT_TRUE(eventually([&] { return !t.isActive(); }));
+    EXPECT_EQ(t.finalized, 3);
+    t.onStep = t.onFinalize = nullptr;
+    EXPECT_TRUE(eventually([&] { return t.start(); }));
+    EXPECT_TRUE(t.stop());
+}
+
+TEST(Thread, AnExceptionInBreakLoopIsARefusal) {
+    const oroforge::test::LogCapture log;
+    TestThread t(0.0, "mine");
+    std::atomic<bool> inside{false}, leave{false};
+    t.onBreak = [] { throw std::runtime_error("boom"); };
+    t.onLoop = [&] {
+        inside = true;
+        eventually([&] { return leave.load(); });
+    };
+    ASSERT_TRUE(t.start());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_FALSE(t.stop());
+    EXPECT_TRUE(t.isActive());
+    EXPECT_EQ(log.count(2, "breakLoop() of thread 'mine' threw: boom"), 1);
+    leave = true;
+    t.onBreak = nullptr;
+    EXPECT_TRUE(eventually([&] { return t.stop(); }));
 }

@@ -75,6 +75,54 @@ TEST(Timer, RefusesWhatIsNotATimer) {
     EXPECT_FALSE(t.arm(2, 1.0));
 }
 
+TEST(Timer, SaysWhatIsNotATimer) {
+    const oroforge::test::LogCapture log;
+    TestTimer t(3);
+    t.arm(3, 1.0);
+    EXPECT_EQ(log.count(3, "invalid timer id 3, there are 3 timers"), 1);
+    t.arm(0, -1.0);
+    EXPECT_EQ(log.count(3, "invalid wait time for timer 0"), 1);
+    t.startTimer(1, -1.0);
+    EXPECT_EQ(log.count(3, "invalid period for timer 1"), 1);
+    EXPECT_FALSE(t.isArmed(-1));
+    EXPECT_EQ(log.count(3, ""), 3);
+}
+
+TEST(Timer, MayBeKilledAndArmedAgainFromTimeout) {
+    struct Restless : os::Timer {
+        std::atomic<int> count{0};
+        Restless() : os::Timer(1, ORO_SCHED_OTHER) {}
+        ~Restless() override { stopThread(); }
+        void timeout(TimerId id) override {
+            killTimer(id);
+            if (++count < 3) startTimer(id, 0.001);
+        }
+    } t;
+    ASSERT_TRUE(t.startTimer(0, 0.001));
+    EXPECT_TRUE(eventually([&] { return t.count == 3; }));
+    EXPECT_TRUE(eventually([&] { return !t.isArmed(0); }));
+    usleep(5000);
+    EXPECT_EQ(t.count, 3);
+}
+
+TEST(Timer, FewerTimersKillTheOthersAndFreeTheirWaiters) {
+    TestTimer t(3, ORO_SCHED_OTHER);
+    ASSERT_TRUE(t.arm(2, 1000.0));
+    std::atomic<bool> waiting{false}, returned{false};
+    std::thread waiter([&] {
+        waiting = true;
+        (void)t.waitFor(2);
+        returned = true;
+    });
+    ASSERT_TRUE(eventually([&] { return waiting.load(); }));
+    usleep(2000);
+    t.setMaxTimers(1);
+    EXPECT_TRUE(eventually([&] { return returned.load(); }));
+    waiter.join();
+    t.setMaxTimers(3);
+    EXPECT_FALSE(t.isArmed(2));
+}
+
 TEST(Timer, WaitForReturnsAtExpiryAndWhenKilled) {
     TestTimer t(3, ORO_SCHED_OTHER);
     ASSERT_TRUE(t.arm(0, 0.01));
@@ -113,4 +161,27 @@ TEST(Timer, MayBeSetFromTimeout) {
     } t(3, ORO_SCHED_OTHER);
     t.arm(0, 0.0);
     EXPECT_TRUE(eventually([&] { return t.expired[2] == 1; }));
+}
+
+TEST(Timer, GoesOnAfterAStopThatFailed) {
+    struct Slow : TestTimer {
+        std::atomic<bool> inside{false}, leave{false};
+        using TestTimer::TestTimer;
+        void timeout(TimerId id) override {
+            TestTimer::timeout(id);
+            inside = true;
+            eventually([&] { return leave.load(); });
+        }
+    } t(3);
+    Activity a(&t);
+    a.setStopTimeout(0.01);
+    ASSERT_TRUE(t.arm(0, 0.0));
+    ASSERT_TRUE(a.start());
+    ASSERT_TRUE(eventually([&] { return t.inside.load(); }));
+    EXPECT_FALSE(a.stop());
+    t.leave = true;
+    ASSERT_TRUE(t.arm(1, 0.001));
+    EXPECT_TRUE(eventually([&] { return t.expired[1] == 1; }));
+    a.setStopTimeout(20.0);
+    EXPECT_TRUE(a.stop());
 }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The engine of those who are no component, and its end.
+#include "probe.hpp"
+
+#include <rtt/Operation.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
+
+using namespace RTT;
+using internal::GlobalEngine;
+using oroforge::test::eventually;
+using oroforge::test::Probe;
+
+namespace {
+
+/** Calls Release() in a thread of its own, so that a test can tell when that never returns. */
+struct Releasing {
+    std::shared_ptr<std::atomic<bool>> done = std::make_shared<std::atomic<bool>>(false);
+    std::thread thread{[done = done] {
+        GlobalEngine::Release();
+        *done = true;
+    }};
+    ~Releasing() {
+        if (*done)
+            thread.join();
+        else
+            thread.detach();
+    }
+};
+
+TEST(GlobalEngine, CanBeReleasedWhileItsThreadAsksForIt) {
+    Probe c;
+    std::atomic<bool> inside{false}, go{false};
+    c.addOperation("op", [&] {
+        inside = true;
+        eventually([&] { return go.load(); });
+        usleep(20000);  // Release() is under way
+        return GlobalEngine::Instance() != nullptr;
+    });
+    OperationCaller<bool()> op(c.getOperation("op"), c.engine());
+    SendHandle<bool()> handle = op.send();
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    Releasing releasing;
+    go = true;
+    ASSERT_TRUE(eventually([&] { return releasing.done->load(); }));
+    bool asked = false;
+    EXPECT_EQ(handle.collect(asked), SendSuccess);
+    EXPECT_TRUE(asked);
+}
+
+TEST(GlobalEngine, IsStartedAnewAfterItsRelease) {
+    Probe c;
+    c.addOperation("op", [] { return 3; });
+    OperationCaller<int()> op(c.getOperation("op"), c.engine());
+    int result = 0;
+    EXPECT_EQ(op.send().collect(result), SendSuccess);
+    ExecutionEngine* const before = GlobalEngine::Instance();
+    GlobalEngine::Release();
+    GlobalEngine::Release();
+    EXPECT_EQ(op.send().collect(result), SendSuccess);
+    EXPECT_EQ(result, 3);
+    EXPECT_EQ(GlobalEngine::Instance(), before) << "who keeps the pointer has the engine";
+}
+
+TEST(GlobalEngine, CallsThatNobodyExecutesAnyMoreEnd) {
+    Probe c;
+    std::atomic<bool> inside{false}, go{false};
+    c.addOperation("slow", [&] {
+        inside = true;
+        eventually([&] { return go.load(); });
+    });
+    c.addOperation("next", [] {});
+    OperationCaller<void()> slow(c.getOperation("slow"), c.engine()), next(c.getOperation("next"), c.engine());
+    SendHandle<void()> first = slow.send();
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    SendHandle<void()> second = next.send();
+    Releasing releasing;
+    go = true;
+    ASSERT_TRUE(eventually([&] { return releasing.done->load(); }));
+    EXPECT_EQ(first.collect(), SendSuccess);
+    EXPECT_NE(second.collectIfDone(), SendNotReady) << "executed or refused, but not forgotten";
+}
+
+TEST(GlobalEngine, IsNotReleasedByItsOwnThread) {
+    Probe c;
+    c.addOperation("op", [] { GlobalEngine::Release(); });
+    OperationCaller<void()> op(c.getOperation("op"), c.engine());
+    EXPECT_EQ(op.send().collect(), SendSuccess);
+    EXPECT_EQ(op.send().collect(), SendSuccess);
+}
+
+TEST(GlobalEngineStress, ReleaseWhileOthersSend) {
+    Probe c;
+    std::atomic<long> executed{0};
+    c.addOperation("op", [&] { ++executed; });
+    std::atomic<bool> stop{false};
+    std::vector<std::thread> senders;
+    for (int i = 0; i != 2; ++i)
+        senders.emplace_back([&] {
+            OperationCaller<void()> op(c.getOperation("op"), GlobalEngine::Instance());
+            while (!stop) {
+                SendHandle<void()> handle = op.send();
+                if (handle.ready()) eventually([&] { return handle.collectIfDone() != SendNotReady; });
+            }
+        });
+    for (int i = 0; i != 50; ++i) {
+        const long before = executed;
+        EXPECT_TRUE(eventually([&] { return executed != before; }));
+        GlobalEngine::Release();
+    }
+    stop = true;
+    for (std::thread& sender : senders) sender.join();
+}
+
+}  // namespace
