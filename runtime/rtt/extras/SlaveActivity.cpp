@@ -38,11 +38,9 @@ public:
     void executeAndDispose() override {
         // Before the work: a trigger that comes while it executes must lead to another one.
         queued_.exchange(false, std::memory_order_acq_rel);
-        {
-            os::MutexLock lock(mutex_);
-            if (slave_) slave_->executeTrigger();
-        }
-        release();
+        const Owner atEnd{*this};  // also when the component throws
+        os::MutexLock lock(mutex_);
+        if (slave_) slave_->executeTrigger();
     }
     void dispose() override {
         queued_.exchange(false, std::memory_order_acq_rel);
@@ -51,6 +49,10 @@ public:
     bool isError() const override { return false; }
 
 private:
+    struct Owner {
+        TriggerMessage& message;
+        ~Owner() { message.release(); }
+    };
     void release() {
         if (owners_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
     }
