@@ -29,7 +29,7 @@ endfunction()
 
 # orocos_find_package(pkg [OROCOS_ONLY] [REQUIRED] [VERBOSE])
 # Looks for the pkg-config modules pkg-<target> and (unless OROCOS_ONLY) pkg.
-function(_orocos_find_package package)
+function(_oro_find_module package)
   cmake_parse_arguments(ARG "OROCOS_ONLY;REQUIRED;VERBOSE" "" "" ${ARGN})
   set(modules ${package}-${OROCOS_TARGET})
   if(NOT ARG_OROCOS_ONLY)
@@ -79,7 +79,7 @@ macro(orocos_find_package package)
   if("${package}" STREQUAL "rtt")
     set(rtt_FOUND TRUE)
   else()
-    _orocos_find_package(${package} ${ARGN})
+    _oro_find_module(${package} ${ARGN})
   endif()
 endmacro()
 

@@ -3,7 +3,7 @@
 # Private part of UseOrocos.cmake: code generated at build time by typegen and orocreate-pkg.
 
 # Finds a generator beside this file's prefix; a package cannot be built without it, so a miss is fatal.
-function(_orocos_find_generator result name)
+function(_oro_find_generator result name)
   find_program(OROCOS_${name}_PROGRAM ${name} HINTS ${OROCOS-RTT_PATH}/bin NO_DEFAULT_PATH)
   if(NOT OROCOS_${name}_PROGRAM)
     find_program(OROCOS_${name}_PROGRAM ${name})
@@ -16,7 +16,7 @@ function(_orocos_find_generator result name)
 endfunction()
 
 # Output names are a function of the arguments alone, so asking for them is instant and cannot go stale.
-function(_orocos_list_outputs result)
+function(_oro_list_outputs result)
   execute_process(COMMAND ${ARGN} --list-outputs WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     OUTPUT_VARIABLE text ERROR_VARIABLE errors RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE)
   if(NOT status EQUAL 0)
@@ -28,7 +28,7 @@ function(_orocos_list_outputs result)
 endfunction()
 
 # The compiler settings of this directory that change what a header means, as options for typegen.
-function(_orocos_parse_flags result)
+function(_oro_parse_flags result)
   set(flags "")
   get_directory_property(include_dirs INCLUDE_DIRECTORIES)
   if(EXISTS ${PROJECT_SOURCE_DIR}/include)
@@ -56,9 +56,9 @@ endfunction()
 # orocos_typegen_headers([typegen options] header… [DEPENDS pkg…])
 # Makes the typekit library <project>-typekit from C++ headers; generation happens at build time, and only when one of
 # the headers (or what they include) changed.
-function(_orocos_typegen_headers)
+function(_oro_typegen)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
-  _orocos_find_generator(typegen typegen)
+  _oro_find_generator(typegen typegen)
   set(target ${PROJECT_NAME}-typekit)
   set(dir ${PROJECT_BINARY_DIR}/typekit)
   set(options "")
@@ -79,10 +79,10 @@ function(_orocos_typegen_headers)
   foreach(package ${ARG_DEPENDS})
     list(APPEND options -i ${package})
   endforeach()
-  _orocos_parse_flags(flags)
+  _oro_parse_flags(flags)
 
   set(command ${typegen} -o ${dir} ${options} ${flags})
-  _orocos_list_outputs(outputs ${command} ${PROJECT_NAME} ${headers})
+  _oro_list_outputs(outputs ${command} ${PROJECT_NAME} ${headers})
   set(depfile ${PROJECT_BINARY_DIR}/typekit.d)
   add_custom_command(OUTPUT ${outputs}
     COMMAND ${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=$ENV{PKG_CONFIG_PATH}:${OROCOS-RTT_PATH}/lib/pkgconfig"
@@ -97,7 +97,7 @@ function(_orocos_typegen_headers)
   set(${PROJECT_NAME}_TYPEKIT_INCLUDE_DIR ${dir}/types)
   set(sources ${outputs})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  _orocos_add_library(typekit ${target} ${sources})
+  _oro_add_library(typekit ${target} ${sources})
   add_dependencies(${target} ${target}-generate)
   if(EXISTS ${PROJECT_SOURCE_DIR}/include)
     set_property(TARGET ${target} APPEND PROPERTY INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/include)
@@ -119,12 +119,12 @@ function(_orocos_typegen_headers)
   add_dependencies(${PROJECT_NAME}-generated ${target}-generate)
 
   install(DIRECTORY ${dir}/types/ DESTINATION include/orocos FILES_MATCHING PATTERN "*.hpp")
-  _orocos_write_pkg_config(${target}-${OROCOS_TARGET} 1.0 "" "-L\${orocos_libdir}/types -l${target}-${OROCOS_TARGET}"
+  _oro_write_pkg_config(${target}-${OROCOS_TARGET} 1.0 "" "-L\${orocos_libdir}/types -l${target}-${OROCOS_TARGET}"
     "-I\${includedir}")
 endfunction()
 
 macro(orocos_typegen_headers)
-  _orocos_typegen_headers(${ARGN})
+  _oro_typegen(${ARGN})
   list(APPEND OROCOS_DEFINED_TYPES ${PROJECT_NAME}-typekit)
   list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${PROJECT_NAME}-typekit)
   list(APPEND ${PROJECT_NAME}_EXPORTED_INCLUDE_DIRS ${PROJECT_BINARY_DIR}/typekit/types)
@@ -133,8 +133,8 @@ endmacro()
 # orocos_generate_components(manifest.xml)
 # Generates the base classes of the components that the manifest describes, at build time. Afterwards
 # ${PROJECT_NAME}_GENERATED_SOURCES is to be listed among a component's sources; the include path is set by itself.
-function(_orocos_generate_components manifest)
-  _orocos_find_generator(generator orocreate-pkg)
+function(_oro_generate manifest)
+  _oro_find_generator(generator orocreate-pkg)
   set(dir ${PROJECT_BINARY_DIR}/generated)
   get_filename_component(path ${manifest} ABSOLUTE)
   if(NOT EXISTS ${path})
@@ -143,7 +143,7 @@ function(_orocos_generate_components manifest)
   # The classes in the manifest decide which files there are: configure again when it changes.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
   set(command ${generator} --generate ${manifest} --output ${dir})
-  _orocos_list_outputs(outputs ${command})
+  _oro_list_outputs(outputs ${command})
   set(depfile ${PROJECT_BINARY_DIR}/generated.d)
   add_custom_command(OUTPUT ${outputs}
     COMMAND ${command} --depfile ${depfile}
@@ -164,5 +164,5 @@ function(_orocos_generate_components manifest)
 endfunction()
 
 macro(orocos_generate_components manifest)
-  _orocos_generate_components(${manifest})
+  _oro_generate(${manifest})
 endmacro()

@@ -19,7 +19,7 @@ function(orocos_install_headers)
   endif()
 endfunction()
 
-function(_orocos_write_pkg_config PC_NAME PC_VERSION PC_REQUIRES PC_LIBS PC_CFLAGS)
+function(_oro_write_pkg_config PC_NAME PC_VERSION PC_REQUIRES PC_LIBS PC_CFLAGS)
   set(PC_SUFFIX ${OROCOS_SUFFIX})
   string(STRIP "orocos-rtt-${OROCOS_TARGET} ${PC_REQUIRES}" PC_REQUIRES)
   configure_file(${OROCOS-RTT_USE_FILE_PATH}/package.pc.in ${PROJECT_BINARY_DIR}/${PC_NAME}.pc @ONLY)
@@ -78,7 +78,7 @@ function(orocos_generate_package)
   foreach(variable requires libs cflags)
     string(REPLACE ";" " " ${variable} "${${variable}}")
   endforeach()
-  _orocos_write_pkg_config(${name} ${version} "${requires}" "${libs}" "${cflags}")
+  _oro_write_pkg_config(${name} ${version} "${requires}" "${libs}" "${cflags}")
   # The loader recognises a package by this directory, even where nothing is in it.
   install(DIRECTORY DESTINATION lib/orocos${OROCOS_SUFFIX}/${PROJECT_NAME})
 

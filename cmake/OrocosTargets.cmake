@@ -2,10 +2,13 @@
 # Copyright Oroforge contributors
 # Private part of UseOrocos.cmake: the macros that create targets.
 #
+# Private names begin with _oro_. "_" + a public name would not do: that is where CMake keeps the old definition when
+# this file is read a second time, and the public macro would then call itself.
+#
 # Libraries are linked by setting properties, not by target_link_libraries(), because CMake forbids to mix its two
 # signatures on one target and packages use both.
 
-function(_orocos_directories out_kind kind)
+function(_oro_directories out_kind kind)
   if(CMAKE_LIBRARY_OUTPUT_DIRECTORY)
     set(base ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
   else()
@@ -22,7 +25,7 @@ function(_orocos_directories out_kind kind)
 endfunction()
 
 # Everything a target of a package has in common: language level, include path, libraries, run path.
-function(_orocos_configure_target target)
+function(_oro_configure_target target)
   target_compile_features(${target} PRIVATE cxx_std_17)
   # A package may ask for less than the headers need, with an option that comes later on the command line than
   # CMake's own; say it once more after it.
@@ -61,14 +64,14 @@ function(_orocos_configure_target target)
 endfunction()
 
 # kind: component, typekit, plugin, library
-function(_orocos_add_library kind target)
+function(_oro_add_library kind target)
   cmake_parse_arguments(ARG "SHARED" "INSTALL;VERSION;EXPORT" "INCLUDES" ${ARGN})
   if(NOT ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "orocos_${kind}(${target}): no source files given")
   endif()
   add_library(${target} SHARED ${ARG_UNPARSED_ARGUMENTS})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${target}-${OROCOS_TARGET})
-  _orocos_configure_target(${target})
+  _oro_configure_target(${target})
   if(ARG_VERSION)
     set_target_properties(${target} PROPERTIES VERSION ${ARG_VERSION})
   elseif(COMPONENT_VERSION)
@@ -80,7 +83,7 @@ function(_orocos_add_library kind target)
   if(kind STREQUAL "library")
     set(destination lib)
   else()
-    _orocos_directories(dir ${kind})
+    _oro_directories(dir ${kind})
     set_target_properties(${target} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${dir_OUTPUT})
     set(destination ${dir_INSTALL})
   endif()
@@ -95,35 +98,35 @@ function(_orocos_add_library kind target)
   endif()
   install(TARGETS ${target} EXPORT ${ARG_EXPORT}
     LIBRARY DESTINATION ${destination} ARCHIVE DESTINATION lib RUNTIME DESTINATION bin)
-  _orocos_record_library(${kind} ${target})
+  _oro_record_library(${kind} ${target})
 endfunction()
 
 # Remembered per project, not per directory: packages define targets in sub-directories and the package above them.
-function(_orocos_record_library kind target)
+function(_oro_record_library kind target)
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_${kind} ${target})
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_EXPORTED ${target})
 endfunction()
 
 macro(orocos_component target)
-  _orocos_add_library(component ${target} ${ARGN})
+  _oro_add_library(component ${target} ${ARGN})
   list(APPEND OROCOS_DEFINED_COMPS ${target})
   list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${target})
 endmacro()
 
 macro(orocos_library target)
-  _orocos_add_library(library ${target} ${ARGN})
+  _oro_add_library(library ${target} ${ARGN})
   list(APPEND OROCOS_DEFINED_LIBS ${target})
   list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${target})
 endmacro()
 
 macro(orocos_typekit target)
-  _orocos_add_library(typekit ${target} ${ARGN})
+  _oro_add_library(typekit ${target} ${ARGN})
   list(APPEND OROCOS_DEFINED_TYPES ${target})
   list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${target})
 endmacro()
 
 macro(orocos_plugin target)
-  _orocos_add_library(plugin ${target} ${ARGN})
+  _oro_add_library(plugin ${target} ${ARGN})
   list(APPEND OROCOS_DEFINED_PLUGINS ${target})
   list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${target})
 endmacro()
@@ -133,7 +136,7 @@ macro(orocos_service target)
 endmacro()
 
 function(orocos_configure_executable target)
-  _orocos_configure_target(${target})
+  _oro_configure_target(${target})
 endfunction()
 
 function(orocos_executable target)
@@ -143,7 +146,7 @@ function(orocos_executable target)
   endif()
   add_executable(${target} ${ARG_UNPARSED_ARGUMENTS})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${target}-${OROCOS_TARGET})
-  _orocos_configure_target(${target})
+  _oro_configure_target(${target})
   if(NOT ARG_EXPORT)
     set(ARG_EXPORT ${PROJECT_NAME}-${OROCOS_TARGET})
   endif()
