@@ -97,6 +97,14 @@ TEST_F(OrocreatePkg, GenerateWritesWhatListOutputsSays) {
     EXPECT_NE(read("gen.d").find((dir_ / "tank.xml").string()), std::string::npos);
 }
 
+TEST_F(OrocreatePkg, DepfileIsAboutAnotherFileOnRequest) {
+    dir_.write("tank.xml", kManifest);
+    const auto made =
+        run({"--generate", "tank.xml", "--output", "gen", "--depfile", "gen.d", "--depfile-target", "a stamp"});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(read("gen.d").compare(0, 10, "a\\ stamp: "), 0) << read("gen.d");
+}
+
 TEST_F(OrocreatePkg, SecondGenerationTouchesNothing) {
     dir_.write("tank.xml", kManifest);
     ASSERT_EQ(run({"--generate", "tank.xml", "--output", "gen"}).status, 0);
