@@ -42,7 +42,7 @@ void generateComponents(const Options& options, const render::Renderer& renderer
         dumpViews(*package, manifest, out);
     } else if (options.listOutputs) {
         emit::listOutputs(out, generatedFileNames(*package), options.output);
-    } else if (emit::write(generatedFiles(*package, manifest, renderer), options.output, sink) &&
+    } else if (emit::writeGenerated(generatedFiles(*package, manifest, renderer), options.output, sink) &&
                !options.depfile.empty()) {
         std::vector<std::string> targets;
         if (options.depfileTarget.empty()) {

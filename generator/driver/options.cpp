@@ -39,7 +39,8 @@ void declare(CLI::App& app, Options& options) {
         ->type_name("DIR");
     app.add_option("--dump", options.dump, "Print an intermediate step of --generate as JSON: model or view")
         ->check(CLI::IsMember({"model", "view"}));
-    app.add_flag("-f,--force", options.force, "Write into an existing directory; your sources there are kept");
+    app.add_flag("-f,--force", options.force,
+                 "Write into an existing directory; sources there are kept, build files are kept as *.old");
     app.set_version_flag("--version", "orocreate-pkg (Oroforge) " OROFORGE_VERSION);
 }
 

@@ -98,7 +98,7 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
         return 1;
     }
     emit::Written written;
-    if (!emit::write(outputs, options.output, sink, &written)) return 1;
+    if (!emit::writeGenerated(outputs, options.output, sink, &written)) return 1;
     if (!writeDependencies(options, model, sink)) return 1;
     if (options.verbose) tell(model, written, out);
     return 0;

@@ -58,6 +58,31 @@ TEST_F(OrocreatePkg, ForceKeepsUserFilesAndEarlierKinds) {
     EXPECT_NE(cmake.find("orocos_service(mypkg-service"), std::string::npos);
 }
 
+TEST_F(OrocreatePkg, ForceKeepsEveryVersionOfABuildFile) {
+    ASSERT_EQ(run({"mypkg", "component"}).status, 0);
+    const std::string readme = read("mypkg/README.md");
+    dir_.write("mypkg/CMakeLists.txt", "mine");
+    ASSERT_EQ(run({"mypkg", "service", "-f"}).status, 0);
+    dir_.write("mypkg/CMakeLists.txt", "mine again");
+
+    const auto outcome = run({"mypkg", "service", "-f"});
+
+    EXPECT_EQ(read("mypkg/CMakeLists.txt.old"), "mine");
+    EXPECT_EQ(read("mypkg/CMakeLists.txt.old2"), "mine again");
+    EXPECT_NE(outcome.out.find("wrote mypkg/CMakeLists.txt.old2"), std::string::npos) << outcome.out;
+    EXPECT_FALSE(fs::exists(dir_ / "mypkg/README.md.old2"));
+}
+
+TEST_F(OrocreatePkg, GenerationDoesNotReplaceAFileOfTheUser) {
+    dir_.write("tank.xml", kManifest);
+    dir_.write("gen/tank/registration.cpp", "mine");
+    const auto outcome = run({"--generate", "tank.xml", "--output", "gen"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(read("gen/tank/registration.cpp"), "mine");
+    EXPECT_FALSE(fs::exists(dir_ / "gen/tank/ControllerBase.hpp"));
+    EXPECT_NE(outcome.err.find("gen/tank/registration.cpp: error: [EMIT002]"), std::string::npos) << outcome.err;
+}
+
 TEST_F(OrocreatePkg, EmptyMakesOnlyThePackageFile) {
     ASSERT_EQ(run({"mypkg", "empty"}).status, 0);
 

@@ -120,6 +120,15 @@ TEST(Typegen, ReadsHeadersWithTheOptionsOfAFile) {
     EXPECT_NE(model.find("\"float\""), std::string::npos) << model;
 }
 
+TEST(Typegen, DoesNotReplaceAFileOfTheUser) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    dir.write("out/Plugin.cpp", "// by hand\n");
+    EXPECT_EQ(typegen({"-o", (dir / "out").string(), "demo", header}), 1);
+    EXPECT_EQ(readFile(dir / "out/Plugin.cpp"), "// by hand\n");
+    EXPECT_FALSE(fs::exists(dir / "out/types_0.cpp"));
+}
+
 TEST(Typegen, FailureLeavesEarlierOutputAlone) {
     const TempDir dir;
     const auto header = dir.write("types.hpp", kHeader).string();
