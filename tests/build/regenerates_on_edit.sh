@@ -20,12 +20,15 @@ cat > edit.xml << 'XML'
 <?xml version="1.0" encoding="UTF-8"?>
 <package name="edit">
   <typekit header="include/edit/edit-types.hpp"/>
+  <typekit header="src/more-types.hpp"/>
   <component class="edit::One"/>
 </package>
 XML
 mkdir -p include/edit
 printf '#pragma once\nstruct Inner { int a; };\n' > include/edit/inner.hpp
 printf '#pragma once\n#include "inner.hpp"\nstruct Outer { Inner inner; };\n' > include/edit/edit-types.hpp
+mkdir src
+printf '#pragma once\nstruct More { int a; };\n' > src/more-types.hpp
 for generator in "Unix Makefiles" Ninja; do
   rm -rf edit b
   orocreate-pkg edit --from edit.xml > /dev/null
