@@ -58,9 +58,17 @@ TEST_F(OrocreatePkg, ForceKeepsUserFilesAndEarlierKinds) {
     EXPECT_NE(cmake.find("orocos_service(mypkg-service"), std::string::npos);
 }
 
+TEST_F(OrocreatePkg, NamesThatNoBuildCanUseAreRefused) {
+    for (const char* name : {"switch", "test", "install"}) {
+        const auto outcome = run({name, "component"});
+        EXPECT_EQ(outcome.status, 1) << name;
+        EXPECT_NE(outcome.err.find("[OC002]"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(dir_ / name));
+    }
+}
+
 TEST_F(OrocreatePkg, ForceKeepsEveryVersionOfABuildFile) {
     ASSERT_EQ(run({"mypkg", "component"}).status, 0);
-    const std::string readme = read("mypkg/README.md");
     dir_.write("mypkg/CMakeLists.txt", "mine");
     ASSERT_EQ(run({"mypkg", "service", "-f"}).status, 0);
     dir_.write("mypkg/CMakeLists.txt", "mine again");
