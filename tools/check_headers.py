@@ -26,7 +26,7 @@ TEXT = LICENSED + (".md", ".txt", ".xml", ".json", ".cpf", ".ops")
 
 # Inputs and outputs of tests are what a user wrote or got, byte for byte; so are the texts the generators fill in.
 # Here only the words are checked (HDR04, HDR05).
-DATA = ("tests/golden/", "templates/")
+DATA = ("tests/golden/", "tests/build/packages/", "templates/")
 # Headers that are meant to be included more than once.
 REPEATABLE = ()
 

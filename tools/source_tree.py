@@ -7,7 +7,8 @@ import pathlib
 import re
 import sys
 
-SKIPPED_DIRS = {".git", "build", "__pycache__", ".cache"}
+SKIPPED_DIRS = {".git", "__pycache__", ".cache"}
+SKIPPED_AT_THE_TOP = {"build"}  # tests/build is source
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|"([^"\n]+)")', re.MULTILINE)
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 
@@ -22,7 +23,8 @@ class Tree:
 
     def _walk(self):
         for folder, dirs, names in os.walk(self.root):
-            dirs[:] = [d for d in dirs if d not in SKIPPED_DIRS]
+            skipped = SKIPPED_DIRS | (SKIPPED_AT_THE_TOP if pathlib.Path(folder) == self.root else set())
+            dirs[:] = [d for d in dirs if d not in skipped]
             for name in names:
                 path = pathlib.Path(folder) / name
                 if path.is_file():

@@ -122,6 +122,10 @@ std::string packageNameFault(const std::string& name) {
     if (bad != name.end()) {
         return std::string("contains '") + *bad + "'; expected letters, digits, '_', '.' and '-'";
     }
+    // The package's name becomes a namespace and a target.
+    if (model::isKeyword(name)) return "is a C++ keyword";
+    static const std::set<std::string> targets = {"all", "clean", "help", "install", "package", "test", "uninstall"};
+    if (targets.count(name) != 0) return "is a target of every build";
     return {};
 }
 

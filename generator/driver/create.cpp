@@ -83,9 +83,22 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
     }
 }
 
-/// What is to be written into `directory`; existing user files are left out and listed in `kept`.
+/// "CMakeLists.txt.old", or with a number if that is taken: no version of a file gets lost.
+std::string backupName(const fs::path& directory, const std::string& name) {
+    std::string backup = name + ".old";
+    for (int i = 2; fs::exists(directory / backup); ++i) backup = name + ".old" + std::to_string(i);
+    return backup;
+}
+
+/// What is to be written into `directory`; existing user files are left out and listed in `kept`, other files that
+/// differ are written a second time, as they are.
 emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::vector<std::string>& kept) {
     emit::Outputs outputs = files.shared;
+    for (const auto& [name, text] : files.shared) {
+        if (!fs::exists(directory / name)) continue;
+        const std::string old = textOf(directory / name);
+        if (old != text) outputs[backupName(directory, name)] = old;
+    }
     for (const auto& [name, text] : files.user) {
         if (fs::exists(directory / name)) {
             kept.push_back(name);

@@ -42,11 +42,15 @@ void generateComponents(const Options& options, const render::Renderer& renderer
         dumpViews(*package, manifest, out);
     } else if (options.listOutputs) {
         emit::listOutputs(out, generatedFileNames(*package), options.output);
-    } else if (emit::write(generatedFiles(*package, manifest, renderer), options.output, sink) &&
+    } else if (emit::writeGenerated(generatedFiles(*package, manifest, renderer), options.output, sink) &&
                !options.depfile.empty()) {
         std::vector<std::string> targets;
-        for (const std::string& name : generatedFileNames(*package))
-            targets.push_back((fs::path(options.output) / name).string());
+        if (options.depfileTarget.empty()) {
+            for (const std::string& name : generatedFileNames(*package))
+                targets.push_back((fs::path(options.output) / name).string());
+        } else {
+            targets.push_back(options.depfileTarget);
+        }
         emit::writeDepfile(options.depfile, targets, {fs::absolute(options.generate).string()}, sink);
     }
 }

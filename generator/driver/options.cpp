@@ -33,11 +33,14 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output, "Directory for generated files")->type_name("DIR");
     app.add_flag("--list-outputs", options.listOutputs, "Print the files that --generate would write, and stop");
     app.add_option("--depfile", options.depfile, "Also write dependencies for make or ninja")->type_name("FILE");
+    app.add_option("--depfile-target", options.depfileTarget, "What it is about, instead of the generated files")
+        ->type_name("FILE");
     app.add_option("--template-dir", options.templateDir, "Templates here replace the built-in ones of the same name")
         ->type_name("DIR");
     app.add_option("--dump", options.dump, "Print an intermediate step of --generate as JSON: model or view")
         ->check(CLI::IsMember({"model", "view"}));
-    app.add_flag("-f,--force", options.force, "Write into an existing directory; your sources there are kept");
+    app.add_flag("-f,--force", options.force,
+                 "Write into an existing directory; sources there are kept, build files are kept as *.old");
     app.set_version_flag("--version", "orocreate-pkg (Oroforge) " OROFORGE_VERSION);
 }
 
@@ -76,6 +79,7 @@ void checkCombination(const Options& options, diag::Sink& sink) {
                  "no package name given, expected orocreate-pkg NAME [KIND...]");
         complain(options.listOutputs, "--list-outputs needs --generate MANIFEST");
         complain(!options.depfile.empty(), "--depfile needs --generate MANIFEST");
+        complain(!options.depfileTarget.empty(), "--depfile-target needs --generate MANIFEST");
         complain(!options.output.empty(), "--output needs --generate MANIFEST");
         complain(!options.dump.empty(), "--dump needs --generate MANIFEST");
         complain(!options.from.empty() && options.words.size() > 1,

@@ -18,6 +18,7 @@ struct Options {
     std::string generate;            ///< manifest to generate base classes from
     std::string output;              ///< where generated files go
     std::string depfile;
+    std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;
     std::string dump;  ///< "model" or "view": print that step instead of writing files
     bool listOutputs = false;

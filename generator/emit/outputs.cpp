@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include <emit/banner.hpp>
+
 namespace fs = std::filesystem;
 
 namespace oroforge::emit {
@@ -19,6 +21,15 @@ bool hasText(const fs::path& file, const std::string& text) {
     if (!fs::is_regular_file(file, ignored)) return false;
     std::ifstream in(file, std::ios::binary);
     return in && std::string(std::istreambuf_iterator<char>(in), {}) == text;
+}
+
+/// Something stands there that nobody generated. An empty file is nothing that could be lost.
+bool isForeign(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return false;
+    std::ifstream in(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    return !text.empty() && !hasBanner(text);
 }
 
 /// Undoes what was done so far unless it is kept: temporary files, new directories, renamed files.
@@ -123,6 +134,16 @@ bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, 
     if (!transaction.commit()) return false;
     if (written != nullptr) *written = result;
     return true;
+}
+
+bool writeGenerated(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, Written* written) {
+    for (const auto& [name, text] : outputs) {
+        if (!hasBanner(text) || !isForeign(directory / name)) continue;
+        sink.error({(directory / name).string()}, "EMIT002", "this file was not generated; it would be written over")
+            .hint("choose another output folder, or another build folder, or remove the file");
+        return false;
+    }
+    return write(outputs, directory, sink, written);
 }
 
 void listOutputs(std::ostream& out, const Outputs& outputs, const fs::path& directory) {

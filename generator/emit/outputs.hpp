@@ -27,6 +27,11 @@ struct Written {
 bool write(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
            Written* written = nullptr);
 
+/// The same for files that begin with a banner (see banner.hpp): one that stands there without a banner is somebody's
+/// own, an error EMIT002, and nothing is written.
+bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
+                    Written* written = nullptr);
+
 /// One path per line, `directory` in front.
 void listOutputs(std::ostream& out, const Outputs& outputs, const std::filesystem::path& directory);
 void listOutputs(std::ostream& out, const std::vector<std::string>& outputs, const std::filesystem::path& directory);

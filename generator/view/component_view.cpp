@@ -196,7 +196,8 @@ json componentView(const model::Package& package, const model::Component& compon
     view["guard"] = guardName(package.name.value + "_" + lastName(qualified));
     view["doc"] = commentLines(component.doc);
     view["stdHeaders"] = standardHeaders(allTypes(component));
-    view["headers"] = listOf(package.typekitHeaders, [](const auto& header) { return includeName(header.value); });
+    view["headers"] = listOf(package.typekitHeaders,
+                             [&](const auto& header) { return includeName(header.value, package.name.value); });
     view["hasHeaders"] = !package.typekitHeaders.empty();
     view["initial"] = component.initial == model::InitialState::Stopped ? "Stopped" : "PreOperational";
     view["activity"] = component.activity ? activityView(*component.activity) : json(nullptr);

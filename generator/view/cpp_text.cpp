@@ -81,9 +81,20 @@ std::string valueLiteral(const std::string& text, const std::string& type) {
     return model::isNumber(kind) ? withSuffix(text, kind) : text;
 }
 
-std::string includeName(const std::string& header) {
-    const std::string prefix = "include/";
-    return header.compare(0, prefix.size(), prefix) == 0 ? header.substr(prefix.size()) : header;
+std::string includeName(const std::string& header, const std::string& package) {
+    const std::string folder = "/include/";
+    const std::string path = "/" + header;
+    const std::size_t at = path.rfind(folder);
+    if (at != std::string::npos) {
+        const std::string name = path.substr(at + folder.size());
+        if (name.find('/') != std::string::npos) return name;
+    }
+    const std::size_t fileAt = path.rfind('/');
+    const std::string file = path.substr(fileAt + 1);
+    const std::string above = path.substr(0, fileAt);
+    const std::string parent = above.substr(above.rfind('/') + 1);
+    const bool named = !above.empty() && parent != "include" && parent != package;
+    return package + "/" + (named ? parent + "/" : "") + file;
 }
 
 std::vector<std::string> standardHeaders(const std::vector<std::string>& types) {

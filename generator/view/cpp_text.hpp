@@ -23,8 +23,9 @@ std::string oneLine(const std::string& text);
 /// A value of `type`, as an initialiser: "1.5" of float → "1.5F", text of std::string → a literal.
 std::string valueLiteral(const std::string& text, const std::string& type);
 
-/// "tank/tank-types.hpp" for "include/tank/tank-types.hpp": how sources include a header of the package.
-std::string includeName(const std::string& header);
+/// How sources include a header of the package: "tank/t.hpp" for "include/tank/t.hpp", "tank/models/t.hpp" for
+/// "src/models/t.hpp" of package tank. The same rule as in cmake/OrocosGenerate.cmake.
+std::string includeName(const std::string& header, const std::string& package);
 
 /// Standard headers that declare the standard names in these types, sorted: "cstdint", "string", "vector".
 std::vector<std::string> standardHeaders(const std::vector<std::string>& types);

@@ -225,7 +225,7 @@ json typekitView(const model::Package& package, const std::string& header) {
     }
     json view;
     view["package"] = package.name.value;
-    view["guard"] = guardName(includeName(header));
+    view["guard"] = guardName(includeName(header, package.name.value));
     view["class"] = className(package.name.value);
     view["namespaces"] = json::array();
     for (const auto& [space, names] : structs) {

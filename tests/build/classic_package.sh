@@ -21,7 +21,7 @@ for library in classic classic-pair classic-service classic-typekit classic-supp
 done
 expect_text "$pc" 'Version: 1.0'
 
-LD_LIBRARY_PATH=$work/inst/lib "$work/inst/bin/classic-main-gnulinux" > "$work/main.out"
+"$work/inst/bin/classic-main-gnulinux" > "$work/main.out"
 expect_text "$work/main.out" 'main: 42'
 
 export RTT_COMPONENT_PATH=$work/inst/lib/orocos

@@ -6,7 +6,7 @@ prefix=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export OROCOS_TARGET=gnulinux PATH=$prefix/bin:$PATH
-unset RTT_COMPONENT_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
+unset RTT_COMPONENT_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH LD_LIBRARY_PATH
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 expect_file() { [ -e "$1" ] || fail "no file $1"; }
@@ -18,6 +18,14 @@ build_package() { # source build install [cmake option…]
     { cat "$build.log" >&2; fail "cmake $source"; }
   cmake --build "$build" --parallel 2 > "$build.log" 2>&1 || { cat "$build.log" >&2; fail "build of $source"; }
   cmake --install "$build" > "$build.log" 2>&1 || { cat "$build.log" >&2; fail "install of $source"; }
+  expect_resolved "$install"
+}
+# Every library and program finds the libraries it is linked to, by what is written in it.
+expect_resolved() { # install
+  local file
+  while read -r file; do
+    ! ldd "$file" | grep 'not found' >&2 || fail "$file does not find all it is linked to"
+  done < <(find "$1" -name '*.so' -o -path '*/bin/*' -type f)
 }
 # Runs the deployer until its output holds a text, then interrupts it; it has to end with status 0.
 deploy_until() { # text option…

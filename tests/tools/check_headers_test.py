@@ -17,6 +17,12 @@ class CheckHeaders(unittest.TestCase):
             "tests/golden/model/x/input.hpp": "struct NoLicenceHere {};",
         })
 
+    def test_build_folders_are_skipped_at_the_top_only(self):
+        check_none(self, SCRIPT, {"build/a.cpp": "int a;\n", "tests/build/packages/p/a.cpp": "int a;\n"})
+        status, found = check(SCRIPT, {"tests/build/a.cpp": "int a;\n"})
+        self.assertEqual(status, 1)
+        self.assertTrue(found[0].startswith("tests/build/a.cpp:1: error: [HDR01]"), found)
+
     def test_licence_is_missing(self):
         status, found = check(SCRIPT, {"runtime/rtt/a.cpp": "int a;\n"})
         self.assertEqual(status, 1)

@@ -27,6 +27,19 @@ expect "usage: ./dev VERB" 2 "$source/dev" biuld
 expect "install wants one argument" 1 "$source/dev" install
 expect "UPDATE_GOLDENS is set" 2 env UPDATE_GOLDENS=1 "$source/.ci/run"
 expect "CI is set" 2 env CI=true "$source/tools/update_goldens.sh"
+
+# A relative prefix is meant from where the user stands. Programs that would build or install are stand-ins.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/bin" "$work/here" "$work/copy/tools"
+cp "$source/dev" "$work/copy"
+cp "$source/tools/packages.txt" "$work/copy/tools"
+printf '#!/bin/sh\necho "$@" >> %s/cmake.log\n' "$work" > "$work/bin/cmake"
+printf '#!/bin/sh\nprintf installed\n' > "$work/bin/dpkg-query"
+chmod +x "$work"/bin/*
+(cd "$work/here" && PATH=$work/bin:$PATH "$work/copy/dev" install out > /dev/null 2>&1)
+grep -q -- "--prefix $work/here/out\$" "$work/cmake.log" || { echo "install out: $(cat "$work/cmake.log")"; failed=1; }
+
 for script in "$source/dev" "$source/.ci/run" "$source"/tools/*.sh "$source"/examples/*/run; do
   expect "" 0 bash -n "$script"
 done

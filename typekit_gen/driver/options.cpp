@@ -14,9 +14,10 @@ namespace oroforge::typekit {
 namespace {
 
 const std::vector<std::string> kTransports = {"corba", "mqueue", "ros", "typelib"};
-const std::vector<std::string> kLongOptions = {"--output",       "--import",  "--transports", "--notransports",
-                                               "--verbose",      "--debug",   "--help",       "--version",
-                                               "--list-outputs", "--depfile", "--dump",       "--template-dir"};
+const std::vector<std::string> kLongOptions = {"--output",         "--import",     "--transports", "--notransports",
+                                               "--verbose",        "--debug",      "--help",       "--version",
+                                               "--list-outputs",   "--depfile",    "--dump",       "--template-dir",
+                                               "--depfile-target", "--flags-from", "--include-as"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
@@ -98,6 +99,12 @@ private:
             for (const std::string& name : splitList(value)) checkTransport(name);
         } else if (is(word, "", "--depfile", value)) {
             options_.depfile = value;
+        } else if (is(word, "", "--depfile-target", value)) {
+            options_.depfileTarget = value;
+        } else if (is(word, "", "--flags-from", value)) {
+            options_.flagsFile = value;
+        } else if (is(word, "", "--include-as", value)) {
+            setIncludeName(value);
         } else if (is(word, "", "--template-dir", value)) {
             options_.templateDir = value;
         } else if (is(word, "", "--dump", value)) {
@@ -137,6 +144,15 @@ private:
     void requireTransports(const std::string& list) {
         for (const std::string& name : splitList(list)) {
             if (checkTransport(name)) error("transport '" + name + "' is not part of this toolchain's installation");
+        }
+    }
+
+    void setIncludeName(const std::string& value) {
+        const std::size_t at = value.rfind('=');
+        if (at == std::string::npos || at == 0 || at + 1 == value.size()) {
+            error("illegal value '" + value + "' of --include-as, expected HEADER=NAME");
+        } else {
+            options_.includeAs[value.substr(0, at)] = value.substr(at + 1);
         }
     }
 

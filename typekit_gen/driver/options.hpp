@@ -4,6 +4,7 @@
 #ifndef OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
 #define OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,10 @@ struct Options {
     std::vector<std::string> imports;  ///< packages whose include folders are needed
     std::vector<std::string> flags;    ///< for the compiler
     std::string target = "gnulinux";
+    std::string flagsFile;                         ///< more of them, see flags_file.hpp
+    std::map<std::string, std::string> includeAs;  ///< input → how generated code includes it
     std::string depfile;
+    std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;
     Dump dump = Dump::None;
     bool listOutputs = false;

@@ -17,6 +17,8 @@
 #include <plan/render_typekit.hpp>
 #include <plan/typekit_view.hpp>
 
+#include "flags_file.hpp"
+
 namespace fs = std::filesystem;
 
 namespace oroforge::render {
@@ -35,7 +37,15 @@ std::optional<model::TypeModel> readModel(const Options& options, diag::Sink& si
         const auto flags = importFlags(package, options.target, sink);
         request.flags.insert(request.flags.end(), flags.begin(), flags.end());
     }
+    if (!options.flagsFile.empty()) {
+        const auto flags = readFlagsFile(options.flagsFile, sink);
+        request.flags.insert(request.flags.end(), flags.begin(), flags.end());
+    }
     request.headers = findHeaders(options.inputs, request.flags, options.name, sink);
+    for (model::Header& header : request.headers) {
+        const auto named = options.includeAs.find(header.path);
+        if (named != options.includeAs.end()) header.include = named->second;
+    }
     if (sink.hadErrors()) return std::nullopt;
     auto model = cxx::readTypes(request, sink);
     if (model) closeModel(*model, sink);
@@ -55,7 +65,11 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
     if (options.depfile.empty()) return true;
     const fs::path folder = fs::absolute(options.output).lexically_normal();
     std::vector<std::string> outputs;
-    for (const std::string& name : outputNames(options.name)) outputs.push_back((folder / name).string());
+    if (options.depfileTarget.empty()) {
+        for (const std::string& name : outputNames(options.name)) outputs.push_back((folder / name).string());
+    } else {
+        outputs.push_back(options.depfileTarget);
+    }
     std::set<std::string> inputs;
     for (const std::string& file : model.files) inputs.insert(realPath(file));
     return emit::writeDepfile(options.depfile, outputs, {inputs.begin(), inputs.end()}, sink);
@@ -84,7 +98,7 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
         return 1;
     }
     emit::Written written;
-    if (!emit::write(outputs, options.output, sink, &written)) return 1;
+    if (!emit::writeGenerated(outputs, options.output, sink, &written)) return 1;
     if (!writeDependencies(options, model, sink)) return 1;
     if (options.verbose) tell(model, written, out);
     return 0;

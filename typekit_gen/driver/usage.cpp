@@ -19,7 +19,11 @@ Makes the source of a typekit plugin called NAME for the structs, classes and en
   -I DIR  -isystem DIR  -D MACRO[=VALUE]  -U MACRO  -include FILE  -std=STANDARD
                             as for a compiler; the default standard is c++17
       --list-outputs        print the names of the files that would be written, and do nothing else
+      --flags-from=FILE     more of these options, one word a line; others that a compiler may have are left out
+      --include-as=HEADER=NAME
+                            generated code includes HEADER as <NAME>; may be repeated
       --depfile=FILE        write the names of all files that were read, for make or ninja
+      --depfile-target=FILE what depends on them; default all files that are generated
       --dump=model|view     print the model, or what the templates are filled with, as JSON and write nothing
       --template-dir=DIR    templates that replace the built-in ones
       --version, -h, --help

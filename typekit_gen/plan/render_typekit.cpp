@@ -38,12 +38,14 @@ emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& 
     emit::Outputs outputs;
     nlohmann::json headerView = view;
     headerView["keyword"] = "extern template";
+    headerView["visible"] = "RTT_EXPORT ";
     outputs[userHeaderName(view["name"])] = tidied(renderer.render("typekit/Types.hpp", headerView));
     outputs[pluginFileName()] = tidied(renderer.render("typekit/Plugin.cpp", view));
     for (const nlohmann::json& bucket : view["buckets"]) {
         nlohmann::json fileView = bucket;
         for (const char* key : {"banner", "versionGuard", "userHeader", "identifier"}) fileView[key] = view[key];
         fileView["keyword"] = "template";
+        fileView["visible"] = "";
         outputs[bucketFileName(bucket["index"])] = tidied(renderer.render("typekit/types.cpp", fileView));
     }
     return outputs;

@@ -19,9 +19,11 @@ using nlohmann::json;
 std::string withoutColons(const std::string& cpp) { return cpp.compare(0, 2, "::") == 0 ? cpp.substr(2) : cpp; }
 
 json viewOf(const model::Field& field, bool last) {
-    return {{"name", field.name},          {"offset", field.offset},      {"type", field.type.cpp},
-            {"count", field.count},        {"doc", cppString(field.doc)}, {"unit", cppString(field.unit)},
-            {"separator", last ? "" : ","}};
+    json view = {{"name", field.name},          {"offset", field.offset},      {"type", field.type.cpp},
+                 {"count", field.count},        {"doc", cppString(field.doc)}, {"unit", cppString(field.unit)},
+                 {"separator", last ? "" : ","}};
+    view[field.count == 0 ? "isSingle" : "isArray"] = true;
+    return view;
 }
 
 json viewOf(const model::Struct& type) {

@@ -33,8 +33,12 @@ TEST(PackageNames, BecomeIdentifiersAndClasses) {
 }
 
 TEST(IncludeName, IsRelativeToTheIncludeDirectory) {
-    EXPECT_EQ(includeName("include/tank/t.hpp"), "tank/t.hpp");
-    EXPECT_EQ(includeName("src/t.hpp"), "src/t.hpp");
+    EXPECT_EQ(includeName("include/tank/t.hpp", "tank"), "tank/t.hpp");
+    EXPECT_EQ(includeName("lib/include/other/sub/t.hpp", "tank"), "other/sub/t.hpp");
+    EXPECT_EQ(includeName("src/models/t.hpp", "tank"), "tank/models/t.hpp");
+    EXPECT_EQ(includeName("src/tank/t.hpp", "tank"), "tank/t.hpp");
+    EXPECT_EQ(includeName("include/t.hpp", "tank"), "tank/t.hpp");
+    EXPECT_EQ(includeName("t.hpp", "tank"), "tank/t.hpp");
 }
 
 TEST(StandardHeaders, AreThoseOfTheNamesUsed) {

@@ -58,6 +58,39 @@ TEST_F(OrocreatePkg, ForceKeepsUserFilesAndEarlierKinds) {
     EXPECT_NE(cmake.find("orocos_service(mypkg-service"), std::string::npos);
 }
 
+TEST_F(OrocreatePkg, NamesThatNoBuildCanUseAreRefused) {
+    for (const char* name : {"switch", "test", "install"}) {
+        const auto outcome = run({name, "component"});
+        EXPECT_EQ(outcome.status, 1) << name;
+        EXPECT_NE(outcome.err.find("[OC002]"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(dir_ / name));
+    }
+}
+
+TEST_F(OrocreatePkg, ForceKeepsEveryVersionOfABuildFile) {
+    ASSERT_EQ(run({"mypkg", "component"}).status, 0);
+    dir_.write("mypkg/CMakeLists.txt", "mine");
+    ASSERT_EQ(run({"mypkg", "service", "-f"}).status, 0);
+    dir_.write("mypkg/CMakeLists.txt", "mine again");
+
+    const auto outcome = run({"mypkg", "service", "-f"});
+
+    EXPECT_EQ(read("mypkg/CMakeLists.txt.old"), "mine");
+    EXPECT_EQ(read("mypkg/CMakeLists.txt.old2"), "mine again");
+    EXPECT_NE(outcome.out.find("wrote mypkg/CMakeLists.txt.old2"), std::string::npos) << outcome.out;
+    EXPECT_FALSE(fs::exists(dir_ / "mypkg/README.md.old2"));
+}
+
+TEST_F(OrocreatePkg, GenerationDoesNotReplaceAFileOfTheUser) {
+    dir_.write("tank.xml", kManifest);
+    dir_.write("gen/tank/registration.cpp", "mine");
+    const auto outcome = run({"--generate", "tank.xml", "--output", "gen"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(read("gen/tank/registration.cpp"), "mine");
+    EXPECT_FALSE(fs::exists(dir_ / "gen/tank/ControllerBase.hpp"));
+    EXPECT_NE(outcome.err.find("gen/tank/registration.cpp: error: [EMIT002]"), std::string::npos) << outcome.err;
+}
+
 TEST_F(OrocreatePkg, EmptyMakesOnlyThePackageFile) {
     ASSERT_EQ(run({"mypkg", "empty"}).status, 0);
 
@@ -95,6 +128,14 @@ TEST_F(OrocreatePkg, GenerateWritesWhatListOutputsSays) {
     EXPECT_EQ(listed.out, files);
     EXPECT_NE(read("gen.d").find("gen/tank/ControllerBase.hpp"), std::string::npos);
     EXPECT_NE(read("gen.d").find((dir_ / "tank.xml").string()), std::string::npos);
+}
+
+TEST_F(OrocreatePkg, DepfileIsAboutAnotherFileOnRequest) {
+    dir_.write("tank.xml", kManifest);
+    const auto made =
+        run({"--generate", "tank.xml", "--output", "gen", "--depfile", "gen.d", "--depfile-target", "a stamp"});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(read("gen.d").compare(0, 10, "a\\ stamp: "), 0) << read("gen.d");
 }
 
 TEST_F(OrocreatePkg, SecondGenerationTouchesNothing) {

@@ -91,6 +91,44 @@ TEST(Typegen, DepfileNamesEveryHeaderAbsolutely) {
     EXPECT_EQ(text.find("/../"), std::string::npos);
 }
 
+TEST(Typegen, DepfileIsAboutAnotherFileOnRequest) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "--depfile", (dir / "d").string(), "--depfile-target=/a/stamp",
+                       "demo", header}),
+              0);
+    EXPECT_EQ(readFile(dir / "d").compare(0, 10, "/a/stamp: "), 0) << readFile(dir / "d");
+}
+
+TEST(Typegen, IncludesAHeaderUnderTheGivenName) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    ASSERT_EQ(typegen({"-o", (dir / "out").string(), "--include-as=" + header + "=demo/types.hpp", "demo", header}), 0);
+    const std::string text = readFile(dir / "out/types/demo/typekit/Types.hpp");
+    EXPECT_NE(text.find("#include <demo/types.hpp>"), std::string::npos) << text;
+}
+
+TEST(Typegen, ReadsHeadersWithTheOptionsOfAFile) {
+    const TempDir dir;
+    const auto flags = dir.write("flags", "-O2\n-std=c++11\n-DUSE_FLOAT\n").string();
+    const auto header = dir.write("types.hpp",
+                                  "#include <string_view>\n#ifdef USE_FLOAT\nstruct A { float x; };\n"
+                                  "#else\nstruct A { int x; };\n#endif\n")
+                            .string();
+    std::string model;
+    ASSERT_EQ(typegen({"--dump=model", "--flags-from", flags, "demo", header}, &model), 0);
+    EXPECT_NE(model.find("\"float\""), std::string::npos) << model;
+}
+
+TEST(Typegen, DoesNotReplaceAFileOfTheUser) {
+    const TempDir dir;
+    const auto header = dir.write("types.hpp", kHeader).string();
+    dir.write("out/Plugin.cpp", "// by hand\n");
+    EXPECT_EQ(typegen({"-o", (dir / "out").string(), "demo", header}), 1);
+    EXPECT_EQ(readFile(dir / "out/Plugin.cpp"), "// by hand\n");
+    EXPECT_FALSE(fs::exists(dir / "out/types_0.cpp"));
+}
+
 TEST(Typegen, FailureLeavesEarlierOutputAlone) {
     const TempDir dir;
     const auto header = dir.write("types.hpp", kHeader).string();

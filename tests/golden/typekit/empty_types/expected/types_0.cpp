@@ -16,18 +16,23 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::empty_types::Holder) == 8 && alignof(::empty_types::Holder) == 4,
-              "typegen saw another empty_types::Holder: do macros such as __orogen change it?");
+              "typegen saw another empty_types::Holder: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::empty_types::Holder, tag) == 0, "typegen saw another empty_types::Holder::tag");
+static_assert(std::is_same_v<decltype(::empty_types::Holder::tag), ::empty_types::Tag>, "typegen saw another type of empty_types::Holder::tag");
 static_assert(__builtin_offsetof(::empty_types::Holder, id) == 4, "typegen saw another empty_types::Holder::id");
+static_assert(std::is_same_v<decltype(::empty_types::Holder::id), ::empty_types::Id>, "typegen saw another type of empty_types::Holder::id");
 
+template class RTT::internal::DataSource<::empty_types::Holder>;
+template class RTT::internal::AssignableDataSource<::empty_types::Holder>;
 template class RTT::OutputPort<::empty_types::Holder>;
 template class RTT::InputPort<::empty_types::Holder>;
 template class RTT::Property<::empty_types::Holder>;
 template class RTT::Attribute<::empty_types::Holder>;
-template class RTT::internal::DataSource<::empty_types::Holder>;
-template class RTT::internal::AssignableDataSource<::empty_types::Holder>;
 template class RTT::internal::ValueDataSource<::empty_types::Holder>;
 template class RTT::internal::ConstantDataSource<::empty_types::Holder>;
 template class RTT::internal::ReferenceDataSource<::empty_types::Holder>;

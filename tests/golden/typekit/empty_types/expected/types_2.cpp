@@ -16,16 +16,19 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::empty_types::Tag) == 1 && alignof(::empty_types::Tag) == 1,
-              "typegen saw another empty_types::Tag: do macros such as __orogen change it?");
+              "typegen saw another empty_types::Tag: do __orogen or options of the compiler change it?");
 
+template class RTT::internal::DataSource<::empty_types::Tag>;
+template class RTT::internal::AssignableDataSource<::empty_types::Tag>;
 template class RTT::OutputPort<::empty_types::Tag>;
 template class RTT::InputPort<::empty_types::Tag>;
 template class RTT::Property<::empty_types::Tag>;
 template class RTT::Attribute<::empty_types::Tag>;
-template class RTT::internal::DataSource<::empty_types::Tag>;
-template class RTT::internal::AssignableDataSource<::empty_types::Tag>;
 template class RTT::internal::ValueDataSource<::empty_types::Tag>;
 template class RTT::internal::ConstantDataSource<::empty_types::Tag>;
 template class RTT::internal::ReferenceDataSource<::empty_types::Tag>;

@@ -16,15 +16,18 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::empty_types::Id) == 4, "typegen saw another empty_types::Id");
 
+template class RTT::internal::DataSource<::empty_types::Id>;
+template class RTT::internal::AssignableDataSource<::empty_types::Id>;
 template class RTT::OutputPort<::empty_types::Id>;
 template class RTT::InputPort<::empty_types::Id>;
 template class RTT::Property<::empty_types::Id>;
 template class RTT::Attribute<::empty_types::Id>;
-template class RTT::internal::DataSource<::empty_types::Id>;
-template class RTT::internal::AssignableDataSource<::empty_types::Id>;
 template class RTT::internal::ValueDataSource<::empty_types::Id>;
 template class RTT::internal::ConstantDataSource<::empty_types::Id>;
 template class RTT::internal::ReferenceDataSource<::empty_types::Id>;

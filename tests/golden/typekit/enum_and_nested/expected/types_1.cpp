@@ -16,30 +16,35 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::enum_and_nested::State::Part) == 40 && alignof(::enum_and_nested::State::Part) == 8,
-              "typegen saw another enum_and_nested::State::Part: do macros such as __orogen change it?");
+              "typegen saw another enum_and_nested::State::Part: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::enum_and_nested::State::Part, ok) == 0, "typegen saw another enum_and_nested::State::Part::ok");
+static_assert(std::is_same_v<decltype(::enum_and_nested::State::Part::ok), bool>, "typegen saw another type of enum_and_nested::State::Part::ok");
 static_assert(__builtin_offsetof(::enum_and_nested::State::Part, text) == 8, "typegen saw another enum_and_nested::State::Part::text");
+static_assert(std::is_same_v<decltype(::enum_and_nested::State::Part::text), std::string>, "typegen saw another type of enum_and_nested::State::Part::text");
 
 static_assert(sizeof(::enum_and_nested::Mode) == 1, "typegen saw another enum_and_nested::Mode");
 
+template class RTT::internal::DataSource<::enum_and_nested::State::Part>;
+template class RTT::internal::AssignableDataSource<::enum_and_nested::State::Part>;
 template class RTT::OutputPort<::enum_and_nested::State::Part>;
 template class RTT::InputPort<::enum_and_nested::State::Part>;
 template class RTT::Property<::enum_and_nested::State::Part>;
 template class RTT::Attribute<::enum_and_nested::State::Part>;
-template class RTT::internal::DataSource<::enum_and_nested::State::Part>;
-template class RTT::internal::AssignableDataSource<::enum_and_nested::State::Part>;
 template class RTT::internal::ValueDataSource<::enum_and_nested::State::Part>;
 template class RTT::internal::ConstantDataSource<::enum_and_nested::State::Part>;
 template class RTT::internal::ReferenceDataSource<::enum_and_nested::State::Part>;
 template class RTT::base::ChannelElement<::enum_and_nested::State::Part>;
+template class RTT::internal::DataSource<::enum_and_nested::Mode>;
+template class RTT::internal::AssignableDataSource<::enum_and_nested::Mode>;
 template class RTT::OutputPort<::enum_and_nested::Mode>;
 template class RTT::InputPort<::enum_and_nested::Mode>;
 template class RTT::Property<::enum_and_nested::Mode>;
 template class RTT::Attribute<::enum_and_nested::Mode>;
-template class RTT::internal::DataSource<::enum_and_nested::Mode>;
-template class RTT::internal::AssignableDataSource<::enum_and_nested::Mode>;
 template class RTT::internal::ValueDataSource<::enum_and_nested::Mode>;
 template class RTT::internal::ConstantDataSource<::enum_and_nested::Mode>;
 template class RTT::internal::ReferenceDataSource<::enum_and_nested::Mode>;

@@ -16,18 +16,23 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::enum_and_nested::State) == 48 && alignof(::enum_and_nested::State) == 8,
-              "typegen saw another enum_and_nested::State: do macros such as __orogen change it?");
+              "typegen saw another enum_and_nested::State: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::enum_and_nested::State, mode) == 0, "typegen saw another enum_and_nested::State::mode");
+static_assert(std::is_same_v<decltype(::enum_and_nested::State::mode), ::enum_and_nested::Mode>, "typegen saw another type of enum_and_nested::State::mode");
 static_assert(__builtin_offsetof(::enum_and_nested::State, part) == 8, "typegen saw another enum_and_nested::State::part");
+static_assert(std::is_same_v<decltype(::enum_and_nested::State::part), ::enum_and_nested::State::Part>, "typegen saw another type of enum_and_nested::State::part");
 
+template class RTT::internal::DataSource<::enum_and_nested::State>;
+template class RTT::internal::AssignableDataSource<::enum_and_nested::State>;
 template class RTT::OutputPort<::enum_and_nested::State>;
 template class RTT::InputPort<::enum_and_nested::State>;
 template class RTT::Property<::enum_and_nested::State>;
 template class RTT::Attribute<::enum_and_nested::State>;
-template class RTT::internal::DataSource<::enum_and_nested::State>;
-template class RTT::internal::AssignableDataSource<::enum_and_nested::State>;
 template class RTT::internal::ValueDataSource<::enum_and_nested::State>;
 template class RTT::internal::ConstantDataSource<::enum_and_nested::State>;
 template class RTT::internal::ReferenceDataSource<::enum_and_nested::State>;

@@ -16,17 +16,21 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::GoldenGlobal) == 24 && alignof(::GoldenGlobal) == 8,
-              "typegen saw another GoldenGlobal: do macros such as __orogen change it?");
+              "typegen saw another GoldenGlobal: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::GoldenGlobal, values) == 0, "typegen saw another GoldenGlobal::values");
+static_assert(std::is_same_v<decltype(::GoldenGlobal::values), std::vector<float>>, "typegen saw another type of GoldenGlobal::values");
 
+template class RTT::internal::DataSource<::GoldenGlobal>;
+template class RTT::internal::AssignableDataSource<::GoldenGlobal>;
 template class RTT::OutputPort<::GoldenGlobal>;
 template class RTT::InputPort<::GoldenGlobal>;
 template class RTT::Property<::GoldenGlobal>;
 template class RTT::Attribute<::GoldenGlobal>;
-template class RTT::internal::DataSource<::GoldenGlobal>;
-template class RTT::internal::AssignableDataSource<::GoldenGlobal>;
 template class RTT::internal::ValueDataSource<::GoldenGlobal>;
 template class RTT::internal::ConstantDataSource<::GoldenGlobal>;
 template class RTT::internal::ReferenceDataSource<::GoldenGlobal>;

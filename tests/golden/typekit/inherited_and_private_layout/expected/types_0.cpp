@@ -16,34 +16,42 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::inherited_and_private_layout::Sample) == 40 && alignof(::inherited_and_private_layout::Sample) == 8,
-              "typegen saw another inherited_and_private_layout::Sample: do macros such as __orogen change it?");
+              "typegen saw another inherited_and_private_layout::Sample: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::inherited_and_private_layout::Sample, time) == 0, "typegen saw another inherited_and_private_layout::Sample::time");
+static_assert(std::is_same_v<decltype(::inherited_and_private_layout::Sample::time), long>, "typegen saw another type of inherited_and_private_layout::Sample::time");
 static_assert(__builtin_offsetof(::inherited_and_private_layout::Sample, values) == 8, "typegen saw another inherited_and_private_layout::Sample::values");
+static_assert(std::is_same_v<decltype(::inherited_and_private_layout::Sample::values), std::vector<double>>, "typegen saw another type of inherited_and_private_layout::Sample::values");
 static_assert(__builtin_offsetof(::inherited_and_private_layout::Sample, first) == 32, "typegen saw another inherited_and_private_layout::Sample::first");
+static_assert(std::is_same_v<decltype(::inherited_and_private_layout::Sample::first), int>, "typegen saw another type of inherited_and_private_layout::Sample::first");
 static_assert(__builtin_offsetof(::inherited_and_private_layout::Sample, second) == 36, "typegen saw another inherited_and_private_layout::Sample::second");
+static_assert(std::is_same_v<decltype(::inherited_and_private_layout::Sample::second), int>, "typegen saw another type of inherited_and_private_layout::Sample::second");
 
 static_assert(sizeof(::inherited_and_private_layout::Stamped) == 8 && alignof(::inherited_and_private_layout::Stamped) == 8,
-              "typegen saw another inherited_and_private_layout::Stamped: do macros such as __orogen change it?");
+              "typegen saw another inherited_and_private_layout::Stamped: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::inherited_and_private_layout::Stamped, time) == 0, "typegen saw another inherited_and_private_layout::Stamped::time");
+static_assert(std::is_same_v<decltype(::inherited_and_private_layout::Stamped::time), long>, "typegen saw another type of inherited_and_private_layout::Stamped::time");
 
+template class RTT::internal::DataSource<::inherited_and_private_layout::Sample>;
+template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Sample>;
 template class RTT::OutputPort<::inherited_and_private_layout::Sample>;
 template class RTT::InputPort<::inherited_and_private_layout::Sample>;
 template class RTT::Property<::inherited_and_private_layout::Sample>;
 template class RTT::Attribute<::inherited_and_private_layout::Sample>;
-template class RTT::internal::DataSource<::inherited_and_private_layout::Sample>;
-template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Sample>;
 template class RTT::internal::ValueDataSource<::inherited_and_private_layout::Sample>;
 template class RTT::internal::ConstantDataSource<::inherited_and_private_layout::Sample>;
 template class RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Sample>;
 template class RTT::base::ChannelElement<::inherited_and_private_layout::Sample>;
+template class RTT::internal::DataSource<::inherited_and_private_layout::Stamped>;
+template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Stamped>;
 template class RTT::OutputPort<::inherited_and_private_layout::Stamped>;
 template class RTT::InputPort<::inherited_and_private_layout::Stamped>;
 template class RTT::Property<::inherited_and_private_layout::Stamped>;
 template class RTT::Attribute<::inherited_and_private_layout::Stamped>;
-template class RTT::internal::DataSource<::inherited_and_private_layout::Stamped>;
-template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Stamped>;
 template class RTT::internal::ValueDataSource<::inherited_and_private_layout::Stamped>;
 template class RTT::internal::ConstantDataSource<::inherited_and_private_layout::Stamped>;
 template class RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Stamped>;

@@ -16,18 +16,23 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::one_struct::Level) == 16 && alignof(::one_struct::Level) == 8,
-              "typegen saw another one_struct::Level: do macros such as __orogen change it?");
+              "typegen saw another one_struct::Level: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::one_struct::Level, value) == 0, "typegen saw another one_struct::Level::value");
+static_assert(std::is_same_v<decltype(::one_struct::Level::value), double>, "typegen saw another type of one_struct::Level::value");
 static_assert(__builtin_offsetof(::one_struct::Level, count) == 8, "typegen saw another one_struct::Level::count");
+static_assert(std::is_same_v<decltype(::one_struct::Level::count), int>, "typegen saw another type of one_struct::Level::count");
 
+template class RTT::internal::DataSource<::one_struct::Level>;
+template class RTT::internal::AssignableDataSource<::one_struct::Level>;
 template class RTT::OutputPort<::one_struct::Level>;
 template class RTT::InputPort<::one_struct::Level>;
 template class RTT::Property<::one_struct::Level>;
 template class RTT::Attribute<::one_struct::Level>;
-template class RTT::internal::DataSource<::one_struct::Level>;
-template class RTT::internal::AssignableDataSource<::one_struct::Level>;
 template class RTT::internal::ValueDataSource<::one_struct::Level>;
 template class RTT::internal::ConstantDataSource<::one_struct::Level>;
 template class RTT::internal::ReferenceDataSource<::one_struct::Level>;

@@ -16,18 +16,23 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::sequences_and_arrays::Point) == 16 && alignof(::sequences_and_arrays::Point) == 8,
-              "typegen saw another sequences_and_arrays::Point: do macros such as __orogen change it?");
+              "typegen saw another sequences_and_arrays::Point: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Point, x) == 0, "typegen saw another sequences_and_arrays::Point::x");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Point::x), double>, "typegen saw another type of sequences_and_arrays::Point::x");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Point, y) == 8, "typegen saw another sequences_and_arrays::Point::y");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Point::y), double>, "typegen saw another type of sequences_and_arrays::Point::y");
 
+template class RTT::internal::DataSource<::sequences_and_arrays::Point>;
+template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Point>;
 template class RTT::OutputPort<::sequences_and_arrays::Point>;
 template class RTT::InputPort<::sequences_and_arrays::Point>;
 template class RTT::Property<::sequences_and_arrays::Point>;
 template class RTT::Attribute<::sequences_and_arrays::Point>;
-template class RTT::internal::DataSource<::sequences_and_arrays::Point>;
-template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Point>;
 template class RTT::internal::ValueDataSource<::sequences_and_arrays::Point>;
 template class RTT::internal::ConstantDataSource<::sequences_and_arrays::Point>;
 template class RTT::internal::ReferenceDataSource<::sequences_and_arrays::Point>;

@@ -16,21 +16,32 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::sequences_and_arrays::Path) == 96 && alignof(::sequences_and_arrays::Path) == 8,
-              "typegen saw another sequences_and_arrays::Path: do macros such as __orogen change it?");
+              "typegen saw another sequences_and_arrays::Path: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, points) == 0, "typegen saw another sequences_and_arrays::Path::points");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::points), std::vector<::sequences_and_arrays::Point>>, "typegen saw another type of sequences_and_arrays::Path::points");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, rows) == 24, "typegen saw another sequences_and_arrays::Path::rows");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::rows), std::vector<std::vector<double>>>, "typegen saw another type of sequences_and_arrays::Path::rows");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, axis) == 48, "typegen saw another sequences_and_arrays::Path::axis");
+static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().axis[0]), short&>,
+              "typegen saw another type of sequences_and_arrays::Path::axis");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, label) == 54, "typegen saw another sequences_and_arrays::Path::label");
+static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().label[0]), char&>,
+              "typegen saw another type of sequences_and_arrays::Path::label");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, corners) == 64, "typegen saw another sequences_and_arrays::Path::corners");
+static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().corners[0]), ::sequences_and_arrays::Point&>,
+              "typegen saw another type of sequences_and_arrays::Path::corners");
 
+template class RTT::internal::DataSource<::sequences_and_arrays::Path>;
+template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Path>;
 template class RTT::OutputPort<::sequences_and_arrays::Path>;
 template class RTT::InputPort<::sequences_and_arrays::Path>;
 template class RTT::Property<::sequences_and_arrays::Path>;
 template class RTT::Attribute<::sequences_and_arrays::Path>;
-template class RTT::internal::DataSource<::sequences_and_arrays::Path>;
-template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Path>;
 template class RTT::internal::ValueDataSource<::sequences_and_arrays::Path>;
 template class RTT::internal::ConstantDataSource<::sequences_and_arrays::Path>;
 template class RTT::internal::ReferenceDataSource<::sequences_and_arrays::Path>;

@@ -16,14 +16,17 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 
+template class RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
+template class RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::Property<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
 template class RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;

@@ -16,6 +16,9 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 
 namespace oroforge_typekit_sequences_and_arrays {

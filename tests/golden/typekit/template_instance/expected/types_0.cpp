@@ -16,17 +16,22 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::template_instance::Vec<double, 3>) == 24 && alignof(::template_instance::Vec<double, 3>) == 8,
-              "typegen saw another template_instance::Vec<double, 3>: do macros such as __orogen change it?");
+              "typegen saw another template_instance::Vec<double, 3>: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::template_instance::Vec<double, 3>, v) == 0, "typegen saw another template_instance::Vec<double, 3>::v");
+static_assert(std::is_same_v<decltype(std::declval<::template_instance::Vec<double, 3>&>().v[0]), double&>,
+              "typegen saw another type of template_instance::Vec<double, 3>::v");
 
+template class RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
+template class RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::OutputPort<::template_instance::Vec<double, 3>>;
 template class RTT::InputPort<::template_instance::Vec<double, 3>>;
 template class RTT::Property<::template_instance::Vec<double, 3>>;
 template class RTT::Attribute<::template_instance::Vec<double, 3>>;
-template class RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
-template class RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::ValueDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;

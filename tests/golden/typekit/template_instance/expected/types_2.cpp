@@ -16,17 +16,21 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::template_instance::Pose) == 24 && alignof(::template_instance::Pose) == 8,
-              "typegen saw another template_instance::Pose: do macros such as __orogen change it?");
+              "typegen saw another template_instance::Pose: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::template_instance::Pose, position) == 0, "typegen saw another template_instance::Pose::position");
+static_assert(std::is_same_v<decltype(::template_instance::Pose::position), ::template_instance::Vec<double, 3>>, "typegen saw another type of template_instance::Pose::position");
 
+template class RTT::internal::DataSource<::template_instance::Pose>;
+template class RTT::internal::AssignableDataSource<::template_instance::Pose>;
 template class RTT::OutputPort<::template_instance::Pose>;
 template class RTT::InputPort<::template_instance::Pose>;
 template class RTT::Property<::template_instance::Pose>;
 template class RTT::Attribute<::template_instance::Pose>;
-template class RTT::internal::DataSource<::template_instance::Pose>;
-template class RTT::internal::AssignableDataSource<::template_instance::Pose>;
 template class RTT::internal::ValueDataSource<::template_instance::Pose>;
 template class RTT::internal::ConstantDataSource<::template_instance::Pose>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Pose>;

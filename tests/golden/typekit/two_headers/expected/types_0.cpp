@@ -16,17 +16,21 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::two_headers::First) == 4 && alignof(::two_headers::First) == 4,
-              "typegen saw another two_headers::First: do macros such as __orogen change it?");
+              "typegen saw another two_headers::First: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::two_headers::First, a) == 0, "typegen saw another two_headers::First::a");
+static_assert(std::is_same_v<decltype(::two_headers::First::a), int>, "typegen saw another type of two_headers::First::a");
 
+template class RTT::internal::DataSource<::two_headers::First>;
+template class RTT::internal::AssignableDataSource<::two_headers::First>;
 template class RTT::OutputPort<::two_headers::First>;
 template class RTT::InputPort<::two_headers::First>;
 template class RTT::Property<::two_headers::First>;
 template class RTT::Attribute<::two_headers::First>;
-template class RTT::internal::DataSource<::two_headers::First>;
-template class RTT::internal::AssignableDataSource<::two_headers::First>;
 template class RTT::internal::ValueDataSource<::two_headers::First>;
 template class RTT::internal::ConstantDataSource<::two_headers::First>;
 template class RTT::internal::ReferenceDataSource<::two_headers::First>;

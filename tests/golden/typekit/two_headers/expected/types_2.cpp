@@ -16,18 +16,23 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <type_traits>
+#include <utility>
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::two_headers::Second) == 16 && alignof(::two_headers::Second) == 8,
-              "typegen saw another two_headers::Second: do macros such as __orogen change it?");
+              "typegen saw another two_headers::Second: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::two_headers::Second, first) == 0, "typegen saw another two_headers::Second::first");
+static_assert(std::is_same_v<decltype(::two_headers::Second::first), ::two_headers::First>, "typegen saw another type of two_headers::Second::first");
 static_assert(__builtin_offsetof(::two_headers::Second, big) == 8, "typegen saw another two_headers::Second::big");
+static_assert(std::is_same_v<decltype(::two_headers::Second::big), unsigned long long>, "typegen saw another type of two_headers::Second::big");
 
+template class RTT::internal::DataSource<::two_headers::Second>;
+template class RTT::internal::AssignableDataSource<::two_headers::Second>;
 template class RTT::OutputPort<::two_headers::Second>;
 template class RTT::InputPort<::two_headers::Second>;
 template class RTT::Property<::two_headers::Second>;
 template class RTT::Attribute<::two_headers::Second>;
-template class RTT::internal::DataSource<::two_headers::Second>;
-template class RTT::internal::AssignableDataSource<::two_headers::Second>;
 template class RTT::internal::ValueDataSource<::two_headers::Second>;
 template class RTT::internal::ConstantDataSource<::two_headers::Second>;
 template class RTT::internal::ReferenceDataSource<::two_headers::Second>;

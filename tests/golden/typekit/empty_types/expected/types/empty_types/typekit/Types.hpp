@@ -17,36 +17,40 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::empty_types::Holder>;
-extern template class RTT::InputPort<::empty_types::Holder>;
-extern template class RTT::Property<::empty_types::Holder>;
-extern template class RTT::Attribute<::empty_types::Holder>;
-extern template class RTT::internal::DataSource<::empty_types::Holder>;
-extern template class RTT::internal::AssignableDataSource<::empty_types::Holder>;
-extern template class RTT::internal::ValueDataSource<::empty_types::Holder>;
-extern template class RTT::internal::ConstantDataSource<::empty_types::Holder>;
-extern template class RTT::internal::ReferenceDataSource<::empty_types::Holder>;
-extern template class RTT::base::ChannelElement<::empty_types::Holder>;
-extern template class RTT::OutputPort<::empty_types::Tag>;
-extern template class RTT::InputPort<::empty_types::Tag>;
-extern template class RTT::Property<::empty_types::Tag>;
-extern template class RTT::Attribute<::empty_types::Tag>;
-extern template class RTT::internal::DataSource<::empty_types::Tag>;
-extern template class RTT::internal::AssignableDataSource<::empty_types::Tag>;
-extern template class RTT::internal::ValueDataSource<::empty_types::Tag>;
-extern template class RTT::internal::ConstantDataSource<::empty_types::Tag>;
-extern template class RTT::internal::ReferenceDataSource<::empty_types::Tag>;
-extern template class RTT::base::ChannelElement<::empty_types::Tag>;
-extern template class RTT::OutputPort<::empty_types::Id>;
-extern template class RTT::InputPort<::empty_types::Id>;
-extern template class RTT::Property<::empty_types::Id>;
-extern template class RTT::Attribute<::empty_types::Id>;
-extern template class RTT::internal::DataSource<::empty_types::Id>;
-extern template class RTT::internal::AssignableDataSource<::empty_types::Id>;
-extern template class RTT::internal::ValueDataSource<::empty_types::Id>;
-extern template class RTT::internal::ConstantDataSource<::empty_types::Id>;
-extern template class RTT::internal::ReferenceDataSource<::empty_types::Id>;
-extern template class RTT::base::ChannelElement<::empty_types::Id>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::OutputPort<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::InputPort<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::Property<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::Attribute<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::empty_types::Holder>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::OutputPort<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::InputPort<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::Property<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::Attribute<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::empty_types::Tag>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::OutputPort<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::InputPort<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::Property<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::Attribute<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::empty_types::Id>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::empty_types::Id>;
+#pragma GCC diagnostic pop
 
 #endif

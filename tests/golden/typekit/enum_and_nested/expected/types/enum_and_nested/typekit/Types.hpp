@@ -17,36 +17,40 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::enum_and_nested::State>;
-extern template class RTT::InputPort<::enum_and_nested::State>;
-extern template class RTT::Property<::enum_and_nested::State>;
-extern template class RTT::Attribute<::enum_and_nested::State>;
-extern template class RTT::internal::DataSource<::enum_and_nested::State>;
-extern template class RTT::internal::AssignableDataSource<::enum_and_nested::State>;
-extern template class RTT::internal::ValueDataSource<::enum_and_nested::State>;
-extern template class RTT::internal::ConstantDataSource<::enum_and_nested::State>;
-extern template class RTT::internal::ReferenceDataSource<::enum_and_nested::State>;
-extern template class RTT::base::ChannelElement<::enum_and_nested::State>;
-extern template class RTT::OutputPort<::enum_and_nested::State::Part>;
-extern template class RTT::InputPort<::enum_and_nested::State::Part>;
-extern template class RTT::Property<::enum_and_nested::State::Part>;
-extern template class RTT::Attribute<::enum_and_nested::State::Part>;
-extern template class RTT::internal::DataSource<::enum_and_nested::State::Part>;
-extern template class RTT::internal::AssignableDataSource<::enum_and_nested::State::Part>;
-extern template class RTT::internal::ValueDataSource<::enum_and_nested::State::Part>;
-extern template class RTT::internal::ConstantDataSource<::enum_and_nested::State::Part>;
-extern template class RTT::internal::ReferenceDataSource<::enum_and_nested::State::Part>;
-extern template class RTT::base::ChannelElement<::enum_and_nested::State::Part>;
-extern template class RTT::OutputPort<::enum_and_nested::Mode>;
-extern template class RTT::InputPort<::enum_and_nested::Mode>;
-extern template class RTT::Property<::enum_and_nested::Mode>;
-extern template class RTT::Attribute<::enum_and_nested::Mode>;
-extern template class RTT::internal::DataSource<::enum_and_nested::Mode>;
-extern template class RTT::internal::AssignableDataSource<::enum_and_nested::Mode>;
-extern template class RTT::internal::ValueDataSource<::enum_and_nested::Mode>;
-extern template class RTT::internal::ConstantDataSource<::enum_and_nested::Mode>;
-extern template class RTT::internal::ReferenceDataSource<::enum_and_nested::Mode>;
-extern template class RTT::base::ChannelElement<::enum_and_nested::Mode>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::OutputPort<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::InputPort<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::Property<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::Attribute<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::enum_and_nested::State>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::OutputPort<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::InputPort<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::Property<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::Attribute<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::enum_and_nested::State::Part>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::OutputPort<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::InputPort<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::Property<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::Attribute<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::enum_and_nested::Mode>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::enum_and_nested::Mode>;
+#pragma GCC diagnostic pop
 
 #endif

@@ -17,16 +17,20 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::GoldenGlobal>;
-extern template class RTT::InputPort<::GoldenGlobal>;
-extern template class RTT::Property<::GoldenGlobal>;
-extern template class RTT::Attribute<::GoldenGlobal>;
-extern template class RTT::internal::DataSource<::GoldenGlobal>;
-extern template class RTT::internal::AssignableDataSource<::GoldenGlobal>;
-extern template class RTT::internal::ValueDataSource<::GoldenGlobal>;
-extern template class RTT::internal::ConstantDataSource<::GoldenGlobal>;
-extern template class RTT::internal::ReferenceDataSource<::GoldenGlobal>;
-extern template class RTT::base::ChannelElement<::GoldenGlobal>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::OutputPort<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::InputPort<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::Property<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::Attribute<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::GoldenGlobal>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::GoldenGlobal>;
+#pragma GCC diagnostic pop
 
 #endif

@@ -17,26 +17,30 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::inherited_and_private_layout::Sample>;
-extern template class RTT::InputPort<::inherited_and_private_layout::Sample>;
-extern template class RTT::Property<::inherited_and_private_layout::Sample>;
-extern template class RTT::Attribute<::inherited_and_private_layout::Sample>;
-extern template class RTT::internal::DataSource<::inherited_and_private_layout::Sample>;
-extern template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Sample>;
-extern template class RTT::internal::ValueDataSource<::inherited_and_private_layout::Sample>;
-extern template class RTT::internal::ConstantDataSource<::inherited_and_private_layout::Sample>;
-extern template class RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Sample>;
-extern template class RTT::base::ChannelElement<::inherited_and_private_layout::Sample>;
-extern template class RTT::OutputPort<::inherited_and_private_layout::Stamped>;
-extern template class RTT::InputPort<::inherited_and_private_layout::Stamped>;
-extern template class RTT::Property<::inherited_and_private_layout::Stamped>;
-extern template class RTT::Attribute<::inherited_and_private_layout::Stamped>;
-extern template class RTT::internal::DataSource<::inherited_and_private_layout::Stamped>;
-extern template class RTT::internal::AssignableDataSource<::inherited_and_private_layout::Stamped>;
-extern template class RTT::internal::ValueDataSource<::inherited_and_private_layout::Stamped>;
-extern template class RTT::internal::ConstantDataSource<::inherited_and_private_layout::Stamped>;
-extern template class RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Stamped>;
-extern template class RTT::base::ChannelElement<::inherited_and_private_layout::Stamped>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::OutputPort<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::InputPort<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::Property<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::Attribute<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::inherited_and_private_layout::Sample>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::OutputPort<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::InputPort<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::Property<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::Attribute<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Stamped>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::inherited_and_private_layout::Stamped>;
+#pragma GCC diagnostic pop
 
 #endif

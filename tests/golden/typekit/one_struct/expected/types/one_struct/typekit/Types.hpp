@@ -17,16 +17,20 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::one_struct::Level>;
-extern template class RTT::InputPort<::one_struct::Level>;
-extern template class RTT::Property<::one_struct::Level>;
-extern template class RTT::Attribute<::one_struct::Level>;
-extern template class RTT::internal::DataSource<::one_struct::Level>;
-extern template class RTT::internal::AssignableDataSource<::one_struct::Level>;
-extern template class RTT::internal::ValueDataSource<::one_struct::Level>;
-extern template class RTT::internal::ConstantDataSource<::one_struct::Level>;
-extern template class RTT::internal::ReferenceDataSource<::one_struct::Level>;
-extern template class RTT::base::ChannelElement<::one_struct::Level>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::OutputPort<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::InputPort<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::Property<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::Attribute<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::one_struct::Level>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::one_struct::Level>;
+#pragma GCC diagnostic pop
 
 #endif

@@ -17,36 +17,40 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::sequences_and_arrays::Path>;
-extern template class RTT::InputPort<::sequences_and_arrays::Path>;
-extern template class RTT::Property<::sequences_and_arrays::Path>;
-extern template class RTT::Attribute<::sequences_and_arrays::Path>;
-extern template class RTT::internal::DataSource<::sequences_and_arrays::Path>;
-extern template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Path>;
-extern template class RTT::internal::ValueDataSource<::sequences_and_arrays::Path>;
-extern template class RTT::internal::ConstantDataSource<::sequences_and_arrays::Path>;
-extern template class RTT::internal::ReferenceDataSource<::sequences_and_arrays::Path>;
-extern template class RTT::base::ChannelElement<::sequences_and_arrays::Path>;
-extern template class RTT::OutputPort<::sequences_and_arrays::Point>;
-extern template class RTT::InputPort<::sequences_and_arrays::Point>;
-extern template class RTT::Property<::sequences_and_arrays::Point>;
-extern template class RTT::Attribute<::sequences_and_arrays::Point>;
-extern template class RTT::internal::DataSource<::sequences_and_arrays::Point>;
-extern template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Point>;
-extern template class RTT::internal::ValueDataSource<::sequences_and_arrays::Point>;
-extern template class RTT::internal::ConstantDataSource<::sequences_and_arrays::Point>;
-extern template class RTT::internal::ReferenceDataSource<::sequences_and_arrays::Point>;
-extern template class RTT::base::ChannelElement<::sequences_and_arrays::Point>;
-extern template class RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::Property<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::OutputPort<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::InputPort<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::Property<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::Attribute<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::sequences_and_arrays::Path>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::OutputPort<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::InputPort<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::Property<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::Attribute<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::sequences_and_arrays::Point>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::Property<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
+#pragma GCC diagnostic pop
 
 #endif

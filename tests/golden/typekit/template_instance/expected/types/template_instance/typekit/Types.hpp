@@ -17,26 +17,30 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::template_instance::Pose>;
-extern template class RTT::InputPort<::template_instance::Pose>;
-extern template class RTT::Property<::template_instance::Pose>;
-extern template class RTT::Attribute<::template_instance::Pose>;
-extern template class RTT::internal::DataSource<::template_instance::Pose>;
-extern template class RTT::internal::AssignableDataSource<::template_instance::Pose>;
-extern template class RTT::internal::ValueDataSource<::template_instance::Pose>;
-extern template class RTT::internal::ConstantDataSource<::template_instance::Pose>;
-extern template class RTT::internal::ReferenceDataSource<::template_instance::Pose>;
-extern template class RTT::base::ChannelElement<::template_instance::Pose>;
-extern template class RTT::OutputPort<::template_instance::Vec<double, 3>>;
-extern template class RTT::InputPort<::template_instance::Vec<double, 3>>;
-extern template class RTT::Property<::template_instance::Vec<double, 3>>;
-extern template class RTT::Attribute<::template_instance::Vec<double, 3>>;
-extern template class RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
-extern template class RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
-extern template class RTT::internal::ValueDataSource<::template_instance::Vec<double, 3>>;
-extern template class RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
-extern template class RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;
-extern template class RTT::base::ChannelElement<::template_instance::Vec<double, 3>>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::OutputPort<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::InputPort<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::Property<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::Attribute<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::template_instance::Pose>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::OutputPort<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::InputPort<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::Property<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::Attribute<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::template_instance::Vec<double, 3>>;
+#pragma GCC diagnostic pop
 
 #endif

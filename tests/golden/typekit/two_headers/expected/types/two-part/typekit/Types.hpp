@@ -18,26 +18,30 @@
 #include <rtt/base/ChannelElement.hpp>
 #include <rtt/internal/DataSources.hpp>
 
-// Instantiated in the typekit; the library must be linked.
-extern template class RTT::OutputPort<::two_headers::First>;
-extern template class RTT::InputPort<::two_headers::First>;
-extern template class RTT::Property<::two_headers::First>;
-extern template class RTT::Attribute<::two_headers::First>;
-extern template class RTT::internal::DataSource<::two_headers::First>;
-extern template class RTT::internal::AssignableDataSource<::two_headers::First>;
-extern template class RTT::internal::ValueDataSource<::two_headers::First>;
-extern template class RTT::internal::ConstantDataSource<::two_headers::First>;
-extern template class RTT::internal::ReferenceDataSource<::two_headers::First>;
-extern template class RTT::base::ChannelElement<::two_headers::First>;
-extern template class RTT::OutputPort<::two_headers::Second>;
-extern template class RTT::InputPort<::two_headers::Second>;
-extern template class RTT::Property<::two_headers::Second>;
-extern template class RTT::Attribute<::two_headers::Second>;
-extern template class RTT::internal::DataSource<::two_headers::Second>;
-extern template class RTT::internal::AssignableDataSource<::two_headers::Second>;
-extern template class RTT::internal::ValueDataSource<::two_headers::Second>;
-extern template class RTT::internal::ConstantDataSource<::two_headers::Second>;
-extern template class RTT::internal::ReferenceDataSource<::two_headers::Second>;
-extern template class RTT::base::ChannelElement<::two_headers::Second>;
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::two_headers::First>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::two_headers::First>;
+extern template class RTT_EXPORT RTT::OutputPort<::two_headers::First>;
+extern template class RTT_EXPORT RTT::InputPort<::two_headers::First>;
+extern template class RTT_EXPORT RTT::Property<::two_headers::First>;
+extern template class RTT_EXPORT RTT::Attribute<::two_headers::First>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::two_headers::First>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::two_headers::First>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::two_headers::First>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::two_headers::First>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::OutputPort<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::InputPort<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::Property<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::Attribute<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::two_headers::Second>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::two_headers::Second>;
+#pragma GCC diagnostic pop
 
 #endif

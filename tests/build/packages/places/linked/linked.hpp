@@ -1,0 +1,2 @@
+#pragma once
+namespace places { struct Linked { int number; }; }

@@ -1,0 +1,2 @@
+#pragma once
+namespace places { struct Sub { int c; }; }

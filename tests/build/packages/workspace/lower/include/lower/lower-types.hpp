@@ -1,0 +1,3 @@
+#pragma once
+#include <vector>
+namespace lower { struct Sample { std::vector<double> values; int number; }; }

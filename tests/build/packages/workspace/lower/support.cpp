@@ -1,0 +1,1 @@
+int lowerSupport() { return 21; }

@@ -1,0 +1,3 @@
+#pragma once
+#include <lower/typekit/Types.hpp>
+namespace upper { struct Pair { lower::Sample first, second; }; }

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Packages say in many ways which C++ they want: less than C++17 is raised, more is kept.
+source "$(dirname "$0")/package_test.sh"
+
+mkdir "$work/pkg"
+cd "$work/pkg"
+cat > CMakeLists.txt << 'TXT'
+cmake_minimum_required(VERSION 2.8.12)
+project(standards CXX)
+find_package(OROCOS-RTT REQUIRED)
+include(${OROCOS-RTT_USE_FILE_PATH}/UseOROCOS-RTT.cmake)
+TXT
+printf '#if __cplusplus < WANTED\n#error "too old a standard"\n#endif\n' > check.cpp
+way() { # name wanted text
+  mkdir "$1"
+  printf '%s\n' "$3" > "$1/CMakeLists.txt"
+  printf 'target_compile_definitions(%s PRIVATE WANTED=%s)\n' "$1" "$2" >> "$1/CMakeLists.txt"
+  echo "add_subdirectory($1)" >> CMakeLists.txt
+}
+way none 201703L 'orocos_library(none ../check.cpp)'
+way variable 201703L 'set(CMAKE_CXX_STANDARD 11)
+orocos_library(variable ../check.cpp)'
+way definitions 201703L 'add_definitions(-std=c++11)
+orocos_library(definitions ../check.cpp)'
+way options 201703L 'add_compile_options(-std=c++0x)
+orocos_library(options ../check.cpp)'
+way flags 201703L 'set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -std=c++14")
+orocos_library(flags ../check.cpp)'
+way late_flags 201703L 'orocos_library(late_flags ../check.cpp)
+set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -std=c++11")'
+way build_type 201703L 'set(CMAKE_CXX_FLAGS_RELEASE "-O2 -std=c++11")
+orocos_library(build_type ../check.cpp)'
+way property 201703L 'orocos_library(property ../check.cpp)
+set_target_properties(property PROPERTIES COMPILE_FLAGS "-std=c++11")'
+way target_options 201703L 'orocos_library(target_options ../check.cpp)
+target_compile_options(target_options PRIVATE -std=gnu++11)'
+way macro 201703L 'orocos_executable(macro ../check.cpp ../main.cpp)
+orocos_add_compile_flags(macro -std=c++11)'
+way newer 202002L 'add_definitions(-std=c++20)
+orocos_library(newer ../check.cpp)'
+way newer_variable 202002L 'set(CMAKE_CXX_STANDARD 20)
+orocos_library(newer_variable ../check.cpp)'
+echo 'int main() {}' > main.cpp
+build_package "$work/pkg" "$work/b" "$work/inst" -DCMAKE_BUILD_TYPE=Release

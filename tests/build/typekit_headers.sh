@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Wherever a header of a typekit lies and whatever options its package compiles with, typegen sees it as the compiler
+# does, and other packages can use it, with nothing but orocos_typegen_headers().
+source "$(dirname "$0")/package_test.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+
+cp -r "$here/packages/places" "$here/packages/depends" "$work"
+for generator in Ninja "Unix Makefiles"; do
+  rm -rf "$work/b" "$work/inst"
+  build_package "$work/places" "$work/b" "$work/inst" -G "$generator" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror"
+done
+headers=$work/inst/include/orocos
+for file in places/places-types.hpp places/root-types.hpp places/models/States.hpp places/folder/sub.hpp places/typekit/Types.hpp; do
+  expect_file "$headers/$file"
+done
+[ "$(ls "$headers")" = places ] || fail "headers outside the package's folder"
+
+# A header that is added to a listed folder belongs to the typekit from the next build on.
+printf '#pragma once\nnamespace places { struct Late { int late; }; }\n' > "$work/places/src/folder/late.hpp"
+cmake --build "$work/b" > "$work/b.log" 2>&1 || { cat "$work/b.log"; fail "build with a new header"; }
+grep -rq '"late"' "$work/b/typekit" || fail "a header that was added to a folder went unnoticed"
+
+# Another package finds the typekit by CMAKE_PREFIX_PATH, and needs no more than DEPENDS.
+build_package "$work/depends" "$work/b2" "$work/inst2" -DCMAKE_PREFIX_PATH="$prefix;$work/inst"
+expect_text "$work/inst2/lib/pkgconfig/depends-typekit-gnulinux.pc" places-gnulinux
