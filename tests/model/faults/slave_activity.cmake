@@ -6,11 +6,10 @@ faulty_value(slave_relaxed_claim ${file} [=[if (queued_.exchange(true, @{std::me
   [=[std::memory_order_relaxed]=])
 faulty_statement(slave_unqueued_late ${file}
   [=[        @{queued_.exchange(false, std::memory_order_acq_rel);
-        {
-            os::MutexLock lock(mutex_);
-            if (slave_) slave_->executeTrigger();
-        }}@]=]
-  [=[if (slave_) slave_->executeTrigger(); queued_.exchange(false);]=])
+        const Owner atEnd{*this};  // also when the component throws
+        os::MutexLock lock(mutex_);
+        if (slave_) slave_->executeTrigger();}@]=]
+  [=[const Owner atEnd{*this}; os::MutexLock lock(mutex_); if (slave_) slave_->executeTrigger(); queued_.exchange(false);]=])
 faulty_statement(slave_trigger_not_served ${file} [=[        if (active) executeOnce();
     }
     @{servePending();}@]=] [=[static_cast<void>(0);]=])
