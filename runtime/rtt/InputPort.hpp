@@ -24,6 +24,8 @@ public:
 
     InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy())
         : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {}
+    /** Waits for a callback that is using this port in another thread. */
+    ~InputPort() override { this->leaveInterface(); }
 
     /** NewData: a sample never read before. OldData: none is new, `sample` is the last one again unless copy_old_data is
         false. NoData: nothing was written yet; `sample` is untouched. */

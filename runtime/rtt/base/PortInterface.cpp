@@ -23,9 +23,13 @@ PortInterface::PortInterface(const std::string& name, const types::TypeOps* ops)
 
 PortInterface::~PortInterface() = default;
 
+void PortInterface::leaveInterface() {
+    if (DataFlowInterface* iface = getInterface()) iface->forgetPort(*this);
+}
+
 void PortInterface::closeDown() {
     disconnect();
-    if (DataFlowInterface* iface = getInterface()) iface->forgetPort(*this);
+    leaveInterface();
     endpoint_->detach();
     internal::Reclaimer::synchronize();
 }

@@ -104,6 +104,8 @@ public:
 protected:
     PortInterface(const std::string& name, const types::TypeOps* ops);
 
+    /** Leaves the component; waits for a callback of this port that another thread executes. */
+    void leaveInterface();
     /** Disconnects, leaves the component and waits until no thread is inside. Every direct derived class calls it in its
         destructor, while its part still lives. */
     void closeDown();
