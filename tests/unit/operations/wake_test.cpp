@@ -50,7 +50,7 @@ struct Wakes : testing::Test {
     }
     /** Keeps the target awake in its updateHook() until `release` is set. */
     void keepAwake(std::atomic<bool>& release) {
-        std::atomic<bool> inside{false};
+        inside = false;
         target.onUpdate = [&] {
             inside = true;
             while (!release) std::this_thread::yield();
@@ -58,6 +58,7 @@ struct Wakes : testing::Test {
         ASSERT_TRUE(target.trigger());
         ASSERT_TRUE(eventually([&] { return inside.load(); }));
     }
+    std::atomic<bool> inside{false};
 };
 
 TEST_F(Wakes, EachOfThemWakesASleepingComponentWithOneSystemCall) {
