@@ -36,8 +36,9 @@ struct Cycle : testing::Test {
             done = true;
         };
         if (!x.start() || !eventually([&] { return done.load(); })) return false;
+        const bool stopped = x.stop();
         x.onUpdate = nullptr;
-        return x.stop();
+        return stopped;
     }
 };
 
@@ -63,9 +64,9 @@ TEST_F(Cycle, OfASlaveToItsMaster) {
     ASSERT_TRUE(slave.start());
     EXPECT_TRUE(inX([&] { EXPECT_TRUE(slave.update()); }));
     EXPECT_GE(served, 1);
-    slave.onUpdate = nullptr;
     EXPECT_TRUE(slave.stop());
     slave.getActivity()->stop();
+    slave.onUpdate = nullptr;
 }
 
 TEST_F(Cycle, OfTheGlobalEngineToItself) {

@@ -6,6 +6,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
+#include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
 #include <optional>
@@ -240,7 +241,9 @@ TEST(DataOnPortHook, MayAskForCallbacksWhileNotRunning) {
 
 TEST(Destructor, CallsNoHookAndFreesWhoHoldsItsServices) {
     struct Plain : TaskContext {
-        explicit Plain(std::string& hooks) : TaskContext("plain"), hooks_(hooks) {}
+        explicit Plain(std::string& hooks) : TaskContext("plain"), hooks_(hooks) {
+            setActivity(new extras::SequentialActivity());  // a thread would meet a half destroyed object
+        }
         void stopHook() override { hooks_ += "stop"; }
         void cleanupHook() override { hooks_ += "cleanup"; }
         std::string& hooks_;
