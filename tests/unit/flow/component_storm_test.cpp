@@ -81,9 +81,15 @@ TEST(ComponentStorm, MembersOfAChainAreReplacedDuringTraffic) {
         nodes[i].reset();
         nodes[i].reset(new Node(i));
         const ConnPolicy policy = i % 2 ? ConnPolicy::data() : ConnPolicy::circularBuffer(3);
-        if (i == 0) ASSERT_TRUE(source.out.connectTo(&nodes[i]->in, policy));
-        if (i > 0 && nodes[i - 1]) ASSERT_TRUE(nodes[i - 1]->out.connectTo(&nodes[i]->in, policy));
-        if (i + 1 < kNodes && nodes[i + 1]) ASSERT_TRUE(nodes[i]->out.connectTo(&nodes[i + 1]->in, policy));
+        if (i == 0) {
+            ASSERT_TRUE(source.out.connectTo(&nodes[i]->in, policy));
+        }
+        if (i > 0 && nodes[i - 1]) {
+            ASSERT_TRUE(nodes[i - 1]->out.connectTo(&nodes[i]->in, policy));
+        }
+        if (i + 1 < kNodes && nodes[i + 1]) {
+            ASSERT_TRUE(nodes[i]->out.connectTo(&nodes[i + 1]->in, policy));
+        }
         ASSERT_TRUE(nodes[i]->start());
     };
     for (int i = 0; i < kNodes; ++i) place(i);

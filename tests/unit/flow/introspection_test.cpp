@@ -94,7 +94,9 @@ TEST(Introspection, FindsAPortAtBothEndsWhoeverOfTheOthersLeft) {
         EXPECT_FALSE(out1.connected() || out3.connected() || in1.connected() || in3.connected());
         out2.disconnect();
         EXPECT_EQ(in2.connected(), owner == Shared);
-        if (owner == Shared) EXPECT_EQ(endsOf(in2, true), (Ports{&in2}));
+        if (owner == Shared) {
+            EXPECT_EQ(endsOf(in2, true), (Ports{&in2}));
+        }
     }
 }
 

@@ -87,7 +87,9 @@ TEST_P(Isolation, AReaderThatStoppedWithinAReadHindersNeitherWriterNorOtherReade
         (void)in1.read(got);
     });
     Sample got;
-    if (!sharedByReaders()) EXPECT_EQ(in2.read(got), NewData);
+    if (!sharedByReaders()) {
+        EXPECT_EQ(in2.read(got), NewData);
+    }
     const bool buffer = std::get<0>(GetParam()) == ConnPolicy::BUFFER;
     for (int i = 2; i < 100; ++i) {
         const WriteStatus status = out1.write(i);

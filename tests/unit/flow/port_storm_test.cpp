@@ -100,14 +100,19 @@ private:
         const std::uint64_t stored = kPorts * each * (perReader ? kPorts : 1);
         if (policy_.type == ConnPolicy::DATA) {
             EXPECT_LE(got, stored) << policy_;
-            if (policy_.buffer_policy == PerConnection)
+            if (policy_.buffer_policy == PerConnection) {
                 for (const Tally& tally : tallies)
                     for (const std::uint64_t last : tally.last) EXPECT_EQ(last, each) << policy_;
+            }
         } else {
             EXPECT_EQ(got + dropped, stored) << policy_;
         }
-        if (policy_.type != ConnPolicy::BUFFER) EXPECT_EQ(refused, 0u) << policy_;
-        if (policy_.type == ConnPolicy::BUFFER) EXPECT_LE(refused, dropped) << policy_;
+        if (policy_.type != ConnPolicy::BUFFER) {
+            EXPECT_EQ(refused, 0u) << policy_;
+        }
+        if (policy_.type == ConnPolicy::BUFFER) {
+            EXPECT_LE(refused, dropped) << policy_;
+        }
     }
 
     OutputPort<S> outs[kPorts];
