@@ -24,7 +24,6 @@ Syscall real() {
 
 struct Sleeper {
     std::atomic<int> tid{0};
-    std::atomic<long> sleeps{0};
     std::atomic<bool> asleep{false};
 };
 constexpr int kSleepers = 1024;  // threads of one test program, those that have ended included
@@ -50,10 +49,6 @@ Sleeper* mine() {
 
 namespace oroforge::test {
 long futexWakes() { return wakes; }
-long futexSleeps(int tid) {
-    const Sleeper* sleeper = find(tid);
-    return sleeper ? sleeper->sleeps.load() : 0;
-}
 bool isAsleep(int tid) {
     const Sleeper* sleeper = find(tid);
     return sleeper && sleeper->asleep;
@@ -73,7 +68,6 @@ extern "C" long syscall(long number, ...) noexcept {
     if (operation != FUTEX_WAIT && operation != FUTEX_WAIT_BITSET) return pass();
     Sleeper* const sleeper = mine();
     if (!sleeper) return pass();
-    ++sleeper->sleeps;
     sleeper->asleep = true;
     const long result = pass();
     sleeper->asleep = false;

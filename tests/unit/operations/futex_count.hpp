@@ -8,8 +8,6 @@ namespace oroforge::test {
 
 /** Wake-ups asked for since the start, by any thread. */
 long futexWakes();
-/** How often this thread of the system went to sleep. */
-long futexSleeps(int tid);
 /** True from just before the system call in which it sleeps until just after. */
 bool isAsleep(int tid);
 
