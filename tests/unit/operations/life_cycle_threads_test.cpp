@@ -158,9 +158,9 @@ TEST(ChangeOfState, StormOfErrorsAndRecoveriesDoesNotHinderStop) {
     Attribute<bool>(probe.getAttribute("TriggerOnStart")).set(false);
     for (int i = 0; i != 500; ++i) {
         if (!probe.start()) {
-            // error() came within startHook(): a contradiction, by definition.
-            ASSERT_TRUE(probe.inException());
-            ASSERT_TRUE(probe.recover());
+            // error() came within startHook(): a contradiction, by definition. The other thread may have recovered already.
+            probe.recover();
+            ASSERT_EQ(probe.getTaskState(), kStopped);
             continue;
         }
         ASSERT_TRUE(probe.stop());
