@@ -153,7 +153,8 @@ bool TaskCore::start() {
     switch (callHook("start()", Stopped, [this] { return startHook(); })) {
         case Outcome::Accepted:
             ++mStartCounter;
-            if (!change.leave(Stopped, Running)) return false;
+            // error() may have come at the last moment: then it runs all the same, in RunTimeError.
+            if (!change.leave(Stopped, Running) && states().state < Running) return false;
             if (mTriggerOnStart) trigger();
             return true;
         case Outcome::Refused:
