@@ -10,6 +10,7 @@
 #include <model/buffer_scenarios.hpp>
 
 RTT::internal::SampleStore::~SampleStore() = default;
+void RTT::internal::SampleStore::grow(const void*, std::size_t) {}  // traced samples have no extent
 
 namespace {
 

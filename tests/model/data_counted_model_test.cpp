@@ -8,6 +8,7 @@
 #include <rtt/internal/detail/data_counted.cpp>
 
 RTT::internal::SampleStore::~SampleStore() = default;
+void RTT::internal::SampleStore::grow(const void*, std::size_t) {}  // traced samples have no extent
 
 namespace {
 

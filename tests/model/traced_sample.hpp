@@ -6,6 +6,8 @@
 
 #include <model/checker/atomic.hpp>
 
+#include <rtt/types/TypeOps.hpp>
+
 namespace model {
 
 struct TracedSample {
@@ -15,5 +17,16 @@ struct TracedSample {
 };
 
 }  // namespace model
+
+namespace RTT {
+namespace types {
+
+template <>
+struct SampleExtent<model::TracedSample> {
+    static std::size_t of(const model::TracedSample&) { return 0; }
+};
+
+}  // namespace types
+}  // namespace RTT
 
 #endif

@@ -150,7 +150,9 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
     internal::SampleArray sample(*ops, 1, initial ? initial->get() : nullptr);
     // What setDataSample() said counts for more than the last value, which may be smaller.
     bool has_last = !initial && copyLastWritten(sample.sample(0));
-    if (channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
+    // A default value tells local storage nothing: it is made of such, and sized by the first sample that is written.
+    const bool tells = initial || has_last || !channel.storageCore();
+    if (tells && channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
         log(Error) << "output port " << getFullName()
                    << ": could not pass a data sample to the new channel, giving up the connection" << endlog();
         return false;

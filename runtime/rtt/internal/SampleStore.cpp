@@ -23,10 +23,27 @@ std::unique_ptr<SampleStore> SampleStore::make(const types::TypeOps& ops, const 
 }
 
 void SampleStore::setSample(const void* sample, bool reset) {
-    if (!reset && std::atomic_load(&prototype_)) return;
+    const bool larger = noteExtent(extentOf(sample));
+    if (!reset && !larger && std::atomic_load(&prototype_)) return;
     std::atomic_store(&prototype_, std::shared_ptr<const SampleBox>(std::make_shared<SampleBox>(ops_, sample)));
     if (reset) clear();
-    resizeElements(sample);
+    resizeElements(sample, true);
+}
+
+bool SampleStore::noteExtent(std::size_t extent) {
+    std::size_t largest = largest_.load(std::memory_order_relaxed);
+    while (extent > largest)
+        if (largest_.compare_exchange_weak(largest, extent, std::memory_order_relaxed)) return true;
+    return false;
+}
+
+void SampleStore::grow(const void* sample, std::size_t extent) {
+    if (!noteExtent(extent)) return;
+    try {
+        resizeElements(sample, false);
+    } catch (...) {
+        // The sample is written. What could not be sized now tells its reason when a sample comes to it.
+    }
 }
 
 bool SampleStore::getSample(void* sample) const {

@@ -12,7 +12,9 @@
 
 #include <rtt/FlowStatus.hpp>
 #include <rtt/rtt-config.h>
+#include <rtt/types/TypeOps.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 
@@ -36,7 +38,8 @@ struct StoreSpec {
 
 /** Storage of samples. LockFree and Locked ones may be used by any number of threads in any role, Unsync ones by one
     thread at a time. write(), read() and clear() are real-time safe as far as assigning a sample is, except that Locked
-    ones take a mutex; they allocate nothing themselves. */
+    ones take a mutex; they allocate nothing themselves. A sample that is larger than all before, see types::SampleExtent,
+    is also assigned to the elements that are free then, or to 64 of them, so that the next ones fit where they come to lie. */
 class RTT_API SampleStore {
 public:
     /** `first` (may be null) is what the preallocated samples are copied from. Null if the type cannot be default
@@ -52,8 +55,8 @@ public:
     virtual void clear() = 0;
 
     /** Assigns `sample` to all free preallocated elements so that later assignments need not allocate. With `reset`
-        forgets all samples; without, does nothing if there was a sizing sample before. May run while others use the
-        storage. Not real-time safe. */
+        forgets all samples; without, does nothing if there was a sizing sample before that was as large. May run while
+        others use the storage. Not real-time safe. */
     void setSample(const void* sample, bool reset);
     /** The last sizing sample; false, and nothing copied, if there was none. Not real-time safe. */
     bool getSample(void* sample) const;
@@ -72,12 +75,23 @@ public:
 
 protected:
     explicit SampleStore(const types::TypeOps& ops) : ops_(ops) {}
-    /** Size the preallocated elements. */
-    virtual void resizeElements(const void* sample) = 0;
+    static constexpr std::size_t kAtOnce = 64;
+    /** Assign `sample` to the free elements: to all, waiting a little for those in use, or to kAtOnce without waiting. */
+    virtual void resizeElements(const void* sample, bool all) = 0;
+    std::size_t extentOf(const void* sample) const { return ops_.extent ? ops_.extent(sample) : 0; }
+    /** To be called when `sample`, of that extent, was written. */
+    void keepSized(const void* sample, std::size_t extent) {
+        if (__builtin_expect(extent > largest_.load(std::memory_order_relaxed), 0)) grow(sample, extent);
+    }
 
     const types::TypeOps& ops_;
 
 private:
+    /** True if it is larger than all before. */
+    bool noteExtent(std::size_t extent);
+    void grow(const void* sample, std::size_t extent);
+
+    std::atomic<std::size_t> largest_{0};
     std::shared_ptr<const SampleBox> prototype_;  // std::atomic_load/store only
 };
 

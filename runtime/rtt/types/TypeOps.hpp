@@ -8,6 +8,7 @@
 #include <new>
 #include <type_traits>
 #include <typeinfo>
+#include <utility>
 
 namespace RTT {
 namespace types {
@@ -21,6 +22,32 @@ struct TypeOps {
     void (*copyConstruct)(void* at, const void* from);
     void (*assign)(void* to, const void* from);
     void (*destroy)(void* at) noexcept;
+    std::size_t (*extent)(const void* sample);  ///< see SampleExtent; null if trivial
+};
+
+/** How much memory of its own a sample holds, in any unit that grows with it. Storage that meets a larger sample than all
+    before makes its free elements as large, so that it need not allocate later. Here for types of which nothing is known:
+    1, so the first sample counts as the largest. */
+template <class T, class = void>
+struct SampleExtent {
+    static std::size_t of(const T&) { return 1; }
+};
+/** Pointers that share what they point to: 0, as copies of them hold no memory but keep alive that of others. */
+template <class T>
+struct SampleExtent<T, std::void_t<decltype(*std::declval<const T&>()), decltype(std::declval<const T&>().get())>> {
+    static std::size_t of(const T&) { return 0; }
+};
+/** Strings, vectors and other containers: the number of all elements, also of those inside the elements. */
+template <class T>
+struct SampleExtent<T, std::void_t<typename T::value_type, decltype(std::declval<const T&>().size()),
+                                   decltype(std::declval<const T&>().begin())>> {
+    static std::size_t of(const T& sample) {
+        typedef typename T::value_type Element;
+        std::size_t sum = 1 + static_cast<std::size_t>(sample.size());
+        if constexpr (!std::is_trivially_copyable<Element>::value)
+            for (const Element& element : sample) sum += SampleExtent<Element>::of(element);
+        return sum;
+    }
 };
 
 namespace detail {
@@ -31,6 +58,8 @@ struct Ops {
     static void copyConstruct(void* at, const void* from) { new (at) T(*static_cast<const T*>(from)); }
     static void assign(void* to, const void* from) { *static_cast<T*>(to) = *static_cast<const T*>(from); }
     static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
+    static std::size_t extent(const void* sample) { return SampleExtent<T>::of(*static_cast<const T*>(sample)); }
+    static constexpr bool trivial = std::is_trivially_copyable<T>::value && std::is_trivially_destructible<T>::value;
 
     using Construct = void (*)(void*);
     static constexpr Construct constructOrNull() {
@@ -38,6 +67,13 @@ struct Ops {
             return &construct;
         else
             return nullptr;
+    }
+    using Extent = std::size_t (*)(const void*);
+    static constexpr Extent extentOrNull() {
+        if constexpr (trivial)
+            return nullptr;
+        else
+            return &extent;
     }
 };
 
@@ -49,12 +85,13 @@ inline const TypeOps& typeOps() noexcept {
     static constexpr TypeOps table = {
         sizeof(T),
         alignof(T),
-        std::is_trivially_copyable<T>::value && std::is_trivially_destructible<T>::value,
+        detail::Ops<T>::trivial,
         &typeid(T),
         detail::Ops<T>::constructOrNull(),
         &detail::Ops<T>::copyConstruct,
         &detail::Ops<T>::assign,
         &detail::Ops<T>::destroy,
+        detail::Ops<T>::extentOrNull(),
     };
     return table;
 }

@@ -10,6 +10,9 @@
 #include <rtt/rt_string.hpp>
 
 #include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace RTT;
@@ -19,6 +22,12 @@ using oroforge::test::RealTimeTrap;
 namespace {
 
 typedef std::vector<double> Samples;
+
+/** What a typekit would describe, and the runtime knows nothing about. */
+struct Named {
+    std::vector<double> values;
+    std::string name;
+};
 
 struct Pose {
     double values[8];
@@ -73,16 +82,52 @@ TEST_P(RealTimePath, OfStructsIsClean) { trafficOver(GetParam(), Pose{{1, 2, 3}}
 TEST_P(RealTimePath, OfStringsIsClean) { trafficOver(GetParam(), std::string(200, 'x')); }
 TEST_P(RealTimePath, OfRealTimeStringsIsClean) { trafficOver(GetParam(), rt_string(200, 'x')); }
 
-// Each element of a storage grows when a larger sample first comes to it; shorter ones fit from then on.
-TEST_P(RealTimePath, IsCleanOnceTheLargestSampleHasPassed) {
-    OutputPort<Samples> out("out");
-    InputPort<Samples> first("first"), second("second");
-    ASSERT_TRUE(out.createConnection(first, GetParam()));
-    ASSERT_TRUE(out.createConnection(second, GetParam()));
-    const Samples large(500, 2.5), small(10, 1.5);
-    Samples got = large;
-    for (int i = 0; i < 4; ++i) traffic(out, first, second, large, got);
-    expectRealTime([&] { traffic(out, first, second, small, got); }, forbidden(GetParam()));
+TEST_P(RealTimePath, IsCleanOnceTheFirstSampleHasPassed) {
+    const auto check = [&](const auto& sample) {
+        typedef std::decay_t<decltype(sample)> Sample;
+        OutputPort<Sample> out("out");
+        InputPort<Sample> first("first"), second("second");
+        ASSERT_TRUE(out.createConnection(first, GetParam()));
+        ASSERT_TRUE(out.createConnection(second, GetParam()));
+        Sample got = sample;
+        ASSERT_EQ(out.write(sample), WriteSuccess);
+        expectRealTime([&] { traffic(out, first, second, sample, got); }, forbidden(GetParam()));
+    };
+    check(Samples(500, 2.5));
+    check(std::string(200, 'x'));
+    check(std::vector<std::string>(3, std::string(200, 'x')));
+    check(Named{Samples(500, 2.5), std::string(200, 'x')});
+}
+
+// Whether the small ones have been read or not.
+TEST_P(RealTimePath, IsCleanOnceALargerSampleHasPassed) {
+    const auto check = [&](const auto& small, const auto& large) {
+        typedef std::decay_t<decltype(small)> Sample;
+        OutputPort<Sample> out("out");
+        InputPort<Sample> first("first"), second("second");
+        ASSERT_TRUE(out.createConnection(first, GetParam()));
+        ASSERT_TRUE(out.createConnection(second, GetParam()));
+        Sample got = large;
+        for (int i = 0; i < 2; ++i) ASSERT_EQ(out.write(small), WriteSuccess);
+        ASSERT_EQ(first.read(got), NewData);
+        ASSERT_EQ(out.write(large), WriteSuccess);
+        expectRealTime([&] { traffic(out, first, second, large, got); }, forbidden(GetParam()));
+    };
+    check(Samples(10, 1.5), Samples(500, 2.5));
+    check(std::string(), std::string(200, 'x'));
+    check(std::vector<std::string>(3, "x"), std::vector<std::string>(3, std::string(200, 'x')));
+}
+
+// Zero-copy users ask how many own what they point to.
+TEST_P(RealTimePath, DoesNotKeepPointersInElementsThatHoldNoSample) {
+    OutputPort<std::shared_ptr<int>> out("out", false);
+    InputPort<std::shared_ptr<int>> in("in");
+    ASSERT_TRUE(out.createConnection(in, GetParam()));
+    std::shared_ptr<int> sample = std::make_shared<int>(1), got;
+    ASSERT_EQ(out.write(sample), WriteSuccess);
+    EXPECT_EQ(sample.use_count(), 2);
+    ASSERT_EQ(in.read(got), NewData);
+    EXPECT_EQ(sample.use_count(), 3);
 }
 
 TEST_P(RealTimePath, IsCleanAtOnceAfterASampleWasAnnounced) {

@@ -50,6 +50,10 @@ std::size_t powerOfTwo(std::size_t atLeast) {
 
 class LockFreeBuffer final : public SampleStore {
     typedef std::atomic<std::uint32_t> Count;
+    struct Header {
+        Count count{0};
+        std::atomic<std::size_t> extent{0};  // the largest that the slot had; changed by its owner only
+    };
 
 public:
     LockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first)
@@ -60,21 +64,22 @@ public:
           ringMask_(powerOfTwo(capacity_) - 1),
           ring_(new std::atomic<Word>[ringMask_ + 1]),
           // in the buffer, last read, and one in the hands of each thread
-          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Count)) {
-        for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Count(0);
+          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Header)) {
+        for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Header;
         for (Word i = 0; i <= ringMask_; ++i)
             ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
     }
 
     WriteStatus write(const void* sample) override {
         if (capacity_ == 0 || (!circular_ && full())) return drop();
-        const Word slot = claim();
+        const std::size_t extent = extentOf(sample);
+        const Word slot = claim(extent);
         if (slot == kNoSlot) return drop();
         bool entered = false;
         AtEnd giveBack([&] {
             if (!entered) release(slot);
         });
-        assignSample(ops_, samples_.sample(slot), sample);
+        assign(slot, sample, extent);
         while (!(entered = enter(slot))) {
             if (!circular_) return drop();
             const Word oldest = takeOut();
@@ -82,6 +87,7 @@ public:
             release(oldest);
             drop();
         }
+        keepSized(sample, extent);
         return WriteSuccess;
     }
 
@@ -134,7 +140,13 @@ public:
     std::size_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
 
 private:
-    Count& count(Word slot) const { return *static_cast<Count*>(samples_.header(slot)); }
+    Header& header(Word slot) const { return *static_cast<Header*>(samples_.header(slot)); }
+    Count& count(Word slot) const { return header(slot).count; }
+    void assign(Word slot, const void* sample, std::size_t extent) {
+        assignSample(ops_, samples_.sample(slot), sample);
+        if (extent > header(slot).extent.load(std::memory_order_relaxed))
+            header(slot).extent.store(extent, std::memory_order_relaxed);
+    }
     WriteStatus drop() {
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return WriteFailure;
@@ -151,18 +163,22 @@ private:
         }
     }
 
-    Word claim() {
+    /** At first only slots that are large enough, then any. */
+    Word claim(std::size_t extent) {
         const Word freed = freed_.load(std::memory_order_relaxed);
-        if (claimSlot(freed)) return freed;
+        if (isLarge(freed, extent) && claimSlot(freed)) return freed;
         const std::size_t n = samples_.count();
         std::size_t i = hint_.load(std::memory_order_relaxed);
-        for (std::size_t tries = 2 * n; tries > 0; --tries) {
+        for (std::size_t tries = 0; tries < 3 * n; ++tries) {
             i = i + 1 < n ? i + 1 : 0;
-            if (!claimSlot(i)) continue;
+            if ((tries < n && !isLarge(i, extent)) || !claimSlot(i)) continue;
             hint_.store(i, std::memory_order_relaxed);
             return i;
         }
         return kNoSlot;
+    }
+    bool isLarge(Word slot, std::size_t extent) const {
+        return header(slot).extent.load(std::memory_order_relaxed) >= extent;
     }
     bool claimSlot(Word slot) {
         std::uint32_t free = 0;
@@ -231,12 +247,14 @@ private:
         return OldData;
     }
 
-    void resizeElements(const void* sample) override {
-        for (std::size_t i = 0; i < samples_.count(); ++i) {
+    void resizeElements(const void* sample, bool all) override {
+        std::size_t left = all ? samples_.count() : kAtOnce;
+        for (std::size_t i = 0; i < samples_.count() && left > 0; ++i) {
             std::uint32_t free = 0;  // those in use are sized already, or by their next write
             if (!count(i).compare_exchange_strong(free, 1, std::memory_order_acquire)) continue;
             AtEnd giveBack([&] { release(Word(i)); });
-            assignSample(ops_, samples_.sample(i), sample);
+            assign(i, sample, extentOf(sample));
+            --left;
         }
     }
 

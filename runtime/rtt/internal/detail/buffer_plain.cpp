@@ -6,6 +6,8 @@
 #include <rtt/internal/detail/stores.hpp>
 #include <rtt/internal/detail/store_lock.hpp>
 
+#include <algorithm>
+
 namespace RTT {
 namespace internal {
 namespace detail {
@@ -23,17 +25,9 @@ public:
           places_(ops, spec.size + 1, first) {}
 
     WriteStatus write(const void* sample) override {
-        const Hold<Mutex> hold(mutex_);
-        if (filled_ == capacity_) {
-            ++dropped_;
-            if (!circular_ || capacity_ == 0) return WriteFailure;
-            // The oldest goes; its place becomes the spare one, so what was read last is gone with the next write into it.
-            advance();
-            hasLast_ = false;
-        }
-        assignSample(ops_, places_.sample(place(filled_)), sample);
-        ++filled_;
-        return WriteSuccess;
+        const WriteStatus status = enter(sample);
+        if (status == WriteSuccess) keepSized(sample, extentOf(sample));
+        return status;
     }
     FlowStatus read(void* sample, bool copyOld) override {
         const Hold<Mutex> hold(mutex_);
@@ -72,16 +66,38 @@ public:
     }
 
 private:
+    WriteStatus enter(const void* sample) {
+        const Hold<Mutex> hold(mutex_);
+        if (filled_ == capacity_) {
+            ++dropped_;
+            if (!circular_ || capacity_ == 0) return WriteFailure;
+            // The oldest goes; its place becomes the spare one, so what was read last is gone with the next write into it.
+            advance();
+            hasLast_ = false;
+        }
+        assignSample(ops_, places_.sample(place(filled_)), sample);
+        ++filled_;
+        return WriteSuccess;
+    }
     std::size_t place(std::size_t n) const { return (first_ + n) % places_.count(); }
     std::size_t lastPlace() const { return (first_ + places_.count() - 1) % places_.count(); }
     void advance() {
         first_ = place(1);
         --filled_;
     }
-    void resizeElements(const void* sample) override {
+    void resizeElements(const void* sample, bool all) override {
         const Hold<Mutex> hold(mutex_);
-        for (std::size_t n = filled_; n < places_.count(); ++n)
-            if (!(hasLast_ && place(n) == lastPlace())) assignSample(ops_, places_.sample(place(n)), sample);
+        const std::size_t end = all ? places_.count() : std::min(kAtOnce, places_.count());
+        for (std::size_t n = 0; n < end; ++n) {
+            void* const target = places_.sample(place(n));
+            if (n >= filled_ && !(hasLast_ && place(n) == lastPlace())) {
+                assignSample(ops_, target, sample);
+                continue;
+            }
+            const SampleBox kept(ops_, target);
+            assignSample(ops_, target, sample);
+            assignSample(ops_, target, kept.get());
+        }
     }
 
     mutable Mutex mutex_;

@@ -240,7 +240,7 @@ private:
         return true;
     }
 
-    void resizeElements(const void*) override {}  // plain samples all have one size
+    void resizeElements(const void*, bool) override {}  // plain samples all have one size
 
     const std::size_t capacity_;
     const bool circular_, oldData_;

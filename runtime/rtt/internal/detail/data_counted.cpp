@@ -22,6 +22,7 @@
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <thread>
@@ -37,23 +38,30 @@ constexpr State kHeld = State(1) << 31;
 constexpr State kUnread = State(1) << 30;
 constexpr std::size_t kNone = ~std::size_t(0);
 
+struct Header {
+    std::atomic<State> state{0};
+    std::atomic<std::size_t> extent{0};  // the largest that the slot had; changed by its owner only
+};
+
 class CountedData final : public SampleStore {
 public:
     CountedData(const types::TypeOps& ops, std::size_t threads, const void* first)
-        : SampleStore(ops), samples_(ops, threads + 2, first, sizeof(std::atomic<State>), 64) {
-        for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) std::atomic<State>(0);
+        : SampleStore(ops), samples_(ops, threads + 2, first, sizeof(Header), 64) {
+        for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Header;
     }
 
     WriteStatus write(const void* sample) override {
-        const std::size_t i = claim();
+        const std::size_t extent = extentOf(sample);
+        const std::size_t i = claim(extent);
         if (i == kNone) return WriteFailure;
         bool assigned = false;
         AtEnd giveBack([&] {
             if (!assigned) unhold(i);
         });
-        assignSample(ops_, samples_.sample(i), sample);
+        assign(i, sample, extent);
         assigned = true;
         publish(i);
+        keepSized(sample, extent);
         return WriteSuccess;
     }
 
@@ -76,13 +84,20 @@ public:
     }
 
 private:
-    std::atomic<State>& state(std::size_t i) const { return *static_cast<std::atomic<State>*>(samples_.header(i)); }
+    Header& header(std::size_t i) const { return *static_cast<Header*>(samples_.header(i)); }
+    std::atomic<State>& state(std::size_t i) const { return header(i).state; }
+    void assign(std::size_t i, const void* sample, std::size_t extent) {
+        assignSample(ops_, samples_.sample(i), sample);
+        if (extent > header(i).extent.load(std::memory_order_relaxed))
+            header(i).extent.store(extent, std::memory_order_relaxed);
+    }
 
-    std::size_t claim() {
+    /** At first only slots that are large enough, then any. */
+    std::size_t claim(std::size_t extent) {
         const std::size_t n = samples_.count();
         std::size_t i = freed_.load(std::memory_order_relaxed);
-        for (std::size_t tries = 2 * n; tries > 0; --tries) {
-            if (claimSlot(i)) return i;
+        for (std::size_t tries = 0; tries < 3 * n; ++tries) {
+            if ((tries >= n || header(i).extent.load(std::memory_order_relaxed) >= extent) && claimSlot(i)) return i;
             i = i + 1 < n ? i + 1 : 0;
         }
         return kNone;
@@ -119,15 +134,16 @@ private:
         return now & kUnread ? NewData : OldData;
     }
 
-    void resizeElements(const void* sample) override {
-        for (std::size_t i = 0; i < samples_.count(); ++i) {
+    void resizeElements(const void* sample, bool all) override {
+        const std::size_t end = all ? samples_.count() : std::min(kAtOnce, samples_.count());
+        for (std::size_t i = 0; i < end; ++i) {
             for (int tries = 0; tries < 1000; ++tries) {  // a slot in use that long is sized by its next write
                 if (claimSlot(i)) {
                     AtEnd giveBack([&] { unhold(i); });
-                    assignSample(ops_, samples_.sample(i), sample);
+                    assign(i, sample, extentOf(sample));
                     break;
                 }
-                if (current_.load(std::memory_order_relaxed) == i) break;
+                if (!all || current_.load(std::memory_order_relaxed) == i) break;
                 std::this_thread::yield();
             }
         }

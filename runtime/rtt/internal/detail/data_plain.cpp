@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    void resizeElements(const void* sample) override {
+    void resizeElements(const void* sample, bool) override {
         const Hold<Mutex> hold(mutex_);
         if (status_ == NoData) assignSample(ops_, sample_.sample(0), sample);
     }

@@ -112,7 +112,7 @@ public:
 private:
     static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
     Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
-    void resizeElements(const void*) override {}  // plain samples all have one size
+    void resizeElements(const void*, bool) override {}  // plain samples all have one size
 
     const std::size_t words_, slots_, stride_;
     unsigned char* const block_;
