@@ -133,13 +133,14 @@ struct BufferScenarios {
     }
 
     /** A reader copies the sample that another thread takes, and whose slot it uses again. */
+    template <int last>
     static void slotReused(Trial& trial) {
         const auto store = makeStore(StoreSpec::Buffer, 1, 0, false);
         for (int value = 1; value <= 2; ++value)
             require(write(*store, value) && readNew(*store) == value, "not set up");
         require(write(*store, 3), "not set up");
         trial.thread([&] {
-            for (int value = 4; value <= 6; ++value) {
+            for (int value = 4; value <= last; ++value) {
                 readNew(*store);
                 write(*store, value);
             }

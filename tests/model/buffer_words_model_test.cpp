@@ -11,6 +11,8 @@ RTT::internal::SampleStore::~SampleStore() = default;
 
 namespace {
 
+using model::atHome;
+using model::away;
 using model::require;
 using model::Trial;
 using RTT::internal::SampleStore;
@@ -47,21 +49,49 @@ void clearing(Trial& trial) {
     require(account.put(*store, 3) && account.take(*store) == 3, "unusable afterwards");
 }
 
-TEST(WordBuffer, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(Scenarios::twoWritersOneReader)); }
-TEST(WordBuffer, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(Scenarios::oneWriterTwoReaders)); }
-TEST(WordBuffer, one_writer_and_one_reader_go_round) { EXPECT_TRUE(model::holds(Scenarios::oneWriterOneReader)); }
-TEST(WordBuffer, a_full_circular_buffer) { EXPECT_TRUE(model::holds(Scenarios::circular)); }
-TEST(WordBuffer, old_data) { EXPECT_TRUE(model::holds(Scenarios::oldData<3>)); }
-TEST(WordBuffer, a_slot_used_again) { EXPECT_TRUE(model::holds(Scenarios::slotReused)); }
-TEST(WordBuffer, clearing) { EXPECT_TRUE(model::holds(clearing)); }
+void twoWrites(Trial& trial) {
+    const auto store = Scenarios::makeStore(StoreSpec::Buffer, 2, 0, false);
+    Scenarios::Account account;
+    trial.thread([&] {
+        account.put(*store, 1);
+        account.put(*store, 2);
+    });
+    trial.thread([&] { account.take(*store); });
+    trial.go();
+    account.settle(*store);
+}
+
+TEST(WordBuffer, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(away<Scenarios::twoWritersOneReader>)); }
+TEST(WordBuffer, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(away<Scenarios::oneWriterTwoReaders>)); }
+TEST(WordBuffer, one_writer_and_one_reader_go_round) { EXPECT_TRUE(model::holds(away<Scenarios::oneWriterOneReader>)); }
+TEST(WordBuffer, a_full_circular_buffer) { EXPECT_TRUE(model::holds(away<Scenarios::circular>)); }
+TEST(WordBuffer, old_data) { EXPECT_TRUE(model::holds(away<Scenarios::oldData<5>>)); }
+TEST(WordBuffer, a_slot_used_again) { EXPECT_TRUE(model::holds(away<Scenarios::slotReused<8>>)); }
+TEST(WordBuffer, clearing) { EXPECT_TRUE(model::holds(away<clearing>)); }
+
+// The same with a writer that has a slot of its own.
+TEST(WordBufferAtHome, two_writers_and_one_reader) {
+    EXPECT_TRUE(model::holds(atHome<1, Scenarios::twoWritersOneReader>));
+}
+TEST(WordBufferAtHome, one_writer_and_two_readers) {
+    EXPECT_TRUE(model::holds(atHome<1, Scenarios::oneWriterTwoReaders>));
+}
+TEST(WordBufferAtHome, one_writer_and_one_reader_go_round) {
+    EXPECT_TRUE(model::holds(atHome<1, Scenarios::oneWriterOneReader>));
+}
+TEST(WordBufferAtHome, a_full_circular_buffer) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::circular>)); }
+TEST(WordBufferAtHome, old_data) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::oldData<5>>)); }
+TEST(WordBufferAtHome, a_slot_used_again) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::slotReused<8>>)); }
+TEST(WordBufferAtHome, clearing) { EXPECT_TRUE(model::holds(atHome<2, clearing>)); }
 
 TEST(WordBuffer, planted_faults_are_found) {
-    EXPECT_TRUE(model::catches("words_relaxed_words", Scenarios::oldData<3>));
-    EXPECT_TRUE(model::catches("words_relaxed_copy", Scenarios::oldData<3>));
-    EXPECT_TRUE(model::catches("words_relaxed_enter", Scenarios::oneWriterOneReader));
-    EXPECT_TRUE(model::catches("words_taken_twice", Scenarios::oneWriterTwoReaders));
-    EXPECT_TRUE(model::catches("words_overwritten", Scenarios::twoWritersOneReader));
-    EXPECT_TRUE(model::catches("words_old_not_checked", Scenarios::oldData<3>));
+    EXPECT_TRUE(model::catches("words_relaxed_words", away<Scenarios::oldData<5>>));
+    EXPECT_TRUE(model::catches("words_relaxed_copy", away<Scenarios::oldData<5>>));
+    EXPECT_TRUE(model::catches("words_relaxed_enter", away<Scenarios::oneWriterOneReader>));
+    EXPECT_TRUE(model::catches("words_taken_twice", away<Scenarios::oneWriterTwoReaders>));
+    EXPECT_TRUE(model::catches("words_overwritten", away<Scenarios::twoWritersOneReader>));
+    EXPECT_TRUE(model::catches("words_spare_kept", atHome<1, twoWrites>));
+    EXPECT_TRUE(model::catches("words_old_not_checked", away<Scenarios::oldData<5>>));
 }
 
 }  // namespace

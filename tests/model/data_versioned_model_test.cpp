@@ -10,6 +10,8 @@ RTT::internal::SampleStore::~SampleStore() = default;
 
 namespace {
 
+using model::atHome;
+using model::away;
 using model::require;
 using model::Trial;
 using RTT::internal::SampleStore;
@@ -64,6 +66,20 @@ void oneWriter(Trial& trial) {
     require(reader.newest == 3, "the last sample is lost");
 }
 
+/** Once round its slots and on. */
+void oneHomeWriter(Trial& trial) {
+    const auto store = makeStore(0);
+    write(*store, 1);
+    Reader reader;
+    trial.thread([&] {
+        for (std::uint64_t value = 2; value <= 5; ++value) write(*store, value);
+    });
+    trial.thread([&] { reader.read(*store, true); });
+    trial.go();
+    reader.read(*store, true);
+    require(reader.newest == 5, "the last sample is lost");
+}
+
 void twoReaders(Trial& trial) {
     const auto store = makeStore(1);
     write(*store, 1);
@@ -87,18 +103,24 @@ void twoWriters(Trial& trial) {
     require(reader.newest == 2 || reader.newest == 3, "the last sample is lost");
 }
 
-TEST(VersionedData, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(oneWriter)); }
-TEST(VersionedData, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(twoReaders)); }
-TEST(VersionedData, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(twoWriters)); }
+TEST(VersionedData, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(away<oneWriter>)); }
+TEST(VersionedData, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(away<twoReaders>)); }
+TEST(VersionedData, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(away<twoWriters>)); }
+
+// The same with a writer that has slots of its own.
+TEST(VersionedDataAtHome, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(atHome<1, oneHomeWriter>)); }
+TEST(VersionedDataAtHome, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(atHome<1, twoReaders>)); }
+TEST(VersionedDataAtHome, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(atHome<1, twoWriters>)); }
 
 TEST(VersionedData, planted_faults_are_found) {
-    EXPECT_TRUE(model::catches("versioned_no_second_look", oneWriter));
-    EXPECT_TRUE(model::catches("versioned_relaxed_words", oneWriter));
-    EXPECT_TRUE(model::catches("versioned_relaxed_copy", oneWriter));
-    EXPECT_TRUE(model::catches("versioned_relaxed_publication", oneWriter));
-    EXPECT_TRUE(model::catches("versioned_new_twice", twoReaders));
-    EXPECT_TRUE(model::catches("versioned_current_overwritten", twoWriters));
-    EXPECT_TRUE(model::catches("versioned_relaxed_owner", twoWriters));
+    EXPECT_TRUE(model::catches("versioned_no_second_look", away<oneWriter>));
+    EXPECT_TRUE(model::catches("versioned_relaxed_words", away<oneWriter>));
+    EXPECT_TRUE(model::catches("versioned_relaxed_copy", away<oneWriter>));
+    EXPECT_TRUE(model::catches("versioned_relaxed_publication", away<oneWriter>));
+    EXPECT_TRUE(model::catches("versioned_new_twice", away<twoReaders>));
+    EXPECT_TRUE(model::catches("versioned_current_overwritten", away<twoWriters>));
+    EXPECT_TRUE(model::catches("versioned_relaxed_owner", away<twoWriters>));
+    EXPECT_TRUE(model::catches("versioned_home_not_in_turn", atHome<1, oneHomeWriter>));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <rtt/os/fosi.h>
 // Time stands still: what only happens after a while does not happen.
 #define rtos_get_time_ns() NANO_TIME(0)
-#define usleep(microseconds) model::yield()
 #include <rtt/ExecutionEngine.cpp>
 #include <rtt/engine_queue.cpp>
 #include <rtt/internal/CallPool.cpp>
@@ -141,6 +140,45 @@ void destroying(Trial& trial) {
     require(message.ended == (accepted ? 1 : 0), "a message is forgotten, or ended twice");
 }
 
+/** A thread that stops the activity within its own step: who sees that it is stopped waits for the end of the step. */
+void lastStep(Trial& trial) {
+    prepare();
+    ExecutionEngine engine;
+    std::atomic<bool> active{true};
+    model::Plain<int> touched{0};
+    trial.thread([&] {
+        const EngineGate::Step here(*engine.gate());
+        active.store(false);
+        touched = 1;
+    });
+    trial.thread([&] {
+        if (active.load()) return;
+        engine.gate()->waitForStep();
+        touched = 2;
+    });
+    trial.go();
+}
+
+/** The same with two that wait. */
+void lastStepOfTwo(Trial& trial) {
+    prepare();
+    ExecutionEngine engine;
+    std::atomic<bool> active{true};
+    model::Plain<int> touched{0};
+    trial.thread([&] {
+        const EngineGate::Step here(*engine.gate());
+        active.store(false);
+        touched = 1;
+    });
+    for (int i = 0; i != 2; ++i)
+        trial.thread([&] {
+            if (active.load()) return;
+            engine.gate()->waitForStep();
+            require(touched == 1, "the step has not ended");
+        });
+    trial.go();
+}
+
 /** Somebody sends while the activity is being started: the message is executed. */
 void starting(Trial& trial) {
     prepare();
@@ -168,6 +206,8 @@ TEST(Engine, a_call_is_sent_and_forgotten) { EXPECT_TRUE(model::holds(sending));
 TEST(Engine, sending_to_a_component_that_fails) { EXPECT_TRUE(model::holds(fatal)); }
 TEST(Engine, a_waiting_component_executes_messages) { EXPECT_TRUE(model::holds(waiting)); }
 TEST(Engine, sending_to_a_component_that_is_destroyed) { EXPECT_TRUE(model::holds(destroying)); }
+TEST(Engine, the_last_step_is_waited_for) { EXPECT_TRUE(model::holds(lastStep)); }
+TEST(Engine, the_last_step_is_waited_for_by_two) { EXPECT_TRUE(model::holds(lastStepOfTwo)); }
 
 TEST(Engine, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("call_relaxed_state", calling));
@@ -180,6 +220,13 @@ TEST(Engine, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("gate_relaxed_visit", destroying));
     EXPECT_TRUE(model::catches("gate_visitors_ignored", destroying));
     EXPECT_TRUE(model::catches("gate_relaxed_leave", destroying));
+    EXPECT_TRUE(model::catches("gate_end_not_told", destroying));
+    EXPECT_TRUE(model::catches("gate_waits_unseen", destroying));
+    EXPECT_TRUE(model::catches("gate_visitors_ignored", lastStep));
+    EXPECT_TRUE(model::catches("gate_relaxed_leave", lastStep));
+    EXPECT_TRUE(model::catches("gate_end_not_told", lastStep));
+    EXPECT_TRUE(model::catches("gate_waits_unseen", lastStep));
+    EXPECT_TRUE(model::catches("gate_one_woken", lastStepOfTwo));
 }
 
 }  // namespace

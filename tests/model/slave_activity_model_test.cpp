@@ -107,6 +107,22 @@ void destroying(Trial& trial) {
     require(world.runner.seen >= 100, "executed after it was destroyed");
 }
 
+/** One thread makes a call directly, because it stands for the thread that updates the slave; another one updates it. */
+void callingDirectly(Trial& trial) {
+    Runner runner;
+    SlaveActivity slave(&runner);
+    require(slave.start(), "not started");
+    trial.thread([&] {
+        slave.updater_.store(RTT::os::detail::currentTid());
+        if (slave.beginDirect() != SlaveActivity::Direct::Entered) return;
+        runner.seen = runner.seen + 1;
+        slave.endDirect();
+    });
+    trial.thread([&] { slave.execute(); });
+    trial.go();
+}
+
+TEST(SlaveActivity, a_direct_call_while_it_is_executed) { EXPECT_TRUE(model::holds(callingDirectly)); }
 TEST(SlaveActivity, two_triggers) { EXPECT_TRUE(model::holds(triggering)); }
 TEST(SlaveActivity, a_trigger_while_it_is_executed) { EXPECT_TRUE(model::holds(triggeredWhileExecuting)); }
 TEST(SlaveActivity, destroyed_while_its_trigger_is_executed) { EXPECT_TRUE(model::holds(destroying)); }
@@ -116,6 +132,7 @@ TEST(SlaveActivity, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("slave_unqueued_late", triggering));
     EXPECT_TRUE(model::catches("slave_trigger_not_served", triggeredWhileExecuting));
     EXPECT_TRUE(model::catches("slave_two_execute", triggeredWhileExecuting));
+    EXPECT_TRUE(model::catches("slave_direct_beside_execution", callingDirectly));
 }
 
 }  // namespace

@@ -71,6 +71,9 @@ public:
         while it too is in here, so two such threads cannot wait for each other. Blocks; not real-time safe. */
     static void synchronize();
 
+    /** See detail::thisThread(). */
+    static const void* thisThread() noexcept { return mine(); }
+
     /** Number of retired objects not yet destroyed. */
     static std::size_t pending();
 

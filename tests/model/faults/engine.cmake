@@ -18,9 +18,12 @@ faulty_value(engine_state_not_asked_again ${queue} [=[if (@{!accepts()}@) {
         disposeQueued();]=] [=[false]=])
 faulty_value(gate_relaxed_visit ${gate} [=[@{gate_.visitors_.fetch_add(1)}@;]=]
   [=[gate_.visitors_.fetch_add(1, std::memory_order_relaxed)]=])
-faulty_value(gate_visitors_ignored ${gate} [=[return @{visitors_.load() <= own}@; });]=] [=[true]=])
-faulty_value(gate_relaxed_leave ${gate} [=[gate_.visitors_.fetch_sub(1, @{std::memory_order_release}@);]=]
+faulty_value(gate_visitors_ignored ${gate} [=[return @{(count.load() & (kWaiter - 1)) <= own}@; };]=] [=[true]=])
+faulty_value(gate_relaxed_leave ${gate} [=[if (count.fetch_sub(1, @{std::memory_order_release}@) >= kWaiter)]=]
   [=[std::memory_order_relaxed]=])
+faulty_statement(gate_end_not_told ${gate} [=[>= kWaiter) @{os::detail::futexWakeAll(count);}@]=] [=[]=])
+faulty_statement(gate_one_woken ${gate} [=[else { @{os::detail::futexWakeAll(count);}@]=] [=[os::detail::futexWakeOne(count);]=])
+faulty_statement(gate_waits_unseen ${gate} [=[    @{count.fetch_add(kWaiter);}@]=] [=[]=])
 faulty_statement(engine_start_not_marked ${step} [=[@{gate_->waitPoint.mark();}@
     if (hasWork())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_start_forgets ${step} [=[if (@{hasWork()}@) activity->trigger();]=] [=[false]=])

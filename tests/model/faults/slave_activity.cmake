@@ -16,3 +16,5 @@ faulty_statement(slave_trigger_not_served ${file} [=[        if (active) execute
 faulty_value(slave_two_execute ${file}
   [=[if (@{!executor_.compare_exchange_strong(nobody, static_cast<std::uint32_t>(self))}@) return false;]=]
   [=[(executor_.store(static_cast<std::uint32_t>(self)), nobody != 0)]=])
+faulty_value(slave_direct_beside_execution ${file}
+  [=[return @{executor_.compare_exchange_strong(nobody, self)}@ ? Direct::Entered : Direct::Refused;]=] [=[true]=])

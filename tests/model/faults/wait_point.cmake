@@ -7,6 +7,6 @@ faulty_value(wait_relaxed_notify ${header} [=[if (@{word_.fetch_add(kStep)}@ & k
   [=[word_.fetch_add(kStep, std::memory_order_relaxed)]=])
 faulty_value(wait_relaxed_ticket ${header} [=[word_.load(@{std::memory_order_acquire}@)]=] [=[std::memory_order_relaxed]=])
 faulty_value(wait_sleeps_unseen ${file}
-  [=[if (@{!word_.compare_exchange_strong(found, asleep) && found != asleep}@) return;]=] [=[false]=])
+  [=[return @{word_.compare_exchange_strong(found, asleep) || found == asleep}@;]=] [=[true]=])
 faulty_value(wait_one_woken ${file} [=[@{os::detail::futexWakeAll(word_)}@;]=] [=[os::detail::futexWakeOne(word_)]=])
 faulty_value(wait_woken_twice ${file} [=[if (@{word_.fetch_and(~kAsleep) & kAsleep}@)]=] [=[(word_.fetch_and(~kAsleep), true)]=])

@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// BUFFER and CIRCULAR_BUFFER, LOCK_FREE, for small trivially copyable samples: two atomic read-modify-writes per write,
-// one per read. Any number of writers and readers.
+// BUFFER and CIRCULAR_BUFFER, LOCK_FREE, for small trivially copyable samples: one atomic read-modify-write per write of
+// the home thread, two per write of others, one per read. Any number of writers and readers.
 //
 // As in buffer_lock_free.cpp samples lie in slots, and a ring of words {turn, slot} tells their order. But here samples
 // are atomic words too, so a reader may copy one that it does not own and learn afterwards whether it was valid:
 //
-//   writer                                             reader
-//   used[s]: 0 -> 1       CAS, acquire       (W1)      h    = head_               acquire     (R1)
-//   words of s            release each       (W2)      word = ring[h] has turn h? acquire     (R2)
-//   ring[t]: turn t-P -> {t, s}  CAS, acq_rel (W3)     words of its slot          acquire each (R3)
-//   tail_ = t+1           relaxed            (W4)      head_: h -> h+1            CAS, acq_rel (R4)
-//                                                      used of the slot at h-1: 0  release     (R5)
+//   writer, with a spare slot s                        reader
+//   words of s            release each       (W1)      h    = head_               acquire     (R1)
+//   t - head_ < room, else full              (W2)      word = ring[h] has turn h? acquire     (R2)
+//   ring[t]: {t-P, old} -> {t, s}            (W3)      words of its slot          acquire each (R3)
+//                         CAS, acq_rel                 head_: h -> h+1            CAS, acq_rel (R4)
+//   tail_ = t+1           relaxed            (W4)
+//   `old` is the spare slot now
 //
-// The slot at h stays in use until somebody has moved head_ from h+1 to h+2 and done R5. So if R4 succeeds, head_ was h
-// during R3 and the copy is whole. Conversely, if R3 sees a word of the slot's next owner, its acquire pairs with W2, and
-// W1, R5 and the two R4s before it happened before: R4 finds another head_ and fails. R2 pairs with W3 and so sees W2.
-// Each R4 succeeds for one reader, so each sample is new for exactly one, and that one alone does R5 for the slot before.
-// A reader that stops anywhere owns no place in the ring and at most one slot, a writer likewise; see claim().
+// P, the length of the ring, is more than `room`, so W2 says that head_ > t-P+1: the sample in `old` was taken, and the one
+// after it, too. So if R4 succeeds, head_ was h during R3, nobody had the slot as a spare, and the copy is whole.
+// Conversely, if R3 sees a word of the slot's next owner, its acquire pairs with that W1, and the W3 by which that one got
+// the slot and the W2 before happened before: R4 finds another head_ and fails. R2 pairs with W3 and so sees W1.
+// Each R4 succeeds for one reader, so each sample is new for exactly one.
+// A reader that stops anywhere owns nothing; a writer has one slot in its hands, which nobody else needs: the home thread
+// (home_thread.hpp) always the same spare, others one of the shared ones, see claim().
 //
 // The sample before head_ is still there: it is what an empty buffer gives as OldData. Copied in the same way, it is
-// valid if head_ is still h afterwards. Its ring word stays, because P is at least the capacity plus two.
+// valid if head_ is still h afterwards.
 //
 // tail_ is a hint, at most the true tail: W3 decides. It may be set back by a writer that stopped before W4; the next
-// one starts at head_ then and passes the words that have later turns.
+// one starts at head_ then and passes the words that have later turns. Writers may look at an old value of head_ as long as
+// it leaves room: it only grows.
 // A full circular buffer takes the new sample first and gives up the oldest then, so readers never find it empty and the
 // sample before head_ was read, not given up, whenever the buffer is empty.
 // A turn is a position modulo 2^40; to be fooled a thread must sleep for exactly that many.
+#include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
@@ -44,11 +49,12 @@ namespace {
 
 typedef SampleWord Word;
 constexpr unsigned kSlotBits = 24;
-constexpr Word kNoSlot = (Word(1) << kSlotBits) - 1;
-constexpr std::size_t kMaxCapacity = kNoSlot / 2;
+constexpr Word kSlotMask = (Word(1) << kSlotBits) - 1;
+constexpr Word kClaimed = Word(1) << 63;
+constexpr std::size_t kMaxCapacity = kSlotMask / 4;
 
 Word pack(Word turn, Word slot) { return turn << kSlotBits | slot; }
-Word slotOf(Word word) { return word & kNoSlot; }
+Word slotOf(Word word) { return word & kSlotMask; }
 /** True if the turn in `word` is position `p`. */
 bool hasTurn(Word word, Word p) { return word >> kSlotBits == (p << kSlotBits) >> kSlotBits; }
 
@@ -59,8 +65,8 @@ std::size_t powerOfTwo(std::size_t atLeast) {
 }
 
 struct Slot {
-    std::atomic<std::uint32_t> used{0};
-    AtomicWord words[1];  // really as many as the sample needs
+    std::size_t spare = 0;  // whence readHeld() took it
+    AtomicWord words[1];    // really as many as the sample needs
 };
 
 class WordBuffer final : public SampleStore {
@@ -71,28 +77,29 @@ public:
           circular_(spec.kind == StoreSpec::CircularBuffer),
           oldData_(spec.oldData),
           words_(wordsFor(ops.size)),
+          room_(circular_ ? capacity_ + 1 : capacity_),
           ringMask_(powerOfTwo(capacity_ + 2) - 1),
-          // in the buffer, the one more of a circular one, the one before head_, and one in the hands of each thread
-          slots_(capacity_ + 2 + spec.maxThreads),
+          spareCount_(spec.maxThreads + 1),
           stride_(sizeof(Slot) + (words_ - 1) * sizeof(AtomicWord)),
           ring_(new std::atomic<Word>[ringMask_ + 1]),
-          block_(new unsigned char[stride_ * slots_]) {
-        for (Word i = 0; i < slots_; ++i) {
-            Slot* slot = new (block_.get() + i * stride_) Slot;
-            for (std::size_t w = 1; w < words_; ++w) new (slot->words + w) AtomicWord;
-        }
+          spares_(new std::atomic<Word>[spareCount_]),
+          block_(new unsigned char[stride_ * (ringMask_ + 1 + spareCount_ + 1)]) {
+        Word slot = 0;
         for (Word i = 0; i <= ringMask_; ++i)
-            ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
+            ring_[i].store(pack(i - (ringMask_ + 1), make(slot++)), std::memory_order_relaxed);
+        for (std::size_t i = 0; i < spareCount_; ++i) spares_[i].store(make(slot++), std::memory_order_relaxed);
+        homeSlot_ = make(slot);
     }
 
     WriteStatus write(const void* sample) override {
-        if (capacity_ == 0 || (!circular_ && full())) return drop();
-        const Word slot = claim();
-        if (slot == kNoSlot) return drop();
-        storeWords(at(slot).words, sample, ops_.size);  // W2
-        if (enter(slot)) return WriteSuccess;
-        at(slot).used.store(0, std::memory_order_release);
-        return drop();
+        if (home_.here()) return write(homeSlot_, homeHead_, sample);
+        const std::size_t spare = claim();
+        if (spare == spareCount_) return drop();
+        Word slot = claimed(spare), head = 0;
+        const WriteStatus status = write(slot, head, sample);
+        giveBack(spare, slot);
+        home_.wrote();
+        return status;
     }
 
     FlowStatus read(void* sample, bool copyOld) override {
@@ -102,7 +109,7 @@ public:
             const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);  // R2
             if (hasTurn(word, h)) {
                 loadWords(copy, at(slotOf(word)).words, words_);  // R3
-                if (!takeOut(h)) continue;                        // R4, R5
+                if (!takeOut(h)) continue;                        // R4
                 copyOut(sample, copy, ops_.size);
                 return NewData;
             }
@@ -130,10 +137,11 @@ public:
         }
     }
 
-    // The sample held is a copy in a slot of its own, so that others need not ask whether the one before head_ is held.
+    // The sample held is a copy in a spare slot, so that others need not ask whether the one before head_ is held.
     const void* readHeld() override {
-        const Word slot = claim();
-        if (slot == kNoSlot) return nullptr;
+        const std::size_t spare = claim();
+        if (spare == spareCount_) return nullptr;
+        const Word slot = claimed(spare);
         WordsCopy copy;
         for (;;) {
             Word h = head_.load(std::memory_order_acquire);
@@ -142,16 +150,18 @@ public:
                 loadWords(copy, at(slotOf(word)).words, words_);
                 if (!takeOut(h)) continue;
                 storeWords(at(slot).words, &copy, ops_.size);
+                at(slot).spare = spare;
                 return at(slot).words;
             }
             if (!hasTurn(word, h - (ringMask_ + 1))) continue;
-            at(slot).used.store(0, std::memory_order_release);
+            giveBack(spare, slot);
             return nullptr;
         }
     }
     void release(const void* held) override {
         const auto offset = static_cast<const unsigned char*>(held) - block_.get();
-        at(static_cast<std::size_t>(offset) / stride_).used.store(0, std::memory_order_release);
+        const Word slot = static_cast<std::size_t>(offset) / stride_;
+        giveBack(at(slot).spare, slot);
     }
 
     std::size_t capacity() const override { return capacity_; }
@@ -165,79 +175,89 @@ public:
 
 private:
     Slot& at(Word slot) const { return *reinterpret_cast<Slot*>(block_.get() + slot * stride_); }
+    Word make(Word slot) {
+        Slot* made = new (&at(slot)) Slot;
+        for (std::size_t w = 1; w < words_; ++w) new (made->words + w) AtomicWord;
+        return slot;
+    }
     WriteStatus drop() {
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return WriteFailure;
     }
 
-    /** kNoSlot only with more threads in here at once than the buffer was made for. */
-    Word claim() {
-        std::size_t i = hint_.load(std::memory_order_relaxed);
-        for (std::size_t tries = 2 * slots_; tries > 0; --tries) {
-            i = i + 1 < slots_ ? i + 1 : 0;
-            std::atomic<std::uint32_t>& used = at(i).used;
-            std::uint32_t free = 0;
-            if (used.load(std::memory_order_relaxed) == 0 &&
-                used.compare_exchange_strong(free, 1, std::memory_order_acquire, std::memory_order_relaxed)) {  // W1
-                hint_.store(i, std::memory_order_relaxed);
-                return i;
+    /** Which of the spare slots is the caller's until it gives that, or another one, back; spareCount_ only with more threads in
+        here at once than the buffer was made for. Acquire and release: with the slot goes what its last owner knew of
+        head_. */
+    std::size_t claim() {
+        for (int rounds = 0; rounds < 2; ++rounds) {
+            for (std::size_t i = 0; i < spareCount_; ++i) {
+                Word slot = spares_[i].load(std::memory_order_relaxed);
+                if (slot & kClaimed) continue;
+                if (spares_[i].compare_exchange_strong(slot, slot | kClaimed, std::memory_order_acquire,
+                                                       std::memory_order_relaxed))
+                    return i;
             }
         }
-        return kNoSlot;
+        return spareCount_;
     }
+    Word claimed(std::size_t spare) const { return slotOf(spares_[spare].load(std::memory_order_relaxed)); }
+    void giveBack(std::size_t spare, Word slot) { spares_[spare].store(slot, std::memory_order_release); }
 
+    /** By way of the spare `slot`, which is another one then. `head` is a position that head_ had. */
+    WriteStatus write(Word& slot, Word& head, const void* sample) {
+        if (capacity_ == 0 || (!circular_ && full(head))) return drop();
+        storeWords(at(slot).words, sample, ops_.size);  // W1
+        return enter(slot, head) ? WriteSuccess : drop();
+    }
     /** Only if it really was full at one moment: head_ was the same before and after looking at tail_, which is never
         too high. It may be too low; enter() finds out then. */
-    bool full() const {
-        Word head = head_.load(std::memory_order_acquire);
+    bool full(Word& head) const {
         for (;;) {
             if (tail_.load(std::memory_order_relaxed) < head + capacity_) return false;
-            const Word again = head_.load(std::memory_order_acquire);
-            if (again == head) return true;
-            head = again;
+            const Word now = head_.load(std::memory_order_acquire);
+            if (now == head) return true;
+            head = now;
         }
     }
-
     /** False if the buffer is full and not circular. */
-    bool enter(Word slot) {
-        const Word room = circular_ ? capacity_ + 1 : capacity_;
+    bool enter(Word& slot, Word& head) {
         for (;;) {
-            Word h = head_.load(std::memory_order_acquire);
-            const Word t = std::max(h, tail_.load(std::memory_order_relaxed));
+            const Word t = std::max(head, tail_.load(std::memory_order_relaxed));
             std::atomic<Word>& cell = ring_[t & ringMask_];
             Word word = cell.load(std::memory_order_acquire);
             if (hasTurn(word, t)) {
                 tail_.store(t + 1, std::memory_order_relaxed);
                 continue;
             }
-            if (t - h >= room) {
-                if (circular_)
-                    giveUpOldest(h, t);
-                else if (head_.load(std::memory_order_acquire) == h)
-                    return false;
+            if (t - head >= room_) {  // W2
+                const Word now = head_.load(std::memory_order_acquire);
+                if (now == head && !circular_) return false;
+                if (now == head) giveUpOldest(head, t);
+                head = now;
                 continue;
             }
-            // A cell of a later turn: others filled and emptied it since we looked at head_.
-            if (!hasTurn(word, t - (ringMask_ + 1))) continue;
+            if (!hasTurn(word, t - (ringMask_ + 1))) {  // others filled and emptied it since head_ was `head`
+                head = head_.load(std::memory_order_acquire);
+                continue;
+            }
             if (!cell.compare_exchange_strong(word, pack(t, slot), std::memory_order_acq_rel)) continue;  // W3
-            tail_.store(t + 1, std::memory_order_relaxed);                                                // W4
-            if (circular_) giveUpOldest(h, t + 1);
+            slot = slotOf(word);
+            tail_.store(t + 1, std::memory_order_relaxed);  // W4
+            if (circular_ && t + 1 - head > capacity_) {
+                head = head_.load(std::memory_order_acquire);
+                giveUpOldest(head, t + 1);
+            }
             return true;
         }
     }
     /** Of a buffer that held the samples from `h` to before `t`, if these are more than it may hold. */
     void giveUpOldest(Word h, Word t) {
-        if (t - h > capacity_ && takeOut(h)) drop();
+        if (t > h + capacity_ && takeOut(h)) drop();
     }
 
-    /** R4 and R5; false if head_ is not `h` any more. */
+    /** R4; false if head_ is not `h` any more. */
     bool takeOut(Word h) {
-        const Word before = slotOf(ring_[(h - 1) & ringMask_].load(std::memory_order_relaxed));
-        if (!head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel, std::memory_order_relaxed))
-            return false;
-        // Nobody has replaced that word before head_ moved, and it was written before the one at h.
-        if (before != kNoSlot) at(before).used.store(0, std::memory_order_release);
-        return true;
+        return head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel, std::memory_order_relaxed);
     }
 
     void resizeElements(const void*, bool) override {}  // plain samples all have one size
@@ -245,13 +265,14 @@ private:
     const std::size_t capacity_;
     const bool circular_, oldData_;
     const std::size_t words_;
-    const Word ringMask_;
-    const std::size_t slots_, stride_;
-    const std::unique_ptr<std::atomic<Word>[]> ring_;
+    const Word room_, ringMask_;
+    const std::size_t spareCount_, stride_;
+    const std::unique_ptr<std::atomic<Word>[]> ring_, spares_;
     const std::unique_ptr<unsigned char[]> block_;
     // Writers change these, readers those below: each on a cache line of its own.
     alignas(64) std::atomic<Word> tail_{0};
-    std::atomic<std::size_t> hint_{0};  // where the last writer was; only spreads the writers
+    HomeThread home_;
+    Word homeSlot_, homeHead_ = 0;  // the home thread's
     std::atomic<std::size_t> dropped_{0};
     alignas(64) std::atomic<Word> head_{0};
     std::atomic<Word> cleared_{0};  // what was before this position is forgotten

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// DATA, LOCK_FREE, for small trivially copyable samples: one atomic read-modify-write per write, one per new sample read.
+// DATA, LOCK_FREE, for small trivially copyable samples: no atomic read-modify-write per write of the home thread, one per
+// write of others, one per new sample read.
 //
 // Slots hold the sample in atomic words next to a version. `current_` names a slot and the version it had when it was
 // published. A reader copies the words of the current slot and takes them only if the slot had that version before
@@ -20,8 +21,11 @@
 // after it. Who takes a slot by W1 after its last owner's W5 sees that owner's W4 or a later publication; if the slot
 // is still current it is given back untouched; if not, nobody but its new owner can make it current again. Thus the
 // current slot is never written.
+// The home thread (home_thread.hpp) skips W1 and W5: it uses its own slots in turn, so the next one is not the one that it
+// published last, which is the only one of them that can be current.
 // New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader.
 // If it fails, another reader was first; the reader starts again and cannot return an older sample than that one.
+#include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
@@ -37,7 +41,8 @@ namespace {
 
 typedef SampleWord Word;
 constexpr unsigned kSlotBits = 16;
-constexpr Word kNone = ~Word(0);  // also: no slot ever has this version
+constexpr std::size_t kHomeSlots = 3;  // the first ones
+constexpr Word kNone = ~Word(0);       // also: no slot ever has this version
 
 struct Slot {
     std::atomic<std::uint32_t> owner{0};
@@ -50,8 +55,8 @@ public:
     VersionedData(const types::TypeOps& ops, std::size_t threads)
         : SampleStore(ops),
           words_(wordsFor(ops.size)),
-          slots_(threads + 2),
-          stride_((sizeof(Slot) + (words_ - 1) * sizeof(Word) + 63) / 64 * 64),
+          slots_(kHomeSlots + threads + 2),
+          stride_(strideFor(sizeof(Slot) + (words_ - 1) * sizeof(Word))),
           block_(static_cast<unsigned char*>(::operator new(stride_* slots_, std::align_val_t(64)))) {
         for (std::size_t i = 0; i < slots_; ++i) {
             Slot* s = new (block_ + i * stride_) Slot;
@@ -61,9 +66,14 @@ public:
     ~VersionedData() override { ::operator delete(block_, std::align_val_t(64)); }
 
     WriteStatus write(const void* sample) override {
+        if (home_.here()) {
+            publish(homeNext_, sample);
+            homeNext_ = homeNext_ + 1 < kHomeSlots ? homeNext_ + 1 : 0;
+            return WriteSuccess;
+        }
         std::size_t i = hint_.load(std::memory_order_relaxed);
         for (std::size_t tries = 2 * slots_; tries > 0; --tries) {
-            i = i + 1 < slots_ ? i + 1 : 0;
+            i = i + 1 < slots_ ? i + 1 : kHomeSlots;
             Slot& slot = at(i);
             if (indexOf(current_.load(std::memory_order_relaxed)) == i) continue;
             std::uint32_t free = 0;
@@ -74,11 +84,9 @@ public:
                 continue;
             }
             hint_.store(i, std::memory_order_relaxed);
-            const Word version = slot.version.load(std::memory_order_relaxed) + 1;
-            slot.version.store(version, std::memory_order_relaxed);               // W2
-            storeWords(slot.words, sample, ops_.size);                            // W3
-            current_.store(version << kSlotBits | i, std::memory_order_release);  // W4
-            slot.owner.store(0, std::memory_order_release);                       // W5
+            publish(i, sample);
+            slot.owner.store(0, std::memory_order_release);  // W5
+            home_.wrote();
             return WriteSuccess;
         }
         return WriteFailure;
@@ -110,15 +118,26 @@ public:
     }
 
 private:
+    /** Small slots share a cache line by two. */
+    static std::size_t strideFor(std::size_t size) { return size <= 32 ? 32 : (size + 63) / 64 * 64; }
+    void publish(std::size_t i, const void* sample) {
+        Slot& slot = at(i);
+        const Word version = slot.version.load(std::memory_order_relaxed) + 1;
+        slot.version.store(version, std::memory_order_relaxed);               // W2
+        storeWords(slot.words, sample, ops_.size);                            // W3
+        current_.store(version << kSlotBits | i, std::memory_order_release);  // W4
+    }
     static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
     Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
     void resizeElements(const void*, bool) override {}  // plain samples all have one size
 
     const std::size_t words_, slots_, stride_;
     unsigned char* const block_;
-    std::atomic<std::size_t> hint_{0};  // where the last writer was; only spreads the writers
-    // Writers change one, readers the other: each on a cache line of its own.
+    // Writers change the first ones, readers the last one: each on a cache line of its own.
     alignas(64) std::atomic<Word> current_{kNone};
+    HomeThread home_;
+    std::size_t homeNext_ = 0;                   // the home thread's
+    std::atomic<std::size_t> hint_{kHomeSlots};  // where the last other writer was; only spreads them
     alignas(64) std::atomic<Word> read_{kNone};
 };
 

@@ -29,6 +29,9 @@ public:
     bool stop() { return active.exchange(false); }
     bool isActive() const { return active.load(); }
     bool isSelf() const { return model::self() == executor.load(std::memory_order_relaxed); }
+    enum class Direct { Refused, Granted, Entered };
+    Direct beginDirect() { return isSelf() ? Direct::Granted : Direct::Refused; }
+    void endDirect() {}
     bool trigger() {
         if (!isActive()) return false;
         word.post(1);
