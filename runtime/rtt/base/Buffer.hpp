@@ -1,76 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The buffer classes over the storage that connections use.
 #ifndef ORO_BUFFER_HPP
 #define ORO_BUFFER_HPP
 
-#include <rtt/base/BufferInterface.hpp>
-#include <rtt/internal/SampleStore.hpp>
-#include <rtt/types/TypeOps.hpp>
-
-#include <memory>
+#include <rtt/base/BufferLockFree.hpp>
 
 namespace RTT {
 namespace base {
 
-/** Push() and Pop() of one sample are real-time safe as far as assigning a T is and the lock policy says. */
+/** The usual kind of buffer. */
 template <class T>
-class Buffer : public BufferInterface<T> {
+class Buffer : public BufferLockFree<T> {
 public:
-    typedef typename BufferInterface<T>::value_t value_t;
-    typedef typename BufferInterface<T>::reference_t reference_t;
-    typedef typename BufferInterface<T>::param_t param_t;
-    typedef typename BufferInterface<T>::size_type size_type;
-
-    bool Push(param_t item) override { return store_->write(&item) == WriteSuccess; }
-    size_type Push(const std::vector<value_t>& items) override {
-        size_type taken = 0;
-        for (value_t item : items) {  // a copy: elements of vector<bool> have no address
-            if (!Push(item)) break;
-            ++taken;
-        }
-        return taken;
-    }
-    FlowStatus Pop(reference_t item) override { return store_->read(&item, false); }
-    size_type Pop(std::vector<value_t>& items) override {
-        items.clear();
-        for (value_t item = data_sample(); store_->read(&item, false) == NewData;) items.push_back(item);
-        return static_cast<size_type>(items.size());
-    }
-    value_t* PopWithoutRelease() override { return static_cast<value_t*>(const_cast<void*>(store_->readHeld())); }
-    void Release(value_t* item) override {
-        if (item) store_->release(item);
-    }
-    bool data_sample(param_t sample, bool reset = true) override {
-        store_->setSample(&sample, reset);
-        return true;
-    }
-    value_t data_sample() const override {
-        value_t value = value_t();
-        store_->getSample(&value);
-        return value;
-    }
-
-    size_type capacity() const override { return static_cast<size_type>(store_->capacity()); }
-    size_type size() const override { return static_cast<size_type>(store_->size()); }
-    bool empty() const override { return store_->size() == 0; }
-    bool full() const override { return store_->size() >= store_->capacity(); }
-    void clear() override { store_->clear(); }
-    size_type dropped() const override { return static_cast<size_type>(store_->dropped()); }
-
-protected:
-    Buffer(internal::StoreSpec::Lock lock, unsigned int size, const T* initial, const BufferBase::Options& options) {
-        internal::StoreSpec spec;
-        spec.kind = options.circular() ? internal::StoreSpec::CircularBuffer : internal::StoreSpec::Buffer;
-        spec.lock = lock;
-        spec.size = size;
-        spec.maxThreads = options.max_threads();
-        store_ = internal::SampleStore::make(types::typeOps<T>(), spec, initial);
-        if (initial) store_->setSample(initial, true);
-    }
-
-private:
-    std::unique_ptr<internal::SampleStore> store_;
+    using BufferLockFree<T>::BufferLockFree;
 };
 
 }  // namespace base

@@ -3,22 +3,22 @@
 #ifndef ORO_CORELIB_BUFFER_LOCK_FREE_HPP
 #define ORO_CORELIB_BUFFER_LOCK_FREE_HPP
 
-#include <rtt/base/Buffer.hpp>
+#include <rtt/internal/StoredBuffer.hpp>
 
 namespace RTT {
 namespace base {
 
 /** For any number of writers and readers; never blocks. Push() fails also while more threads use it than it was made for. */
 template <class T>
-class BufferLockFree : public Buffer<T> {
+class BufferLockFree : public internal::StoredBuffer<T> {
 public:
     typedef BufferBase::Options Options;
 
     explicit BufferLockFree(unsigned int size, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::LockFree, size, nullptr, options) {}
+        : internal::StoredBuffer<T>(internal::StoreSpec::LockFree, size, nullptr, options) {}
     /** `initial_value` sizes the elements; it is not delivered as data. */
     BufferLockFree(unsigned int size, const T& initial_value, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::LockFree, size, &initial_value, options) {}
+        : internal::StoredBuffer<T>(internal::StoreSpec::LockFree, size, &initial_value, options) {}
 };
 
 }  // namespace base

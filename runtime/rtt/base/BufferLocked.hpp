@@ -3,22 +3,22 @@
 #ifndef ORO_CORELIB_BUFFER_LOCKED_HPP
 #define ORO_CORELIB_BUFFER_LOCKED_HPP
 
-#include <rtt/base/Buffer.hpp>
+#include <rtt/internal/StoredBuffer.hpp>
 
 namespace RTT {
 namespace base {
 
 /** For any number of writers and readers, who wait for each other. */
 template <class T>
-class BufferLocked : public Buffer<T> {
+class BufferLocked : public internal::StoredBuffer<T> {
 public:
     typedef BufferBase::Options Options;
 
     explicit BufferLocked(unsigned int size, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::Locked, size, nullptr, options) {}
+        : internal::StoredBuffer<T>(internal::StoreSpec::Locked, size, nullptr, options) {}
     /** `initial_value` sizes the elements; it is not delivered as data. */
     BufferLocked(unsigned int size, const T& initial_value, const Options& options = Options())
-        : Buffer<T>(internal::StoreSpec::Locked, size, &initial_value, options) {}
+        : internal::StoredBuffer<T>(internal::StoreSpec::Locked, size, &initial_value, options) {}
 };
 
 }  // namespace base

@@ -1,57 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The data object classes over the storage that connections use.
 #ifndef ORO_CORELIB_DATAOBJECT_HPP
 #define ORO_CORELIB_DATAOBJECT_HPP
 
-#include <rtt/base/DataObjectInterface.hpp>
-#include <rtt/internal/SampleStore.hpp>
-#include <rtt/types/TypeOps.hpp>
-
-#include <memory>
+#include <rtt/base/DataObjectLockFree.hpp>
 
 namespace RTT {
 namespace base {
 
-/** Get() and Set() are real-time safe as far as assigning a T is and the lock policy says. */
+/** The usual kind of data object. */
 template <class T>
-class DataObject : public DataObjectInterface<T> {
+class DataObject : public DataObjectLockFree<T> {
 public:
-    typedef typename DataObjectInterface<T>::value_t value_t;
-    typedef typename DataObjectInterface<T>::reference_t reference_t;
-    typedef typename DataObjectInterface<T>::param_t param_t;
-
-    FlowStatus Get(reference_t pull, bool copy_old_data = true) const override {
-        return store_->read(&pull, copy_old_data);
-    }
-    value_t Get() const override {
-        value_t value = value_t();
-        store_->read(&value, true);
-        return value;
-    }
-    bool Set(param_t push) override { return store_->write(&push) == WriteSuccess; }
-    bool data_sample(param_t sample, bool reset = true) override {
-        store_->setSample(&sample, reset);
-        return true;
-    }
-    value_t data_sample() const override {
-        value_t value = value_t();
-        store_->getSample(&value);
-        return value;
-    }
-    void clear() override { store_->clear(); }
-
-protected:
-    DataObject(internal::StoreSpec::Lock lock, const T* initial, unsigned int max_threads) {
-        internal::StoreSpec spec;
-        spec.lock = lock;
-        spec.maxThreads = max_threads;
-        store_ = internal::SampleStore::make(types::typeOps<T>(), spec, initial);
-        if (initial) store_->setSample(initial, true);
-    }
-
-private:
-    std::unique_ptr<internal::SampleStore> store_;
+    using DataObjectLockFree<T>::DataObjectLockFree;
 };
 
 }  // namespace base

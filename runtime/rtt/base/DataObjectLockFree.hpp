@@ -3,23 +3,23 @@
 #ifndef CORELIB_DATAOBJECT_LOCK_FREE_HPP
 #define CORELIB_DATAOBJECT_LOCK_FREE_HPP
 
-#include <rtt/base/DataObject.hpp>
+#include <rtt/internal/StoredDataObject.hpp>
 
 namespace RTT {
 namespace base {
 
 /** For any number of writers and readers; never blocks. Set() fails only while more threads use it than it was made for. */
 template <class T>
-class DataObjectLockFree : public DataObject<T> {
+class DataObjectLockFree : public internal::StoredDataObject<T> {
 public:
     typedef DataObjectBase::Options Options;
 
-    DataObjectLockFree() : DataObject<T>(internal::StoreSpec::LockFree, nullptr, 2) {}
+    DataObjectLockFree() : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, nullptr, 2) {}
     explicit DataObjectLockFree(const Options& options)
-        : DataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectLockFree(const T& initial_value, const Options& options = Options())
-        : DataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads()) {}
 };
 
 }  // namespace base

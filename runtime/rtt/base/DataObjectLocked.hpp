@@ -3,23 +3,23 @@
 #ifndef CORELIB_DATAOBJECT_LOCKED_HPP
 #define CORELIB_DATAOBJECT_LOCKED_HPP
 
-#include <rtt/base/DataObject.hpp>
+#include <rtt/internal/StoredDataObject.hpp>
 
 namespace RTT {
 namespace base {
 
 /** For any number of writers and readers, who wait for each other. */
 template <class T>
-class DataObjectLocked : public DataObject<T> {
+class DataObjectLocked : public internal::StoredDataObject<T> {
 public:
     typedef DataObjectBase::Options Options;
 
-    DataObjectLocked() : DataObject<T>(internal::StoreSpec::Locked, nullptr, 2) {}
+    DataObjectLocked() : internal::StoredDataObject<T>(internal::StoreSpec::Locked, nullptr, 2) {}
     explicit DataObjectLocked(const Options& options)
-        : DataObject<T>(internal::StoreSpec::Locked, nullptr, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::Locked, nullptr, options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectLocked(const T& initial_value, const Options& options = Options())
-        : DataObject<T>(internal::StoreSpec::Locked, &initial_value, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::Locked, &initial_value, options.max_threads()) {}
 };
 
 }  // namespace base

@@ -34,6 +34,7 @@ struct StoreSpec {
     std::size_t size = 0;        ///< capacity of a buffer
     std::size_t maxThreads = 2;  ///< threads that use a lock-free storage at once
     bool oldData = true;         ///< an empty buffer gives its last sample again
+    bool held = false;           ///< readHeld() will be used
 };
 
 /** Storage of samples. LockFree and Locked ones may be used by any number of threads in any role, Unsync ones by one
@@ -67,7 +68,7 @@ public:
     /** Samples refused or thrown away because the buffer was full. */
     virtual std::size_t dropped() const { return 0; }
 
-    /** The oldest sample, left in its place until release(); null if none. At most one held per thread. */
+    /** The oldest sample, untouched until release(); null if none. At most one held per thread. For StoreSpec::held. */
     virtual const void* readHeld() { return nullptr; }
     virtual void release(const void*) {}
 

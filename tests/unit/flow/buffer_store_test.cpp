@@ -25,6 +25,7 @@ protected:
         spec.lock = C::lock;
         spec.size = size;
         spec.oldData = oldData;
+        spec.held = true;
         store = SampleStore::make(types::typeOps<T>(), spec, nullptr);
     }
     static T text(int i) { return C::sample(i); }

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace RTT;
@@ -123,6 +124,33 @@ TYPED_TEST(Buffers, QueueSamples) {
     buffer.Push(number<T>(6));
     buffer.clear();
     EXPECT_TRUE(buffer.empty());
+}
+
+TYPED_TEST(Buffers, LeaveAloneWhatIsHeld) {
+    typedef typename TypeParam::value_t T;
+    TypeParam buffer(2, number<T>(0), base::BufferBase::Options(true));
+    buffer.Push(number<T>(1));
+    buffer.Push(number<T>(2));
+    T* const held = buffer.PopWithoutRelease();
+    ASSERT_TRUE(held);
+    for (int i = 3; i < 10; ++i) buffer.Push(number<T>(i));
+    EXPECT_EQ(buffer.Pop(this->got), NewData);
+    EXPECT_EQ(this->got, number<T>(8));
+    EXPECT_EQ(*held, number<T>(1));
+    buffer.Release(held);
+}
+
+TYPED_TEST(Buffers, GoOnIfNothingIsReleased) {
+    typedef typename TypeParam::value_t T;
+    TypeParam buffer(1);
+    const bool mustRelease = std::is_same<TypeParam, base::BufferLockFree<T>>::value;
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_TRUE(buffer.Push(number<T>(i)));
+        T* const held = buffer.PopWithoutRelease();
+        ASSERT_TRUE(held);
+        EXPECT_EQ(*held, number<T>(i));
+        if (mustRelease) buffer.Release(held);
+    }
 }
 
 TYPED_TEST(Buffers, DropTheOldestIfCircular) {

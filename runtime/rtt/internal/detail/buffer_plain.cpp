@@ -7,6 +7,7 @@
 #include <rtt/internal/detail/store_lock.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace RTT {
 namespace internal {
@@ -22,7 +23,9 @@ public:
           capacity_(spec.size),
           circular_(spec.kind == StoreSpec::CircularBuffer),
           oldData_(spec.oldData),
-          places_(ops, spec.size + 1, first) {}
+          places_(ops, spec.size + 1, first),
+          held_(ops, spec.held ? std::max<std::size_t>(spec.maxThreads, 1) : 0, first),
+          inUse_(held_.count(), false) {}
 
     WriteStatus write(const void* sample) override {
         const WriteStatus status = enter(sample);
@@ -48,11 +51,17 @@ public:
     }
     const void* readHeld() override {
         const Hold<Mutex> hold(mutex_);
-        if (filled_ == 0) return nullptr;
-        const void* sample = places_.sample(first_);
+        if (filled_ == 0 || held_.count() == 0) return nullptr;
+        void* const sample = held_.sample(placeToHold());
+        assignSample(ops_, sample, places_.sample(first_));
         advance();
         hasLast_ = true;
         return sample;
+    }
+    void release(const void* held) override {
+        const Hold<Mutex> hold(mutex_);
+        for (std::size_t i = 0; i < held_.count(); ++i)
+            if (held_.sample(i) == held) inUse_[i] = false;
     }
 
     std::size_t capacity() const override { return capacity_; }
@@ -79,6 +88,16 @@ private:
         ++filled_;
         return WriteSuccess;
     }
+    /** A free one; if there is none, because somebody never releases, the next one in turn. */
+    std::size_t placeToHold() {
+        for (std::size_t i = 0; i < held_.count(); ++i)
+            if (!inUse_[i]) {
+                inUse_[i] = true;
+                return i;
+            }
+        inTurn_ = inTurn_ + 1 < held_.count() ? inTurn_ + 1 : 0;
+        return inTurn_;
+    }
     std::size_t place(std::size_t n) const { return (first_ + n) % places_.count(); }
     std::size_t lastPlace() const { return (first_ + places_.count() - 1) % places_.count(); }
     void advance() {
@@ -98,6 +117,8 @@ private:
             assignSample(ops_, target, sample);
             assignSample(ops_, target, kept.get());
         }
+        for (std::size_t i = 0; i < held_.count(); ++i)
+            if (!inUse_[i]) assignSample(ops_, held_.sample(i), sample);
     }
 
     mutable Mutex mutex_;
@@ -106,6 +127,9 @@ private:
     bool hasLast_ = false;  // the place before first_ holds the sample read last
     std::size_t first_ = 0, filled_ = 0, dropped_ = 0;
     SampleArray places_;
+    SampleArray held_;  // copies of samples that readers hold
+    std::vector<bool> inUse_;
+    std::size_t inTurn_ = 0;
 };
 
 }  // namespace
