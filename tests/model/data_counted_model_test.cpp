@@ -92,6 +92,20 @@ TEST(CountedData, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(oneWrite
 TEST(CountedData, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(twoReaders)); }
 TEST(CountedData, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(twoWriters)); }
 
+/** Who asks for new samples only gets none that another reader got. */
+void onlyNew(Trial& trial) {
+    const auto store = makeStore(2);
+    write(*store, 1);
+    for (int i = 0; i < 2; ++i)
+        trial.thread([&] {
+            TracedSample sample(-1);
+            const RTT::FlowStatus status = store->read(&sample, false);
+            require(status == RTT::NewData ? sample.get() == 1 : sample.get() == -1, "an old sample, not asked for");
+        });
+    trial.go();
+}
+TEST(CountedData, only_new_samples) { EXPECT_TRUE(model::holds(onlyNew)); }
+
 TEST(CountedData, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("counted_no_second_look", oneWriter));
     EXPECT_TRUE(model::catches("counted_readers_ignored", oneWriter));

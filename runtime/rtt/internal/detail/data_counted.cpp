@@ -18,7 +18,7 @@
 // visit in the count of a foreign slot only makes W1 pass over it. R3 fails only because a writer published, so the
 // system goes on.
 // Each thread has at most one slot, and one is current: with max_threads + 2 slots, max_threads + 1 threads never fail.
-// A sample is new for the one reader whose R4 clears Unread.
+// A sample is new for the one reader that clears Unread: by its R4, or before it copies if it wants nothing but new ones.
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
@@ -117,21 +117,31 @@ private:
     void unhold(std::size_t i) { state(i).fetch_and(~kHeld, std::memory_order_release); }  // W3
 
     FlowStatus copyAndLeave(std::atomic<State>& s, const void* from, void* to, bool copyOld) {
-        State now = s.load(std::memory_order_relaxed);
-        if (!copyOld && !(now & kUnread)) {
-            s.fetch_sub(1, std::memory_order_release);
-            return OldData;
-        }
+        if (!copyOld) return copyNewAndLeave(s, from, to);
         bool copied = false;
         AtEnd leave([&] {
             if (!copied) s.fetch_sub(1, std::memory_order_release);
         });
         assignSample(ops_, to, from);
         copied = true;
-        now = s.load(std::memory_order_relaxed);
+        State now = s.load(std::memory_order_relaxed);
         while (!s.compare_exchange_weak(now, (now - 1) & ~kUnread, std::memory_order_acq_rel)) {
         }  // R4
         return now & kUnread ? NewData : OldData;
+    }
+
+    /** Who is not to see an old sample must know that it is the first one before it copies. */
+    FlowStatus copyNewAndLeave(std::atomic<State>& s, const void* from, void* to) {
+        const bool unread = (s.load(std::memory_order_relaxed) & kUnread) &&
+                            (s.fetch_and(~kUnread, std::memory_order_acq_rel) & kUnread);
+        bool copied = !unread;
+        AtEnd leave([&] {
+            if (!copied) s.fetch_or(kUnread, std::memory_order_relaxed);
+            s.fetch_sub(1, std::memory_order_release);
+        });
+        if (unread) assignSample(ops_, to, from);
+        copied = true;
+        return unread ? NewData : OldData;
     }
 
     void resizeElements(const void* sample, bool all) override {
