@@ -45,6 +45,8 @@ TEST(LockFreeBuffer, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(Scen
 TEST(LockFreeBuffer, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(Scenarios::oneWriterTwoReaders)); }
 TEST(LockFreeBuffer, one_writer_and_one_reader_go_round) { EXPECT_TRUE(model::holds(Scenarios::oneWriterOneReader)); }
 TEST(LockFreeBuffer, a_full_circular_buffer) { EXPECT_TRUE(model::holds(Scenarios::circular)); }
+TEST(LockFreeBuffer, a_circular_buffer_with_two_writers) { EXPECT_TRUE(model::holds(Scenarios::circularTwoWriters)); }
+TEST(LockFreeBuffer, refuses_only_if_full) { EXPECT_TRUE(model::holds(Scenarios::refusesOnlyIfFull)); }
 TEST(LockFreeBuffer, old_data) { EXPECT_TRUE(model::holds(Scenarios::oldData<2>)); }
 TEST(LockFreeBuffer, the_last_sample_while_its_slot_is_used_again) { EXPECT_TRUE(model::holds(lastReused)); }
 TEST(LockFreeBuffer, a_slot_used_again) { EXPECT_TRUE(model::holds(Scenarios::slotReused<6>)); }

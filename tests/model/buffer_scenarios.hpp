@@ -109,8 +109,34 @@ struct BufferScenarios {
         trial.thread([&] { require(write(*store, 2), "a circular buffer refused"); });
         trial.thread([&] { got = readNew(*store); });
         trial.go();
+        require(got != 0, "empty though it never is");
         const int left = readNew(*store);
         require(got == 2 ? left == 0 : left == 2, "the newest is lost or came twice");
+    }
+
+    static void circularTwoWriters(Trial& trial) {
+        const auto store = makeStore(StoreSpec::CircularBuffer, 1, 3, true);
+        for (int value = 1; value <= 2; ++value)
+            trial.thread([&, value] { require(write(*store, value), "a circular buffer refused"); });
+        trial.thread([&] { readNew(*store); });
+        trial.go();
+        int left = 0;
+        while (readNew(*store) != 0) ++left;
+        require(left <= 1, "more than it holds");
+    }
+
+    /** There are never more than two samples at once. */
+    static void refusesOnlyIfFull(Trial& trial) {
+        const auto store = makeStore(StoreSpec::Buffer, 2, 3, false);
+        require(write(*store, 1), "not set up");
+        bool done = false;
+        trial.thread([&] {
+            readNew(*store);
+            write(*store, 2);
+        });
+        trial.thread([&] { done = write(*store, 3); });
+        trial.go();
+        require(done, "refused by a buffer that never was full");
     }
 
     /** An empty buffer gives its last sample again, while another thread writes and takes samples. */

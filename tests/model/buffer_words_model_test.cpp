@@ -65,6 +65,8 @@ TEST(WordBuffer, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(away<Sce
 TEST(WordBuffer, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(away<Scenarios::oneWriterTwoReaders>)); }
 TEST(WordBuffer, one_writer_and_one_reader_go_round) { EXPECT_TRUE(model::holds(away<Scenarios::oneWriterOneReader>)); }
 TEST(WordBuffer, a_full_circular_buffer) { EXPECT_TRUE(model::holds(away<Scenarios::circular>)); }
+TEST(WordBuffer, a_circular_buffer_with_two_writers) { EXPECT_TRUE(model::holds(away<Scenarios::circularTwoWriters>)); }
+TEST(WordBuffer, refuses_only_if_full) { EXPECT_TRUE(model::holds(away<Scenarios::refusesOnlyIfFull>)); }
 TEST(WordBuffer, old_data) { EXPECT_TRUE(model::holds(away<Scenarios::oldData<5>>)); }
 TEST(WordBuffer, a_slot_used_again) { EXPECT_TRUE(model::holds(away<Scenarios::slotReused<8>>)); }
 TEST(WordBuffer, clearing) { EXPECT_TRUE(model::holds(away<clearing>)); }
@@ -80,6 +82,10 @@ TEST(WordBufferAtHome, one_writer_and_one_reader_go_round) {
     EXPECT_TRUE(model::holds(atHome<1, Scenarios::oneWriterOneReader>));
 }
 TEST(WordBufferAtHome, a_full_circular_buffer) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::circular>)); }
+TEST(WordBufferAtHome, a_circular_buffer_with_two_writers) {
+    EXPECT_TRUE(model::holds(atHome<2, Scenarios::circularTwoWriters>));
+}
+TEST(WordBufferAtHome, refuses_only_if_full) { EXPECT_TRUE(model::holds(atHome<2, Scenarios::refusesOnlyIfFull>)); }
 TEST(WordBufferAtHome, old_data) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::oldData<5>>)); }
 TEST(WordBufferAtHome, a_slot_used_again) { EXPECT_TRUE(model::holds(atHome<1, Scenarios::slotReused<8>>)); }
 TEST(WordBufferAtHome, clearing) { EXPECT_TRUE(model::holds(atHome<2, clearing>)); }
@@ -90,6 +96,7 @@ TEST(WordBuffer, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("words_relaxed_enter", away<Scenarios::oneWriterOneReader>));
     EXPECT_TRUE(model::catches("words_taken_twice", away<Scenarios::oneWriterTwoReaders>));
     EXPECT_TRUE(model::catches("words_overwritten", away<Scenarios::twoWritersOneReader>));
+    EXPECT_TRUE(model::catches("words_relaxed_tail", away<Scenarios::refusesOnlyIfFull>));
     EXPECT_TRUE(model::catches("words_spare_kept", atHome<1, twoWrites>));
     EXPECT_TRUE(model::catches("words_old_not_checked", away<Scenarios::oldData<5>>));
 }

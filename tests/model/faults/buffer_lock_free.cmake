@@ -3,9 +3,9 @@
 set(file rtt/internal/detail/buffer_lock_free.cpp)
 under_test(${file})
 faulty_value(buffer_relaxed_take ${file}
-  [=[ring_[h & ringMask_].load(@{std::memory_order_acquire}@);]=] [=[std::memory_order_relaxed]=])
+  [=[ring_[p & ringMask_].load(@{std::memory_order_acquire}@);]=] [=[std::memory_order_relaxed]=])
 faulty_value(buffer_taken_twice ${file}
-  [=[if (@{head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel)}@) return]=] [=[(head_.store(h + 1), true)]=])
+  [=[return @{head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel)}@; }  // R1]=] [=[(head_.store(h + 1), true)]=])
 faulty_value(buffer_overwritten ${file}
   [=[if (@{!cell.compare_exchange_strong(word, pack(t, slot), std::memory_order_acq_rel)}@) continue;]=]
   [=[(cell.store(pack(t, slot)), false)]=])

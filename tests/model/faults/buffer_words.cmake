@@ -15,5 +15,7 @@ faulty_value(words_relaxed_enter ${file}
 faulty_value(words_taken_twice ${file}
   [=[return @{head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel, std::memory_order_relaxed)}@;]=]
   [=[(head_.store(h + 1), true)]=])
+faulty_value(words_relaxed_tail ${file}
+  [=[tail_.store(t + 1, @{std::memory_order_release}@);  // W4]=] [=[std::memory_order_relaxed]=])
 faulty_value(words_spare_kept ${file} [=[slot = @{slotOf(word)}@;]=] [=[slot]=])
 faulty_value(words_old_not_checked ${file} [=[if (@{head_.load(std::memory_order_relaxed) != h}@) continue;]=] [=[false]=])

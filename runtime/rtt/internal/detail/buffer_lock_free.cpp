@@ -7,11 +7,14 @@
 // copies it. So whoever stops in the middle of a copy holds a slot, never a place in the ring, and hinders nobody.
 //
 //   enter at tail t                                    take out at head h
-//   t - head_ < capacity, else full                    word of ring[h] has turn h, else empty or h is stale
+//   t - head_ < room, else full                        word of ring[h] has turn h, else empty or h is stale
 //   word of ring[t]: turn t-P -> {t, slot}  CAS  (W1)  head_: h -> h+1                 CAS  (R1)
 //   tail_: t -> t+1  CAS, anybody may help             the slot is the reader's
 //
-// P, the length of the ring, is at least the capacity, so the word with turn t-P was taken out (head_ > t-P) before
+// A full circular buffer has room for one more: it takes the new sample first and gives up the oldest then, so readers
+// never find it empty.
+//
+// P, the length of the ring, is at least `room`, so the word with turn t-P was taken out (head_ > t-P) before
 // W1 replaces it, and a word cannot change before R1 took it. W1 is a release, loading the word an acquire: the
 // reader sees the sample. A turn is a position modulo 2^40; to be fooled a thread must sleep for exactly that many.
 //
@@ -21,6 +24,7 @@
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <thread>
@@ -61,10 +65,11 @@ public:
           capacity_(spec.size),
           circular_(spec.kind == StoreSpec::CircularBuffer),
           oldData_(spec.oldData),
-          ringMask_(powerOfTwo(capacity_) - 1),
+          room_(circular_ ? capacity_ + 1 : capacity_),
+          ringMask_(powerOfTwo(room_) - 1),
           ring_(new std::atomic<Word>[ringMask_ + 1]),
-          // in the buffer, last read, and one in the hands of each thread
-          samples_(ops, capacity_ + 2 + spec.maxThreads, first, sizeof(Header)) {
+          // in the buffer, last read, one in the hands of each thread and one that it gives up
+          samples_(ops, room_ + 2 + (circular_ ? 2 : 1) * spec.maxThreads, first, sizeof(Header)) {
         for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Header;
         for (Word i = 0; i <= ringMask_; ++i)
             ring_[i].store(pack(i - (ringMask_ + 1), kNoSlot), std::memory_order_relaxed);
@@ -82,11 +87,9 @@ public:
         assign(slot, sample, extent);
         while (!(entered = enter(slot))) {
             if (!circular_) return drop();
-            const Word oldest = takeOut();
-            if (oldest == kNoSlot) continue;
-            release(oldest);
-            drop();
+            giveUpOldest();
         }
+        if (circular_) giveUpOldest();
         keepSized(sample, extent);
         return WriteSuccess;
     }
@@ -135,7 +138,7 @@ public:
     std::size_t size() const override {
         const Word head = head_.load(std::memory_order_acquire);
         const Word tail = tail_.load(std::memory_order_acquire);
-        return tail > head ? static_cast<std::size_t>(tail - head) : 0;
+        return tail > head ? std::min<std::size_t>(tail - head, capacity_) : 0;
     }
     std::size_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
 
@@ -195,7 +198,7 @@ private:
         for (;;) {
             Word t = tail_.load(std::memory_order_acquire);
             const Word h = head_.load(std::memory_order_acquire);
-            if (t >= h && t - h >= capacity_) {
+            if (t >= h && t - h >= room_) {
                 if (tail_.load(std::memory_order_relaxed) == t) return false;
                 continue;
             }
@@ -212,14 +215,25 @@ private:
     /** kNoSlot if the buffer is empty. */
     Word takeOut() {
         for (;;) {
-            Word h = head_.load(std::memory_order_acquire);
-            const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);
+            const Word h = head_.load(std::memory_order_acquire);
+            const Word word = wordAt(h);
             if (hasTurn(word, h)) {
-                if (head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel)) return slotOf(word);  // R1
+                if (moveHead(h)) return slotOf(word);
             } else if (hasTurn(word, h - (ringMask_ + 1))) {
                 return kNoSlot;
             }
         }
+    }
+    Word wordAt(Word p) const { return ring_[p & ringMask_].load(std::memory_order_acquire); }
+    bool moveHead(Word h) { return head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel); }  // R1
+    /** If there are more samples than there may be. */
+    void giveUpOldest() {
+        const Word h = head_.load(std::memory_order_acquire);
+        if (tail_.load(std::memory_order_acquire) <= h + capacity_) return;
+        const Word word = wordAt(h);
+        if (!hasTurn(word, h) || !moveHead(h)) return;
+        release(slotOf(word));
+        drop();
     }
 
     void makeLast(Word slot) {
@@ -260,7 +274,7 @@ private:
 
     const std::size_t capacity_;
     const bool circular_, oldData_;
-    const Word ringMask_;
+    const Word room_, ringMask_;
     const std::unique_ptr<std::atomic<Word>[]> ring_;
     SampleArray samples_;
     alignas(64) std::atomic<Word> tail_{0};

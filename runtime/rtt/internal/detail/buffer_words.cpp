@@ -11,7 +11,7 @@
 //   t - head_ < room, else full              (W2)      word = ring[h] has turn h? acquire     (R2)
 //   ring[t]: {t-P, old} -> {t, s}            (W3)      words of its slot          acquire each (R3)
 //                         CAS, acq_rel                 head_: h -> h+1            CAS, acq_rel (R4)
-//   tail_ = t+1           relaxed            (W4)
+//   tail_ = t+1           release            (W4)
 //   `old` is the spare slot now
 //
 // P, the length of the ring, is more than `room`, so W2 says that head_ > t-P+1: the sample in `old` was taken, and the one
@@ -26,7 +26,8 @@
 // valid if head_ is still h afterwards.
 //
 // tail_ is a hint, at most the true tail: W3 decides. It may be set back by a writer that stopped before W4; the next
-// one starts at head_ then and passes the words that have later turns. Writers may look at an old value of head_ as long as
+// one starts at head_ then and passes the words that have later turns. With tail_ comes, by W4, what its writer knew of
+// head_, so that a new tail_ and an old head_ do not look like a full buffer. Writers may look at an old value of head_ as long as
 // it leaves room: it only grows.
 // A full circular buffer takes the new sample first and gives up the oldest then, so readers never find it empty and the
 // sample before head_ was read, not given up, whenever the buffer is empty.
@@ -167,7 +168,7 @@ public:
     std::size_t capacity() const override { return capacity_; }
     std::size_t size() const override {
         const Word head = head_.load(std::memory_order_acquire);
-        Word tail = std::max(head, tail_.load(std::memory_order_relaxed));
+        Word tail = std::max(head, tail_.load(std::memory_order_acquire));
         while (hasTurn(ring_[tail & ringMask_].load(std::memory_order_acquire), tail)) ++tail;
         return std::min<std::size_t>(tail - head, capacity_);
     }
@@ -213,7 +214,7 @@ private:
         too high. It may be too low; enter() finds out then. */
     bool full(Word& head) const {
         for (;;) {
-            if (tail_.load(std::memory_order_relaxed) < head + capacity_) return false;
+            if (tail_.load(std::memory_order_acquire) < head + capacity_) return false;
             const Word now = head_.load(std::memory_order_acquire);
             if (now == head) return true;
             head = now;
@@ -222,11 +223,11 @@ private:
     /** False if the buffer is full and not circular. */
     bool enter(Word& slot, Word& head) {
         for (;;) {
-            const Word t = std::max(head, tail_.load(std::memory_order_relaxed));
+            const Word t = std::max(head, tail_.load(std::memory_order_acquire));
             std::atomic<Word>& cell = ring_[t & ringMask_];
             Word word = cell.load(std::memory_order_acquire);
             if (hasTurn(word, t)) {
-                tail_.store(t + 1, std::memory_order_relaxed);
+                tail_.store(t + 1, std::memory_order_release);
                 continue;
             }
             if (t - head >= room_) {  // W2
@@ -242,7 +243,7 @@ private:
             }
             if (!cell.compare_exchange_strong(word, pack(t, slot), std::memory_order_acq_rel)) continue;  // W3
             slot = slotOf(word);
-            tail_.store(t + 1, std::memory_order_relaxed);  // W4
+            tail_.store(t + 1, std::memory_order_release);  // W4
             if (circular_ && t + 1 - head > capacity_) {
                 head = head_.load(std::memory_order_acquire);
                 giveUpOldest(head, t + 1);
