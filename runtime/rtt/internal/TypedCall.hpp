@@ -5,7 +5,6 @@
 #ifndef ORO_INTERNAL_TYPED_CALL_HPP
 #define ORO_INTERNAL_TYPED_CALL_HPP
 
-#include <rtt/internal/Callee.hpp>
 #include <rtt/internal/SentCall.hpp>
 
 #include <cstddef>
@@ -34,7 +33,7 @@ public:
     template <class F>
     void take(F&& f) {
         clear();
-        new (bytes_) R(f());
+        ::new (bytes_) R(f());
         full_ = true;
     }
     const R& get() const { return *std::launder(reinterpret_cast<const R*>(bytes_)); }
@@ -95,8 +94,8 @@ class TypedCall<R(Args...)> final : public SentCall {
 public:
     typedef boost::intrusive_ptr<TypedCall> shared_ptr;
 
-    explicit TypedCall(typename Callee<R(Args...)>::shared_ptr callee, const std::remove_reference_t<Args>&... args)
-        : arguments(args...), callee_(std::move(callee)) {}
+    explicit TypedCall(CalleeBase* callee, const std::remove_reference_t<Args>&... args)
+        : SentCall(callee), arguments(args...) {}
     const void* resultAddress() const override { return result.address(); }
     void* argumentAddress(unsigned index) override { return addressAt(index, std::index_sequence_for<Args...>()); }
 
@@ -108,15 +107,16 @@ private:
     template <std::size_t... I>
     void runWith(std::index_sequence<I...>) {
         // Arguments by value are moved: only those by reference are looked at again.
-        result.take([this]() -> R { return (*callee_)(static_cast<Args&&>(argumentAt<I>(arguments))...); });
+        result.take([this]() -> R {
+            return (*static_cast<Callee<R(Args...)>*>(this->callee()))(
+                static_cast<Args&&>(argumentAt<I>(arguments))...);
+        });
     }
     template <std::size_t... I>
     void* addressAt(unsigned index, std::index_sequence<I...>) {
         void* const all[] = {std::addressof(argumentAt<I>(arguments))..., nullptr};
         return all[index];
     }
-
-    typename Callee<R(Args...)>::shared_ptr callee_;
 };
 
 }  // namespace internal

@@ -39,8 +39,10 @@ struct SampleExtent<T, std::void_t<decltype(*std::declval<const T&>()), decltype
 };
 /** Strings, vectors and other containers: the number of all elements, also of those inside the elements. */
 template <class T>
-struct SampleExtent<T, std::void_t<typename T::value_type, decltype(std::declval<const T&>().size()),
-                                   decltype(std::declval<const T&>().begin())>> {
+struct SampleExtent<
+    T, std::enable_if_t<!std::is_same<typename T::value_type, T>::value &&
+                            std::is_convertible<decltype(std::declval<const T&>().size()), std::size_t>::value,
+                        std::void_t<decltype(std::declval<const T&>().begin())>>> {
     static std::size_t of(const T& sample) {
         typedef typename T::value_type Element;
         std::size_t sum = 1 + static_cast<std::size_t>(sample.size());
@@ -54,8 +56,8 @@ namespace detail {
 
 template <class T>
 struct Ops {
-    static void construct(void* at) { new (at) T(); }
-    static void copyConstruct(void* at, const void* from) { new (at) T(*static_cast<const T*>(from)); }
+    static void construct(void* at) { ::new (at) T(); }
+    static void copyConstruct(void* at, const void* from) { ::new (at) T(*static_cast<const T*>(from)); }
     static void assign(void* to, const void* from) { *static_cast<T*>(to) = *static_cast<const T*>(from); }
     static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
     static std::size_t extent(const void* sample) { return SampleExtent<T>::of(*static_cast<const T*>(sample)); }

@@ -53,6 +53,33 @@ struct Thrower {
 };
 int Thrower::alive = 0;
 
+/** A container of itself, as types of JSON libraries are. */
+struct Json {
+    typedef Json value_type;
+    int number = 0;
+    std::string text;
+    std::size_t size() const { return 1; }
+    const Json* begin() const { return this; }
+    const Json* end() const { return this + 1; }
+};
+/** What size() is, nobody knows. */
+struct Image {
+    struct Size {
+        int width, height;
+    };
+    typedef std::string value_type;
+    std::string pixels;
+    Size size() const { return {1, 1}; }
+    const char* begin() const { return pixels.data(); }
+    const char* end() const { return begin() + pixels.size(); }
+};
+/** Hides the usual forms of new. */
+struct Pooled {
+    void* operator new(std::size_t size) { return ::operator new(size); }
+    void operator delete(void* at) { ::operator delete(at); }
+    std::string text;
+};
+
 std::vector<ConnPolicy> everyStorage() {
     std::vector<ConnPolicy> all;
     for (const int lock : {ConnPolicy::UNSYNC, ConnPolicy::LOCKED, ConnPolicy::LOCK_FREE}) {
@@ -87,6 +114,21 @@ TEST(SampleTypes, NeedNoComparison) {
     sent.a = 3;
     sent.table["x"] = 4;
     expectCarried<NoComparison>(sent, [](const NoComparison& got) { return got.a == 3 && got.table.at("x") == 4; });
+}
+
+TEST(SampleTypes, MayLookLikeContainersAndBeNone) {
+    Json number;
+    number.text = "five";
+    expectCarried<Json>(number, [](const Json& got) { return got.text == "five"; });
+    Image image;
+    image.pixels = "pixels";
+    expectCarried<Image>(image, [](const Image& got) { return got.pixels == "pixels"; });
+}
+
+TEST(SampleTypes, MayHaveTheirOwnNew) {
+    Pooled sent;
+    sent.text = "pooled";
+    expectCarried<Pooled>(sent, [](const Pooled& got) { return got.text == "pooled"; });
 }
 
 TEST(SampleTypes, MayBeLarge) {
