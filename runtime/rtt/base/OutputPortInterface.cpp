@@ -196,13 +196,24 @@ bool OutputPortInterface::createConnection(internal::SharedConnectionBase::share
     return internal::ConnFactory::createSharedConnection(this, nullptr, shared_connection, policy);
 }
 
+namespace {
+/** Null, and an error, if it is none. */
+InputPortInterface* asInput(const OutputPortInterface& output, PortInterface* other) {
+    InputPortInterface* const input = dynamic_cast<InputPortInterface*>(other);
+    if (!input)
+        log(Error) << "output port " << output.getFullName() << " could not connect to "
+                   << (other ? other->getFullName() : std::string("nothing")) << ": not an input port" << endlog();
+    return input;
+}
+}  // namespace
+
 bool OutputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy) {
-    InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
+    InputPortInterface* const input = asInput(*this, other);
     return input && createConnection(*input, policy);
 }
 
 bool OutputPortInterface::connectTo(PortInterface* other) {
-    InputPortInterface* input = dynamic_cast<InputPortInterface*>(other);
+    InputPortInterface* const input = asInput(*this, other);
     return input && createConnection(*input);
 }
 

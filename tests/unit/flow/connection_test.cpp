@@ -100,16 +100,25 @@ TEST(Connection, BetweenDifferentTypesIsRefusedNamingPortsAndTypes) {
     EXPECT_TRUE(log.contains(" is not compatible with input port speed of type ")) << log.text();
 }
 
-TEST(Connection, OfTwoInputsIsRefused) {
+TEST(Connection, OfTwoPortsOfOneKindIsRefused) {
     LogCapture log;
     InputPort<int> a("a"), b("b");
     OutputPort<int> c("c"), d("d");
     EXPECT_FALSE(c.connectTo(&d));
-    EXPECT_FALSE(c.connectTo(nullptr));
-    EXPECT_EQ(log.text(), "");  // an output port says nothing
+    EXPECT_TRUE(log.contains("output port c could not connect to d: not an input port")) << log.text();
     EXPECT_FALSE(a.connectTo(&b));
     EXPECT_TRUE(log.contains("input port a could not connect to b: not an output port")) << log.text();
-    EXPECT_FALSE(a.connectTo(nullptr));
+}
+
+TEST(Connection, WithNothingIsRefused) {
+    LogCapture log;
+    InputPort<int> in("in");
+    OutputPort<int> out("out");
+    EXPECT_FALSE(out.connectTo(nullptr));
+    EXPECT_FALSE(out.connectTo(nullptr, ConnPolicy::data()));
+    EXPECT_TRUE(log.contains("output port out could not connect to nothing")) << log.text();
+    EXPECT_FALSE(in.connectTo(nullptr));
+    EXPECT_TRUE(log.contains("input port in could not connect to nothing")) << log.text();
 }
 
 TEST(Connection, WithAnInvalidPolicyIsRefused) {
