@@ -18,9 +18,9 @@ namespace RTT {
 namespace os {
 // There is nothing to schedule.
 const int LowestPriority = 1;
-bool CheckScheduler(int&) { return true; }
-bool CheckPriority(int&, int&) { return true; }
 namespace detail {
+bool checkScheduler(int&, const std::string&) { return true; }
+bool checkPriority(int&, int&, const std::string&) { return true; }
 int addThread(const char*, unsigned) { return 0; }
 void removeThread(int) {}
 void log(LogLevel, const char*, const std::string&) {}

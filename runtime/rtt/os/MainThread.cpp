@@ -41,7 +41,7 @@ bool setScheduling(pid_t thread, int scheduler, int priority) {
 }  // namespace
 
 bool MainThread::setScheduler(int scheduler) {
-    if (!CheckScheduler(scheduler)) return false;
+    if (!detail::checkScheduler(scheduler, "main")) return false;
     int priority = getPriority();
     if (scheduler == ORO_SCHED_OTHER)
         priority = 0;
@@ -54,7 +54,7 @@ int MainThread::getScheduler() const { return sched_getscheduler(task_.pid); }
 
 bool MainThread::setPriority(int priority) {
     int scheduler = getScheduler();
-    CheckPriority(scheduler, priority);
+    detail::checkPriority(scheduler, priority, "main");
     return setScheduling(task_.pid, scheduler, priority);
 }
 

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/os/Thread.hpp>
 
+#include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_state.hpp>
@@ -40,8 +41,8 @@ Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity
     detail::log(detail::LogInfo, "Thread",
                 "creating thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
                     std::to_string(priority) + ", CPU mask " + std::to_string(cpuAffinity));
-    CheckScheduler(scheduler);
-    CheckPriority(scheduler, priority);
+    detail::checkScheduler(scheduler, state_->name);
+    detail::checkPriority(scheduler, priority, state_->name);
     const int error =
         detail::createThread(state_->task.thread, scheduler, priority, stackSize, &Thread::entry, this, state_->name);
     if (error != 0) {
@@ -80,8 +81,30 @@ void Thread::terminate() {
     state_->running = false;
     state_->exit = true;
     wake(kExitReason);
-    pthread_join(state_->task.thread, nullptr);
+    if (ThreadInterface::isSelf()) {  // not a sub-class's: one that executes for this thread may join it
+        detail::log(
+            detail::LogCritical, "Thread",
+            "thread '" + state_->name + "' destroys itself: let another thread do that, this one cannot return");
+        pthread_detach(state_->task.thread);
+    } else {
+        reportIfBusy();
+        pthread_join(state_->task.thread, nullptr);
+    }
     delist();
+}
+
+// Its end is waited for without limit, so that nothing is taken away from below what it executes.
+void Thread::reportIfBusy() const {
+    const nsecs deadline = detail::after(rtos_get_time_ns(), Seconds_to_nsecs(Thread::getStopTimeout()));
+    std::uint32_t session = state_->session;
+    while ((session & State::kRunning) && detail::futexWait(state_->session, session, deadline))
+        session = state_->session;
+    if (state_->session & State::kRunning)
+        detail::log(
+            detail::LogError, "Thread",
+            "thread '" + state_->name +
+                "' is being destroyed while its loop() or step() executes, and waits for the end of that; a class "
+                "that overrides them calls stop() in its destructor");
 }
 
 const char* Thread::getName() const { return state_->name.c_str(); }
@@ -90,7 +113,7 @@ const RTOS_TASK* Thread::getTask() const { return &state_->task; }
 unsigned int Thread::getPid() const { return static_cast<unsigned>(state_->task.pid); }
 
 bool Thread::setScheduler(int scheduler) {
-    if (!CheckScheduler(scheduler)) return false;
+    if (!detail::checkScheduler(scheduler, state_->name)) return false;
     std::lock_guard<std::mutex> lock(state_->scheduling);
     int priority = state_->priority;
     if (scheduler == ORO_SCHED_OTHER)
@@ -109,7 +132,7 @@ int Thread::getScheduler() const { return state_->scheduler; }
 bool Thread::setPriority(int priority) {
     std::lock_guard<std::mutex> lock(state_->scheduling);
     int scheduler = state_->scheduler;
-    CheckPriority(scheduler, priority);
+    detail::checkPriority(scheduler, priority, state_->name);
     if (!state_->joinable || !detail::applyScheduling(state_->task.thread, scheduler, priority, state_->name))
         return false;
     state_->priority = priority;

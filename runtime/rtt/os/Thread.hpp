@@ -119,7 +119,8 @@ protected:
 
     /** Stops at once, from the thread itself; calls finalize(). */
     void emergencyStop();
-    /** Ends the thread and waits for its end. The object cannot be started any more. */
+    /** Ends the thread and waits for its end, with an error in the log if that takes longer than the stop timeout. The object
+        cannot be started any more. Not from the thread itself, which could not return to what it executes. */
     void terminate();
 
 private:
@@ -135,6 +136,7 @@ private:
     bool keepRunning();
     bool waitForSessionEnd(Seconds timeout) const;
     void waitForOthersStop() const;
+    void reportIfBusy() const;
 
     std::unique_ptr<State> state_;
 };

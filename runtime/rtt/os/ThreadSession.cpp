@@ -72,9 +72,9 @@ std::uint32_t Thread::takeEarlyReasons() noexcept {
 }
 
 nsecs Thread::nextWakeUp(nsecs previous, nsecs now, nsecs period) {
-    const nsecs next = (state_->waitPolicy == ORO_WAIT_REL ? now : previous) + period;
+    const nsecs next = detail::after(state_->waitPolicy == ORO_WAIT_REL ? now : previous, period);
     // Late by a whole period. With ORO_WAIT_REL the next wake-up is never in the past, yet periods were missed.
-    if (previous + period > now) {
+    if (detail::after(previous, period) > now) {
         if (state_->overruns > 0) --state_->overruns;
         return next;
     }

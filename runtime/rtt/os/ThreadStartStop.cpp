@@ -105,7 +105,7 @@ void Thread::finalizeToIdle() {
 // calls stop(), mostly a destructor, does not expect that afterwards.
 void Thread::waitForOthersStop() const {
     if (isSelf()) return;
-    const nsecs deadline = rtos_get_time_ns() + Seconds_to_nsecs(getStopTimeout());
+    const nsecs deadline = detail::after(rtos_get_time_ns(), Seconds_to_nsecs(getStopTimeout()));
     while (const std::uint32_t busy = state_->session)
         // The end of the session wakes us; when it is active again somebody has started it.
         if (state_->life == State::kActive || !detail::futexWait(state_->session, busy, deadline)) return;
@@ -127,9 +127,7 @@ bool Thread::keepRunning() {
 }
 
 bool Thread::waitForSessionEnd(Seconds timeout) const {
-    const nsecs now = rtos_get_time_ns();
-    const nsecs wait = Seconds_to_nsecs(timeout);
-    const nsecs deadline = wait > detail::kForever - now ? detail::kForever : now + wait;
+    const nsecs deadline = detail::after(rtos_get_time_ns(), Seconds_to_nsecs(timeout));
     while (const std::uint32_t busy = state_->session)
         if (!detail::futexWait(state_->session, busy, deadline)) return state_->session == 0;
     return true;

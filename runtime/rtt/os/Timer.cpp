@@ -94,14 +94,16 @@ int Timer::serveExpired(nsecs now, TimerId& expired) {
     if (!first || quit_) return 0;
     expired = static_cast<TimerId>(first - timers_.data());
     first->expires = first->period != 0 ? first->expires + first->period : 0;
-    ++first->generation;
+    first->generation = ++changes_;
     expired_.broadcast();
     return 1;
 }
 
 void Timer::setMaxTimers(TimerId max) {
     MutexLock lock(mutex_);
-    timers_.resize(max > 0 ? static_cast<std::size_t>(max) : 0);
+    Entry unused;
+    unused.generation = ++changes_;
+    timers_.resize(max > 0 ? static_cast<std::size_t>(max) : 0, unused);
     expired_.broadcast();
     changed_.broadcast();
 }
@@ -158,7 +160,7 @@ bool Timer::killTimer(TimerId id) {
     Entry& timer = timers_[static_cast<std::size_t>(id)];
     timer.expires = 0;
     timer.period = 0;
-    ++timer.generation;
+    timer.generation = ++changes_;
     expired_.broadcast();
     return true;
 }

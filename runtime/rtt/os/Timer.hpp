@@ -78,6 +78,7 @@ private:
     Condition changed_;  // for loop(): the earliest expiry may have moved
     Condition expired_;  // for waiters
     std::vector<Entry> timers_;
+    unsigned changes_ = 0;  // the last generation
     bool quit_ = false;
     std::unique_ptr<OwnThread> thread_;
 };

@@ -33,45 +33,51 @@ rlim_t priorityLimit() {
     return getrlimit(RLIMIT_RTPRIO, &limit) == 0 ? limit.rlim_cur : 0;
 }
 
-bool force(int& priority, int value, const std::string& why) {
-    detail::log(detail::LogWarning, "Thread",
-                "priority " + std::to_string(priority) + " " + why + ", using " + std::to_string(value));
+std::string threadOf(const std::string& name) { return name.empty() ? "" : "thread '" + name + "': "; }
+
+bool force(int& priority, int value, const std::string& name, const std::string& why) {
+    detail::log(
+        detail::LogWarning, "Thread",
+        threadOf(name) + "priority " + std::to_string(priority) + " " + why + ", using " + std::to_string(value));
     priority = value;
     return false;
 }
 
 }  // namespace
 
-bool CheckScheduler(int& scheduler) {
+bool CheckScheduler(int& scheduler) { return detail::checkScheduler(scheduler, std::string()); }
+bool CheckPriority(int& scheduler, int& priority) { return detail::checkPriority(scheduler, priority, std::string()); }
+
+bool detail::checkScheduler(int& scheduler, const std::string& name) {
     if (scheduler == ORO_SCHED_OTHER) return true;
     if (scheduler != SCHED_FIFO && scheduler != SCHED_RR) {
         detail::log(detail::LogError, "Thread",
-                    "unknown scheduler " + std::to_string(scheduler) +
+                    threadOf(name) + "unknown scheduler " + std::to_string(scheduler) +
                         ", expected ORO_SCHED_RT or ORO_SCHED_OTHER; using ORO_SCHED_OTHER");
         scheduler = ORO_SCHED_OTHER;
         return false;
     }
     if (maySetAnyPriority() || priorityLimit() != 0) return true;
     detail::log(detail::LogWarning, "Thread",
-                std::string(detail::schedulerName(scheduler)) +
+                threadOf(name) + detail::schedulerName(scheduler) +
                     " needs the capability CAP_SYS_NICE or an rtprio limit above 0, using ORO_SCHED_OTHER");
     scheduler = ORO_SCHED_OTHER;
     return false;
 }
 
-bool CheckPriority(int& scheduler, int& priority) {
+bool detail::checkPriority(int& scheduler, int& priority, const std::string& name) {
     if (scheduler == ORO_SCHED_OTHER) {
         if (priority == 0) return true;
         // "The lowest" is how callers say that they do not care.
-        if (priority != LowestPriority) return force(priority, 0, "has no meaning for ORO_SCHED_OTHER");
+        if (priority != LowestPriority) return force(priority, 0, name, "has no meaning for ORO_SCHED_OTHER");
         priority = 0;
         return false;
     }
-    if (priority <= 0) return force(priority, LowestPriority, "is too low for a real-time thread");
+    if (priority <= 0) return force(priority, LowestPriority, name, "is too low for a real-time thread");
     bool fits = true;
-    if (priority > HighestPriority) fits = force(priority, HighestPriority, "is too high for a real-time thread");
+    if (priority > HighestPriority) fits = force(priority, HighestPriority, name, "is too high for a real-time thread");
     if (!maySetAnyPriority() && priorityLimit() != RLIM_INFINITY && static_cast<rlim_t>(priority) > priorityLimit())
-        fits = force(priority, static_cast<int>(priorityLimit()), "is above the rtprio limit of this user");
+        fits = force(priority, static_cast<int>(priorityLimit()), name, "is above the rtprio limit of this user");
     return fits;
 }
 

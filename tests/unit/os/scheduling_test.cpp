@@ -146,10 +146,15 @@ TEST(Scheduling, UnknownSchedulersAreReported) {
     const LogCapture log;
     Counter t(77, 3);
     EXPECT_EQ(t.getScheduler(), ORO_SCHED_OTHER);
-    EXPECT_EQ(log.count(3, "unknown scheduler 77, expected ORO_SCHED_RT or ORO_SCHED_OTHER"), 1);
-    EXPECT_EQ(log.count(4, "priority 3 has no meaning for ORO_SCHED_OTHER, using 0"), 1);
+    EXPECT_EQ(log.count(3, "thread 'counter': unknown scheduler 77, expected ORO_SCHED_RT or ORO_SCHED_OTHER"), 1);
+    EXPECT_EQ(log.count(4, "thread 'counter': priority 3 has no meaning for ORO_SCHED_OTHER, using 0"), 1);
+    t.setPriority(7);
+    EXPECT_EQ(log.count(4, "thread 'counter': priority 7 has no meaning for ORO_SCHED_OTHER, using 0"), 1);
+    int scheduler = 88;
+    EXPECT_FALSE(os::CheckScheduler(scheduler));
+    EXPECT_EQ(log.count(3, "Thread: unknown scheduler 88"), 1);
     Counter lowest(ORO_SCHED_OTHER, os::LowestPriority);
-    EXPECT_EQ(log.count(4, ""), 1);
+    EXPECT_EQ(log.count(4, ""), 2);
 }
 
 #if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)  // they need the memory themselves

@@ -20,6 +20,11 @@ namespace detail {
 
 constexpr NANO_TIME kForever = LLONG_MAX;
 
+/** A moment `wait` nanoseconds (≥ 0) after `now`; never, if that is later than the clock can tell. */
+constexpr NANO_TIME after(NANO_TIME now, NANO_TIME wait) noexcept {
+    return wait > kForever - now ? kForever : now + wait;
+}
+
 /**
  * Sleeps while `word` holds `expected`, at most until the monotonic time `deadline` (ns). Returns false if that time has
  * come. May also return true without a wake-up: test the word again.
@@ -35,6 +40,41 @@ inline bool futexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expe
     const long result = syscall(SYS_futex, &word, FUTEX_WAIT_BITSET | FUTEX_PRIVATE_FLAG, expected, untilOrForever,
                                 nullptr, FUTEX_BITSET_MATCH_ANY);
     return !(result == -1 && errno == ETIMEDOUT);
+}
+
+/** A word to sleep on, and what it holds while there is nothing to wake up for. */
+struct FutexWord {
+    const std::atomic<std::uint32_t>* word;
+    std::uint32_t expected;
+};
+constexpr unsigned kMostFutexWords = 8;
+
+/**
+ * futexWait() for up to kMostFutexWords words at once: sleeps while each holds what is expected. Where the system cannot do
+ * that (Linux before 5.16) it sleeps on the first one, at most a millisecond: whoever calls it looks again anyway.
+ */
+inline bool futexWaitAny(const FutexWord* words, unsigned count, NANO_TIME deadline) noexcept {
+#ifdef SYS_futex_waitv
+    struct futex_waitv all[kMostFutexWords] = {};
+    for (unsigned i = 0; i != count; ++i) {
+        all[i].val = words[i].expected;
+        all[i].uaddr = reinterpret_cast<std::uintptr_t>(words[i].word);
+        all[i].flags = FUTEX_32 | FUTEX_PRIVATE_FLAG;
+    }
+    TIME_SPEC until;
+    TIME_SPEC* untilOrForever = nullptr;
+    if (deadline != kForever) {
+        until = ticks2timespec(deadline > 0 ? deadline : 0);
+        untilOrForever = &until;
+    }
+    if (syscall(SYS_futex_waitv, all, count, 0, untilOrForever, CLOCK_MONOTONIC) != -1) return true;
+    if (errno == ETIMEDOUT) return false;
+    if (errno != ENOSYS && errno != EPERM) return true;
+#else
+    (void)count;
+#endif
+    const NANO_TIME soon = rtos_get_time_ns() + 1000000;
+    return futexWait(*words[0].word, words[0].expected, soon < deadline ? soon : deadline) || soon < deadline;
 }
 
 inline void futexWakeOne(const std::atomic<std::uint32_t>& word) noexcept {

@@ -14,6 +14,10 @@ namespace detail {
 
 const char* schedulerName(int scheduler) noexcept;
 
+/** CheckScheduler and CheckPriority for the thread of that name, which begins what they log; nobody's if it is empty. */
+bool checkScheduler(int& scheduler, const std::string& name);
+bool checkPriority(int& scheduler, int& priority, const std::string& name);
+
 /**
  * Gives a thread scheduler and priority, which CheckScheduler and CheckPriority have seen. False, with a warning
  * that names the thread, if the system refuses.
