@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/Activity.hpp>
 
+#include <algorithm>
+
 namespace RTT {
 
 namespace {
@@ -12,8 +14,8 @@ constexpr std::uint32_t kNewPeriod = 32u;
 
 nsecs periodInNs(Seconds period) {
     if (!(period > 0)) return 0;
-    const nsecs ns = Seconds_to_nsecs(period);
-    return ns > 0 ? ns : 1;  // shorter than the clock can tell, but periodic
+    // Shorter than the clock can tell, but periodic; longer than a life, but now plus one period is a time.
+    return std::clamp<nsecs>(Seconds_to_nsecs(period), 1, InfiniteNSecs / 2);
 }
 }  // namespace
 
@@ -31,9 +33,9 @@ Activity::Activity(int scheduler, int priority, Seconds period, base::RunnableIn
 // The thread itself has no period: session() waits for both, the end of a period and a wake-up.
 Activity::Activity(int scheduler, int priority, Seconds period, unsigned cpuAffinity, base::RunnableInterface* r,
                    const std::string& name)
-    : base::ActivityInterface(r),
-      os::Thread(scheduler, priority, 0.0, cpuAffinity, name),
-      updatePeriod_(periodInNs(period)) {}
+    : os::Thread(scheduler, priority, 0.0, cpuAffinity, name), updatePeriod_(periodInNs(period)) {
+    adopt(r);
+}
 
 Activity::Activity(const Options& options, base::RunnableInterface* r)
     : Activity(options.scheduler, options.priority, options.period, options.cpuAffinity, r, options.name) {
@@ -147,7 +149,7 @@ void Activity::executeBetweenPeriods(bool starting) {
     work(base::RunnableInterface::Trigger);
 }
 
-bool Activity::initialize() { return !runner || runner->initialize(); }
+bool Activity::initialize() { return claimRunner() && (!runner || runner->initialize()); }
 
 void Activity::step() {
     if (runner) runner->step();

@@ -54,7 +54,8 @@ public:
     ~Activity() override;
 
     bool run(base::RunnableInterface* r) override;
-    /** Calls initialize() in the caller. See os::Thread::start(). */
+    /** Calls initialize() in the caller. See os::Thread::start(). A runner that another activity has is taken from that one,
+        which is stopped; false if it does not stop. */
     bool start() override;
     /** Calls finalize() in the caller once the thread is idle. See os::Thread::stop(). */
     bool stop() override;
@@ -77,7 +78,8 @@ public:
     bool isSelf() const override;
 
 protected:
-    // These call the runner if there is one; a sub-class may override them and have no runner.
+    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
+    // overrides initialize() calls this one in it.
     bool initialize() override;
     void step() override;
     void loop() override;

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/base/ActivityInterface.hpp>
 
+#include <rtt/Logger.hpp>
 #include <rtt/internal/AccessGate.hpp>
 
 namespace RTT {
@@ -9,7 +10,7 @@ namespace base {
 
 ActivityInterface::ActivityInterface() : gate_(std::make_shared<internal::AccessGate>()) {}
 
-ActivityInterface::ActivityInterface(RunnableInterface* newRunner) : ActivityInterface() { attach(newRunner); }
+ActivityInterface::ActivityInterface(RunnableInterface* newRunner) : ActivityInterface() { adopt(newRunner); }
 
 ActivityInterface::~ActivityInterface() {
     closeGate();
@@ -24,10 +25,34 @@ void ActivityInterface::closeGate() noexcept {
 void ActivityInterface::attach(RunnableInterface* newRunner) {
     // A slave may be about to hand a message to the present runner, which may be destroyed after this.
     gate_->close();
-    if (runner && runner->getActivity() == this) runner->setActivity(nullptr);
+    // A runner that others took may have been destroyed since.
+    if (attached_ && runner->getActivity() == this) runner->setActivity(nullptr);
+    if (ActivityInterface* const other = newRunner ? newRunner->getActivity() : nullptr) other->attached_ = false;
     runner = newRunner;
+    attached_ = runner != nullptr;
     if (runner) runner->setActivity(this);
     if (!gateClosed_) gate_->open();
+}
+
+void ActivityInterface::adopt(RunnableInterface* newRunner) {
+    if (newRunner && newRunner->getActivity())
+        runner = newRunner;
+    else
+        attach(newRunner);
+}
+
+bool ActivityInterface::claimRunner() {
+    ActivityInterface* const other = runner ? runner->getActivity() : this;
+    if (other == this) return true;
+    // Stopped within its own step it would go on until that returns.
+    const bool within = other && other->isSelf() && other->isRunning();
+    if (within || (other && other->isActive() && !other->stop() && other->isActive())) {
+        log(Error) << "cannot start an activity: what it is to execute belongs to another one, "
+                   << (within ? "whose thread calls start()" : "which does not stop") << endlog();
+        return false;
+    }
+    attach(runner);
+    return true;
 }
 
 bool ActivityInterface::run(RunnableInterface* newRunner) {
@@ -36,6 +61,9 @@ bool ActivityInterface::run(RunnableInterface* newRunner) {
     attach(newRunner);
     return true;
 }
+
+ActivityInterface::Direct ActivityInterface::beginDirect() { return isSelf() ? Direct::Granted : Direct::Refused; }
+void ActivityInterface::endDirect() {}
 
 bool ActivityInterface::isPeriodic() const { return getPeriod() != 0.0; }
 

@@ -23,14 +23,17 @@ public:
     typedef boost::shared_ptr<ActivityInterface> shared_ptr;
 
     ActivityInterface();
+    /** Attaches `runner`; if another activity has it, that keeps it until start() or run(). See adopt(). */
     explicit ActivityInterface(RunnableInterface* runner);
     /** Detaches the runner. Sub-classes call closeGate() and stop the activity in their own destructor. */
     virtual ~ActivityInterface();
     ActivityInterface(const ActivityInterface&) = delete;
     ActivityInterface& operator=(const ActivityInterface&) = delete;
 
-    /** Takes another runnable, or none for null. False while the activity is active. */
+    /** Takes another runnable, or none for null, also from another activity, which must not be active. False while this
+        activity is active. */
     virtual bool run(RunnableInterface* runner);
+    /** What it executes, or will from start() on if another activity has it now. */
     RunnableInterface* getRunner() const { return runner; }
 
     virtual bool start() = 0;
@@ -63,10 +66,30 @@ public:
      */
     virtual bool isSelf() const;
 
+    /** Whether this thread may touch the runner, see beginDirect(). */
+    enum class Direct { Refused, Granted, Entered };
+    /**
+     * For a call that this thread makes on the component without a message, because isSelf(). Granted: it may. Entered: it
+     * may, nobody else executes the runner meanwhile, and it calls endDirect() afterwards. Never blocks; real-time safe.
+     */
+    virtual Direct beginDirect();
+    virtual void endDirect();
+
     /** For those who keep a pointer to an activity that others may destroy, as a slave does: pass it before each use. */
     const std::shared_ptr<internal::AccessGate>& gate() const { return gate_; }
 
 protected:
+    /**
+     * The last statement of a constructor: attaches `newRunner`, which may trigger this activity from then on. If another
+     * activity has it, that one goes on executing it and this one only remembers it for claimRunner().
+     */
+    void adopt(RunnableInterface* newRunner);
+    /**
+     * For start(), before initialize(): takes the runner from the activity that has it, after stopping that one. True as
+     * well if it is attached already or there is none. False, with an error in the log, if the other one does not stop, or if
+     * this thread is executing it. Two activities of one runnable must not be started at the same time.
+     */
+    bool claimRunner();
     /** Attaches without asking whether the activity is active. Waits for those who have passed the gate. */
     void attach(RunnableInterface* newRunner);
     /**
@@ -78,6 +101,7 @@ protected:
 
 private:
     std::shared_ptr<internal::AccessGate> gate_;
+    bool attached_ = false;  // the runner knows this activity
     bool gateClosed_ = false;
 };
 

@@ -70,8 +70,9 @@ FileDescriptorActivity::FileDescriptorActivity(int scheduler, int priority, Seco
     : FileDescriptorActivity(scheduler, priority, period, 0, r, name) {}
 FileDescriptorActivity::FileDescriptorActivity(int scheduler, int priority, Seconds period, unsigned cpuAffinity,
                                                base::RunnableInterface* r, const std::string& name)
-    : Activity(scheduler, priority, 0.0, cpuAffinity, r, name), descriptors_(new Descriptors) {
+    : Activity(scheduler, priority, 0.0, cpuAffinity, nullptr, name), descriptors_(new Descriptors) {
     (void)FileDescriptorActivity::setPeriod(period);
+    adopt(r);
 }
 
 FileDescriptorActivity::~FileDescriptorActivity() {

@@ -20,8 +20,7 @@ PeriodicActivity::PeriodicActivity(int scheduler, int priority, Seconds period, 
 PeriodicActivity::PeriodicActivity(int scheduler, int priority, Seconds period, unsigned cpuAffinity,
                                    base::RunnableInterface* r)
     : PeriodicActivity(TimerThread::Instance(scheduler, priority, period, cpuAffinity), r) {}
-PeriodicActivity::PeriodicActivity(TimerThreadPtr thread, base::RunnableInterface* r)
-    : base::ActivityInterface(r), thread_(thread) {}
+PeriodicActivity::PeriodicActivity(TimerThreadPtr thread, base::RunnableInterface* r) : thread_(thread) { adopt(r); }
 PeriodicActivity::PeriodicActivity(Seconds period, TimerThreadPtr thread, base::RunnableInterface* r)
     : PeriodicActivity(thread, r) {
     thread_->setPeriod(period);
@@ -52,16 +51,16 @@ bool PeriodicActivity::start() {
 
 bool PeriodicActivity::stop() {
     const internal::TryFlag mine(changing_);
-    if (!mine || !active_.exchange(false)) return false;
-    running_ = false;
+    if (!mine || !active_) return false;
+    running_ = false;  // active_ stays until the last execution has ended
     const nsecs timeout = Seconds_to_nsecs(std::max(thread_->getStopTimeout(), 1.0));
-    if (!thread_->removeActivity(this, rtos_get_time_ns() + timeout)) {
+    if (!thread_->removeActivity(this, os::detail::after(rtos_get_time_ns(), timeout))) {
         os::detail::log(os::detail::LogError, "PeriodicActivity",
                         "cannot stop a periodic activity: its step() has not returned in time");
         running_ = true;
-        active_ = true;
         return false;
     }
+    active_ = false;
     finalize();
     return true;
 }
@@ -94,7 +93,7 @@ bool PeriodicActivity::isSelf() const {
 }
 os::ThreadInterface* PeriodicActivity::thread() { return thread_.get(); }
 
-bool PeriodicActivity::initialize() { return !runner || runner->initialize(); }
+bool PeriodicActivity::initialize() { return claimRunner() && (!runner || runner->initialize()); }
 
 void PeriodicActivity::step() {
     if (runner) runner->step();

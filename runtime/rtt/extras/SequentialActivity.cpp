@@ -9,7 +9,7 @@
 namespace RTT {
 namespace extras {
 
-SequentialActivity::SequentialActivity(base::RunnableInterface* r) : base::ActivityInterface(r) {}
+SequentialActivity::SequentialActivity(base::RunnableInterface* r) { adopt(r); }
 
 SequentialActivity::~SequentialActivity() {
     closeGate();
@@ -20,8 +20,9 @@ SequentialActivity::~SequentialActivity() {
 bool SequentialActivity::start() {
     {
         const internal::TryFlag mine(changing_);
-        if (!mine || active_ || (runner && !runner->initialize())) return false;
+        if (!mine || active_ || !claimRunner() || (runner && !runner->initialize())) return false;
         active_ = true;
+        open_ = true;
     }
     // Messages that came while it was stopped have found nobody to execute them.
     if (runner && runner->hasWork()) trigger();
@@ -30,14 +31,15 @@ bool SequentialActivity::start() {
 
 bool SequentialActivity::stop() {
     const internal::TryFlag mine(changing_);
-    const bool stops = mine && active_.exchange(false);
+    const bool stops = mine && open_.exchange(false);
     // Also if it is not active: who calls stop() does not expect that it is still being executed.
     const bool left = isSelf() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
     if (!stops) return false;
     if (!left) {
-        active_ = true;
+        open_ = true;
         return false;
     }
+    active_ = false;
     if (runner) runner->finalize();
     return true;
 }
@@ -60,10 +62,10 @@ os::ThreadInterface* SequentialActivity::thread() { return os::MainThread::Insta
 bool SequentialActivity::isSelf() const { return executor_ == os::detail::currentTid(); }
 
 bool SequentialActivity::trigger() {
-    if (!active_) return false;
+    if (!open_) return false;
     // The caller that raises the count from 0 executes. Acquire and release: what the previous executor wrote to the
     // component is visible to this one, and what a refused caller queued is visible to the executor. Sequentially
-    // consistent: this one and stop() each write one of (requests_, active_) and read the other one then; at least
+    // consistent: this one and stop() each write one of (requests_, open_) and read the other one then; at least
     // one of them must see what the other has done, or the component would execute while it is being stopped.
     if (requests_.fetch_add(1) == 0) executeWhileWork();
     return true;
@@ -76,7 +78,7 @@ void SequentialActivity::executeWhileWork() {
         // A caller may queue a message and be refused just after hasWork() returned false: then the count has moved on.
         std::uint32_t seen = requests_.load(std::memory_order_acquire);
         do {
-            while (active_ && runner && runner->hasWork()) executeOnce();
+            while (open_ && runner && runner->hasWork()) executeOnce();
         } while (!leave(seen));
     } catch (...) {
         // The next trigger must find the activity free.
@@ -100,7 +102,7 @@ bool SequentialActivity::leave(std::uint32_t& seen) {
 }
 
 void SequentialActivity::executeOnce() {
-    if (!active_ || !runner) return;
+    if (!open_ || !runner) return;
     runner->step();
     runner->work(base::RunnableInterface::TimeOut);
 }

@@ -48,6 +48,7 @@ private:
     bool waitForExecution(nsecs deadline);
 
     std::atomic<bool> active_{false};
+    std::atomic<bool> open_{false};  // may be executed; active_ stays until stop() has waited for the last execution
     std::atomic<bool> changing_{false};       // within start() or stop()
     std::atomic<std::uint32_t> requests_{0};  // triggers since the executing thread began; 0: nobody executes
     std::atomic<int> executor_{0};            // Linux id of the executing thread

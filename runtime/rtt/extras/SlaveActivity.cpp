@@ -10,6 +10,8 @@
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
+#include <exception>
+
 namespace RTT {
 namespace extras {
 
@@ -73,19 +75,18 @@ struct SlaveActivity::Leave {
 };
 
 SlaveActivity::SlaveActivity(base::ActivityInterface* master, base::RunnableInterface* r)
-    : base::ActivityInterface(r),
-      master_(master),
+    : master_(master),
       masterGate_(master ? master->gate() : nullptr),
       period_(master ? master->getPeriod() : 0.0),
       periodic_(period_ != 0.0),
-      message_(new TriggerMessage(this)) {}
+      message_(new TriggerMessage(this)) {
+    adopt(r);
+}
 
 SlaveActivity::SlaveActivity(double period, base::RunnableInterface* r)
-    : base::ActivityInterface(r),
-      master_(nullptr),
-      period_(period),
-      periodic_(period != 0.0),
-      message_(new TriggerMessage(this)) {}
+    : master_(nullptr), period_(period), periodic_(period != 0.0), message_(new TriggerMessage(this)) {
+    adopt(r);
+}
 
 SlaveActivity::SlaveActivity(base::RunnableInterface* r) : SlaveActivity(0.0, r) {}
 
@@ -123,15 +124,16 @@ bool SlaveActivity::activate() {
         os::detail::log(os::detail::LogError, "SlaveActivity", "cannot start a slave: it is active already");
         return false;
     }
-    if (runner && !runner->initialize()) return false;
+    if (!claimRunner() || (runner && !runner->initialize())) return false;
     updater_ = 0;
     active_ = true;
+    open_ = true;
     return true;
 }
 
 bool SlaveActivity::stop() {
     const internal::TryFlag mine(changing_);
-    const bool stops = mine && active_.exchange(false);
+    const bool stops = mine && open_.exchange(false);
     // Also if it is not active: who calls stop() does not expect that it is still being executed.
     const bool left =
         executor() == os::detail::currentTid() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
@@ -139,9 +141,10 @@ bool SlaveActivity::stop() {
     if (!left) {
         os::detail::log(os::detail::LogError, "SlaveActivity",
                         "cannot stop a slave: another thread has been executing it for 1 s");
-        active_ = true;
+        open_ = true;
         return false;
     }
+    active_ = false;
     if (runner) runner->finalize();
     return true;
 }
@@ -158,7 +161,7 @@ bool SlaveActivity::waitForExecution(nsecs deadline) {
     return true;
 }
 
-bool SlaveActivity::isRunning() const { return active_ && (periodic_ || executor() != 0); }
+bool SlaveActivity::isRunning() const { return open_ && (periodic_ || executor() != 0); }
 bool SlaveActivity::isActive() const { return active_; }
 
 Seconds SlaveActivity::getPeriod() const {
@@ -191,7 +194,7 @@ bool SlaveActivity::enter() {
 void SlaveActivity::servePending() {
     while (pending_ && enter()) {
         const Leave atEnd{*this};
-        if (pending_.exchange(false) && active_ && runner) runner->work(base::RunnableInterface::Trigger);
+        if (pending_.exchange(false) && open_ && runner) runner->work(base::RunnableInterface::Trigger);
     }
 }
 
@@ -201,7 +204,7 @@ bool SlaveActivity::execute() {
     {
         const Leave atEnd{*this};
         // Asked within: stop() clears it before it looks who executes, so one of the two sees what the other has done.
-        active = active_;
+        active = open_;
         if (active) executeOnce();
     }
     servePending();
@@ -217,7 +220,7 @@ void SlaveActivity::executeOnce() {
 void SlaveActivity::executeTrigger() {
     // Within execute() of this thread: the master executes its messages while the slave waits for something.
     if (executor() == os::detail::currentTid()) {
-        if (active_ && runner) runner->work(base::RunnableInterface::Trigger);
+        if (open_ && runner) runner->work(base::RunnableInterface::Trigger);
         return;
     }
     pending_ = true;
@@ -225,7 +228,7 @@ void SlaveActivity::executeTrigger() {
 }
 
 bool SlaveActivity::trigger() {
-    if (!active_) return false;
+    if (!open_) return false;
     // Of its own: the step that a sequential master executes here may destroy this object.
     TriggerMessage* const message = message_;
     return ofMaster(
@@ -258,6 +261,28 @@ bool SlaveActivity::isSelf() const {
         return updater != 0 ? updater == os::detail::currentTid() : os::MainThread::Instance()->isSelf();
     }
     return ofMaster([](ActivityInterface& master) { return master.isSelf(); }, false);
+}
+
+// Between two executions this thread only stands for the one that makes them: the next one may come from another thread at
+// any moment. So it becomes the executing thread for as long as the call takes.
+base::ActivityInterface::Direct SlaveActivity::beginDirect() {
+    if (executor() == os::detail::currentTid()) return Direct::Granted;
+    if (!isSelf()) return Direct::Refused;
+    std::uint32_t nobody = 0;
+    const auto self = static_cast<std::uint32_t>(os::detail::currentTid());
+    return executor_.compare_exchange_strong(nobody, self) ? Direct::Entered : Direct::Refused;
+}
+
+void SlaveActivity::endDirect() {
+    { const Leave atEnd{*this}; }
+    // Called by a destructor, and the call has nothing to do with what others have triggered.
+    try {
+        servePending();
+    } catch (const std::exception& e) {
+        os::detail::log(os::detail::LogError, "SlaveActivity", std::string("a trigger of a slave threw: ") + e.what());
+    } catch (...) {
+        os::detail::log(os::detail::LogError, "SlaveActivity", "a trigger of a slave threw");
+    }
 }
 
 }  // namespace extras

@@ -57,6 +57,9 @@ public:
     bool timeout() override;
     os::ThreadInterface* thread() override;
     bool isSelf() const override;
+    /** While it has entered, execute() by others is refused, as during an execution. */
+    Direct beginDirect() override;
+    void endDirect() override;
 
 private:
     static constexpr std::uint32_t kWaiting = 0x80000000u;  // in executor_: stop() waits for the end of the execution
@@ -77,6 +80,7 @@ private:
     std::atomic<double> period_;
     const bool periodic_;
     std::atomic<bool> active_{false};
+    std::atomic<bool> open_{false};           // may be executed; active_ stays until stop() has waited for an execution
     std::atomic<bool> changing_{false};       // within start() or stop()
     std::atomic<std::uint32_t> executor_{0};  // Linux id of the executing thread, 0: nobody
     std::atomic<int> updater_{0};             // Linux id of the thread that executed it last, 0: main

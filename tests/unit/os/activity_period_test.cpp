@@ -162,3 +162,18 @@ TEST(Activity, SetPeriodAtAnyTime) {
     EXPECT_TRUE(a.timeout());
     EXPECT_TRUE(eventually([&] { return r.timeouts == timeouts + 1; }));
 }
+
+TEST(Activity, MayHaveAPeriodThatNeverEnds) {
+    CountingRunner r;
+    Activity a(ORO_SCHED_OTHER, 0, InfiniteSeconds, &r);
+    EXPECT_TRUE(a.isPeriodic());
+    ASSERT_TRUE(a.start());
+    ASSERT_TRUE(eventually([&] { return r.triggers == 1; }));
+    EXPECT_TRUE(a.trigger());
+    EXPECT_TRUE(eventually([&] { return r.triggers == 2; }));
+    usleep(5000);
+    EXPECT_EQ(r.timeouts, 0);
+    a.setStopTimeout(InfiniteSeconds);
+    EXPECT_TRUE(a.stop());
+    EXPECT_FALSE(a.stop());
+}

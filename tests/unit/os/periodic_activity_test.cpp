@@ -220,3 +220,20 @@ TEST(PeriodicActivity, IsExecutedByOneThreadOnly) {
     EXPECT_TRUE(eventually([&] { return self.load(); }));
     EXPECT_FALSE(a.isSelf());
 }
+
+// Who finds it inactive may touch what its runner uses.
+TEST(PeriodicActivity, IsActiveUntilStopHasWaited) {
+    CountingRunner r;
+    PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.002, &r);
+    std::atomic<bool> inside{false}, active{false};
+    r.onStep = [&] {
+        inside = true;
+        EXPECT_TRUE(eventually([&] { return !a.isRunning(); }));  // stop() has begun
+        active = a.isActive();
+    };
+    ASSERT_TRUE(a.start());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_FALSE(a.isActive());
+    EXPECT_TRUE(active);
+}

@@ -154,3 +154,22 @@ TEST(SequentialActivity, StopWaitsForOneThatStoppedItself) {
     EXPECT_TRUE(left);
     user.join();
 }
+
+// Who finds it inactive may touch what its runner uses.
+TEST(SequentialActivity, IsActiveUntilStopHasWaited) {
+    CountingRunner r;
+    SequentialActivity a(&r);
+    std::atomic<bool> inside{false}, active{false};
+    r.onStep = [&] {
+        inside = true;
+        EXPECT_TRUE(eventually([&] { return !a.trigger(); }));  // stop() has begun
+        active = a.isActive();
+    };
+    ASSERT_TRUE(a.start());
+    std::thread user([&] { a.trigger(); });
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_FALSE(a.isActive());
+    EXPECT_TRUE(active);
+    user.join();
+}

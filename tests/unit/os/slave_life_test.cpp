@@ -206,3 +206,22 @@ TEST(SlaveActivity, StopWaitsForOneThatStoppedItself) {
     EXPECT_TRUE(left);
     updates.join();
 }
+
+// Who finds it inactive may touch what its runner uses.
+TEST(SlaveActivity, IsActiveUntilStopHasWaited) {
+    CountingRunner r;
+    SlaveActivity a(&r);
+    std::atomic<bool> inside{false}, active{false};
+    r.onLoop = [&] {
+        inside = true;
+        EXPECT_TRUE(eventually([&] { return !a.isRunning(); }));  // stop() has begun
+        active = a.isActive();
+    };
+    ASSERT_TRUE(a.start());
+    std::thread user([&] { a.execute(); });
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_FALSE(a.isActive());
+    EXPECT_TRUE(active);
+    user.join();
+}
