@@ -35,7 +35,9 @@ PortInterface& DataFlowInterface::addPort(PortInterface& port) {
                          << "' is replaced by the one of the port with this name" << endlog();
             service_->removeService(port.getName());
         }
-        service_->addService(boost::shared_ptr<Service>(port.createPortObject()));
+        const boost::shared_ptr<Service> object(port.createPortObject());
+        service_->addService(object);
+        objects_[&port] = object;
     }
     return port;
 }
@@ -98,13 +100,36 @@ void DataFlowInterface::forgetPort(PortInterface& port) {
     if (found == ports_.end()) return;
     ports_.erase(found);
     takeOut(port);
-    if (service_ && service_->hasService(port.getName())) service_->removeService(port.getName());
+    removeObject(port);
+}
+
+// By identity: the port may have got another name since, and others may have a service of its name.
+void DataFlowInterface::removeObject(PortInterface& port) {
+    const auto found = objects_.find(&port);
+    if (found == objects_.end()) return;
+    const boost::shared_ptr<Service> object = found->second;
+    objects_.erase(found);
+    if (service_ && service_->getService(object->getName()) == object) service_->removeService(object->getName());
 }
 
 void DataFlowInterface::clear() {
     Ports ports;
     ports.swap(ports_);
-    for (PortInterface* port : ports) takeOut(*port);
+    for (PortInterface* port : ports) {
+        takeOut(*port);
+        removeObject(*port);
+    }
+}
+
+void DataFlowInterface::silencePorts() {
+    const auto isOurs = [this](PortInterface* port) {
+        return std::find(ports_.begin(), ports_.end(), port) != ports_.end();
+    };
+    // Taking one out may execute messages, which may remove others.
+    for (PortInterface* port : getPorts()) {
+        if (isOurs(port)) takeOut(*port);
+        if (isOurs(port)) port->setInterface(this);
+    }
 }
 
 /** The port no longer knows us, and nobody is telling us of its samples any more. */
@@ -113,8 +138,11 @@ void DataFlowInterface::takeOut(PortInterface& port) {
     InputPortInterface* input = dynamic_cast<InputPortInterface*>(&port);
     if (!input) return;
     input->signalInterface(false);
-    input->finishSignals();
-    if (TaskContext* owner = getOwner()) owner->dataOnPortRemoved(input);
+    TaskContext* const owner = getOwner();
+    // Whoever is telling the component may be waiting for a message to this thread. Within the component's own step none
+    // are executed: it may be under destruction.
+    input->finishSignals(owner && !owner->engine()->isStepping());
+    if (owner) owner->dataOnPortRemoved(input);
 }
 
 DataFlowInterface::PortNames DataFlowInterface::getPortNames() const {

@@ -9,7 +9,9 @@
 #include <rtt/base/PortInterface.hpp>
 
 #include <boost/function.hpp>
+#include <boost/shared_ptr.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,12 +51,12 @@ public:
     base::InputPortInterface& addLocalEventPort(base::InputPortInterface& port,
                                                 const SlotFunction& callback = SlotFunction());
 
-    /** Disconnects the port and removes its service and callback. Ignores unknown names. */
+    /** Disconnects the port and removes its service, if it got one, and its callback. Ignores unknown names. */
     void removePort(const std::string& name);
     void removeLocalPort(const std::string& name);
     /** Takes the port out without disconnecting it; for its destructor. */
     void forgetPort(base::PortInterface& port);
-    /** Removes all ports, without disconnecting them. */
+    /** Removes all ports and their services, without disconnecting them. */
     void clear();
 
     /** In the order of adding. */
@@ -72,13 +74,19 @@ public:
     /** A sample came for an event port; called in the writer's thread. Real-time safe. */
     void dataOnPort(base::PortInterface* port);
 
+protected:
+    /** The service goes to another component, or to none: its event ports do not wake the present one any more. */
+    void silencePorts();
+
 private:
     void replacePort(const std::string& name);
     void setupCallback(base::InputPortInterface& port, const SlotFunction& callback);
     void takeOut(base::PortInterface& port);
+    void removeObject(base::PortInterface& port);
 
     Service* service_;
     Ports ports_;
+    std::map<base::PortInterface*, boost::shared_ptr<Service>> objects_;  // the services that addPort() made
 };
 
 }  // namespace RTT

@@ -21,8 +21,8 @@ std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskC
 }  // namespace
 
 ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : gate_(new EngineGate(this)), task_(owner) {
-    functions_.reserve(16);
-    deferred_ports_.reserve(16);
+    functions_.reserve(64);
+    deferred_ports_.reserve(16);  // and never more
 }
 
 ExecutionEngine::~ExecutionEngine() {
@@ -76,7 +76,7 @@ void ExecutionEngine::step() {}
 void ExecutionEngine::loop() {}
 bool ExecutionEngine::breakLoop() { return task_ ? task_->breakUpdateHook() : true; }
 void ExecutionEngine::finalize() {}
-bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_; }
+bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || missed_ports_; }
 
 void ExecutionEngine::work(WorkReason reason) {
     const bool nested = gate_->isStepping();
@@ -114,12 +114,19 @@ void ExecutionEngine::processMailbox(const Step& here, Depth depth) {
     if (depth == Depth::Step) callDeferredPorts(here);
     Mailbox::Item item;
     bool any = false;
-    for (; !here.gone() && mailbox_.take(item); any = true) execute(here, item, depth);
+    // What a step executes may ask for more of it, again and again: the rest of the step comes first.
+    for (std::uint32_t left = Mailbox::kCapacity; !here.gone() && left != 0 && mailbox_.take(item); any = true) {
+        if (depth == Depth::Step) --left;
+        execute(here, item, depth);
+    }
     if (here.gone()) return;
     // Those that came up while one of these messages waited for something.
     if (depth == Depth::Step) callDeferredPorts(here);
+    if (depth == Depth::Step && !here.gone()) callMissedPorts(here);
+    if (here.gone()) return;
     // Other threads may wait here for what a message does.
-    if (any && !here.gone()) gate_->waitPoint.notify();
+    if (any) gate_->waitPoint.notify();
+    if (depth == Depth::Step && !mailbox_.empty()) triggerSelf();
 }
 
 void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth) {
@@ -132,8 +139,12 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
         case Mailbox::Kind::Port:
             // A component in the middle of its updateHook() does not expect its callbacks because it calls somebody.
             if (depth == Depth::Waiting || !deferred_ports_.empty()) {
-                deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
-                deferred_ = true;
+                if (deferred_ports_.size() == deferred_ports_.capacity()) {
+                    missed_ports_.exchange(true);
+                } else {
+                    deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
+                    deferred_ = true;
+                }
             } else if (task_) {
                 guarded(here, "the callback of a port",
                         [&] { task_->dataOnPortCallback(static_cast<base::PortInterface*>(item.what)); });
@@ -169,6 +180,12 @@ void ExecutionEngine::callDeferredPorts(const Step& here) {
     }
     deferred_ports_.clear();
     deferred_ = false;
+}
+
+// Whoever sets the flag has announced its port before, and triggers afterwards.
+void ExecutionEngine::callMissedPorts(const Step& here) {
+    if (!missed_ports_ || !missed_ports_.exchange(false) || !task_) return;
+    guarded(here, "the callback of a port", [&] { task_->missedPortCallbacks(); });
 }
 
 void ExecutionEngine::processFunctions(const Step& here) {

@@ -16,6 +16,9 @@
 #include <vector>
 
 namespace RTT {
+namespace internal {
+class SentCall;
+}
 namespace base {
 class PortInterface;
 class TaskCore;
@@ -27,6 +30,8 @@ class TaskCore;
  *
  *   Trigger             messages and port callbacks, in order of arrival
  *   TimeOut, IOReady    the same, then functions, then updateHook() or errorHook()
+ *
+ * A step takes at most Mailbox::kCapacity messages and callbacks; if they ask for more, another step follows.
  *
  * While a component waits for the operation of another one it executes messages, so that two components that call each
  * other do not wait for ever; its port callbacks, functions and hooks have to wait with it. A thread that is within the
@@ -49,9 +54,19 @@ public:
     /** Queues a message and wakes the activity. False, and the caller keeps the message, if it is null, the component is
         in FatalError, there is no activity or the queue is full. Any thread; real-time safe. */
     bool process(base::DisposableInterface* message) override;
-    /** Queues the callback of a port. As above. */
+    /** Queues the callback of a port. As above, but if the queue is full it is true nevertheless: the component looks
+        through all its ports when it has executed what is queued. */
     bool process(base::PortInterface* port);
-    /** Executes `function` in every step until its execute() returns false. False as above. Any thread. */
+    /** The same; calls `queued()` if it is true and the component still exists (it may have been executed by this thread). */
+    template <class Queued>
+    bool process(base::PortInterface* port, Queued&& queued) {
+        const internal::EngineGate::Visit visit(*gate_);
+        if (!enqueue({internal::Mailbox::Kind::Port, port}, visit.activity())) return false;
+        if (visit.engine()) queued();
+        return true;
+    }
+    /** Executes `function` in every step until its execute() returns false. False as above, and if it is loaded
+        already. Any thread. */
     bool runFunction(base::ExecutableInterface* function);
     /** Stops executing it; waits until it is not being executed, except in the engine's own thread. True if it was not
         loaded or is removed; false if the queue is full. */
@@ -96,6 +111,8 @@ public:
     bool hasWork() override;
 
 private:
+    friend class internal::EngineGate;
+    friend class internal::SentCall;
     enum class Depth { Step, Waiting };
     typedef internal::EngineGate::Step Step;
     class Removal;
@@ -104,8 +121,13 @@ private:
     bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();
-    static bool processWaiting();
+    static void processWaiting();
+    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
+                         const internal::EngineGate::Count* also);
+    bool processInStead();
+    bool waitInStead(const boost::function<bool()>& done, std::int64_t deadline);
     void triggerDeferred();
+    void triggerSelf();
     void takeOut(base::ExecutableInterface* function);
     void awaitRemoval(Removal& removal, const internal::EngineGate& waiting);
 
@@ -113,6 +135,7 @@ private:
     void processMailbox(const Step& here, Depth depth);
     void execute(const Step& here, internal::Mailbox::Item item, Depth depth);
     void callDeferredPorts(const Step& here);
+    void callMissedPorts(const Step& here);
     void processFunctions(const Step& here);
     void processHooks(const Step& here);
     template <class Action>
@@ -126,8 +149,9 @@ private:
     std::vector<base::PortInterface*> deferred_ports_;
     std::vector<base::ExecutableInterface*> functions_;
     base::ExecutableInterface* executing_ = nullptr;
-    Removal* removals_ = nullptr;        // of executing_
-    std::atomic<bool> deferred_{false};  // there are such ports
+    Removal* removals_ = nullptr;            // of executing_
+    std::atomic<bool> deferred_{false};      // there are such ports
+    std::atomic<bool> missed_ports_{false};  // there was no room for a port, here or in the mailbox
 };
 
 }  // namespace RTT

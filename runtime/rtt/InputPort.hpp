@@ -45,12 +45,6 @@ public:
     base::DataSourceBase* getDataSource() override;
     Service* createPortObject() override;
     base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
-
-    /** For getDataSource(). */
-    bool sourceValue(reference_t value) { return read(value) != NoData; }
-
-private:
-    FlowStatus readOperation(reference_t sample) { return read(sample); }
 };
 
 }  // namespace RTT

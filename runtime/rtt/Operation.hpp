@@ -54,9 +54,7 @@ public:
     /** Sets the function; in OwnThread it is executed by `ownerEngine`, which addOperation() sets too. */
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
     Operation& calls(Function function, ExecutionThread et = ClientThread, ExecutionEngine* ownerEngine = nullptr) {
-        if (!internal::isEmptyFunction(function))
-            setCallee(new internal::BoundCallee<Signature, Function>(std::move(function)));
-        caller()->setThread(et, ownerEngine ? ownerEngine : caller()->getOwner());
+        this->setFunction(internal::makeCallee<Signature>(std::move(function)), et, ownerEngine);
         return *this;
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
@@ -89,14 +87,10 @@ private:
     internal::LocalOperationCaller<Signature>* caller() const {
         return static_cast<internal::LocalOperationCaller<Signature>*>(this->implementation().get());
     }
-    void setCallee(internal::Callee<Signature>* callee) {
-        callee->listenLike(caller()->function().get());
-        caller()->setFunction(callee);
-    }
     OperationSignal& signal() {
         // An operation that is only a signal.
         if (!ready()) calls([](Args...) -> R { return internal::NA<R>::na(); });
-        internal::CalleeBase& callee = *caller()->function();
+        internal::CalleeBase& callee = *caller()->callee();
         if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>());
         return static_cast<OperationSignal&>(*callee.signal());
     }

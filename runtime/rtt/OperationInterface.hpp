@@ -27,6 +27,7 @@ public:
     std::vector<std::string> getNames() const;
     std::vector<std::string> getOperationNames() const { return getNames(); }
     bool hasMember(const std::string& name) const;
+    bool hasOperation(const std::string& name) const { return hasMember(name); }
     /** Null if there is none. */
     OperationInterfacePart* getPart(const std::string& name) const;
 

@@ -44,13 +44,6 @@ public:
     base::DataSourceBase* getDataSource() const override;
     Service* createPortObject() override;
     base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
-
-    /** For getDataSource(). */
-    bool sourceValue(reference_t value) const { return copyLastWritten(&value); }
-
-private:
-    WriteStatus writeOperation(param_t sample) { return write(sample); }
-    value_t lastOperation() { return getLastWrittenValue(); }
 };
 
 }  // namespace RTT

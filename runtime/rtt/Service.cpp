@@ -77,6 +77,7 @@ bool Service::addService(shared_ptr service) {
         return false;
     }
     services_[service->getName()] = service;
+    if (service->owner_ != owner_) service->leaveComponent();
     service->setParent(provides());
     service->holder_ = this;
     service->setOwner(owner_);
@@ -89,8 +90,15 @@ void Service::removeService(const std::string& name) {
     const shared_ptr removed = found->second;  // may be held by others
     services_.erase(found);
     if (removed->holder_ && removed->holder_ != this) return;  // was added elsewhere since
+    removed->leaveComponent();
     removed->setParent(nullptr);
     removed->setOwner(nullptr);
+}
+
+// Before the owner is another: writers of samples ask for it.
+void Service::leaveComponent() {
+    if (owner_) silencePorts();
+    for (auto& entry : services_) entry.second->leaveComponent();
 }
 
 void Service::clear() {
@@ -128,8 +136,7 @@ bool Service::resetOperation(const std::string& name, base::OperationBase* opera
                    << endlog();
         return false;
     }
-    OperationInterfacePart* const reset =
-        operation && operation->ready() ? part->reimplemented(operation->implementation()) : nullptr;
+    OperationInterfacePart* const reset = operation && operation->ready() ? part->reimplemented(*operation) : nullptr;
     if (!reset) {
         log(Error) << "operation '" << name << "' of '" << name_
                    << "' was not reset: the new one has no function, or one of another signature" << endlog();
@@ -152,7 +159,11 @@ void Service::removeOperation(const std::string& name) {
                  owned_.end());
 }
 
-void Service::keep(base::OperationBase* operation) { owned_.emplace_back(operation); }
+void Service::adopt(base::OperationBase* operation, internal::CalleeBase* function, ExecutionThread et, bool callOnly) {
+    owned_.emplace_back(operation);
+    operation->setFunction(function, et, nullptr);
+    registerOperation(*operation, callOnly);
+}
 
 bool Service::registerOperation(base::OperationBase& operation, bool callOnly) {
     const std::string& name = operation.getName();

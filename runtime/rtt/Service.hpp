@@ -23,6 +23,8 @@ class ServiceRequester;
 class TaskContext;
 
 namespace internal {
+class PortOperation;
+
 [[noreturn]] RTT_API void throwNoObject();
 
 /** A member function of an object that is looked up with each call, and held meanwhile. Throws std::runtime_error if there is
@@ -88,7 +90,6 @@ public:
 
     /** Null, and a warning, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name);
-    bool hasOperation(const std::string& name) const { return hasMember(name); }
     base::OperationCallerInterface::shared_ptr getLocalOperation(const std::string& name);
     void removeOperation(const std::string& name);
     /** For local operations; callers made before are not affected. */
@@ -165,13 +166,15 @@ public:
 private:
     template <class Signature, class Function>
     Operation<Signature>& make(const std::string& name, Function function, ExecutionThread et, bool callOnly) {
-        auto* made = new Operation<Signature>(name, std::move(function), et);
-        keep(made);
-        registerOperation(*made, callOnly);
+        internal::CalleeBase* const callee = internal::makeCallee<Signature>(std::move(function));
+        auto* const made = new Operation<Signature>(name);
+        adopt(made, callee, et, callOnly);
         return *made;
     }
+    friend class internal::PortOperation;
+    void adopt(base::OperationBase* operation, internal::CalleeBase* function, ExecutionThread et, bool callOnly);
     bool registerOperation(base::OperationBase& operation, bool callOnly);
-    void keep(base::OperationBase* operation);
+    void leaveComponent();
 
     typedef std::map<std::string, shared_ptr> Services;
     Services services_;

@@ -4,10 +4,25 @@
 
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
 
 namespace RTT {
+
+namespace {
+
+base::ActivityInterface* makeDefaultActivity(const std::string& name) {
+#ifdef ORO_ACT_DEFAULT_SEQUENTIAL
+    static_cast<void>(name);
+    return new extras::SequentialActivity;
+#else
+    // Without the engine, which others may be triggering while its constructor runs.
+    return new Activity(nullptr, name);
+#endif
+}
+
+}  // namespace
 
 TaskContext::TaskContext(const std::string& name, TaskState initial_state)
     : TaskCore(initial_state, name),
@@ -20,19 +35,35 @@ TaskContext::TaskContext(const std::string& name, TaskState initial_state)
 }
 
 TaskContext::~TaskContext() {
+    if (isRunning() && isActive())
+        log(Warning) << getName()
+                     << " is destroyed while it is running: its thread may meet what is left of it. Call stop() "
+                     << "in the destructor of its class" << endlog();
     if (activity_) activity_->stop();
     // Others may hold these pointers longer than the component lives.
     service_->setOwner(nullptr);
     requester_->setOwner(nullptr);
+    releaseProviders();
     clear();
-    providers_.clear();
     leaveAll();
     releaseActivity();
+}
+
+// Who still holds one can connect it to something else. Its callers are its own, other than those of requires_().
+void TaskContext::releaseProviders() {
+    for (const auto& entry : providers_) {
+        if (!entry.second) continue;
+        entry.second->setOwner(nullptr);
+        for (const std::string& name : entry.second->getOperationCallerNames())
+            entry.second->getOperationCaller(name)->setCaller(nullptr);
+    }
+    providers_.clear();
 }
 
 const std::string& TaskContext::getName() const { return service_->getName(); }
 
 bool TaskContext::setActivity(base::ActivityInterface* new_act) {
+    if (new_act && new_act == activity_.get()) return true;  // and owned already
     base::ActivityInterface::shared_ptr owned(new_act);
     const char* why = nullptr;
     if (isRunning())
@@ -48,24 +79,23 @@ bool TaskContext::setActivity(base::ActivityInterface* new_act) {
         if (engine()->getActivity() != activity_.get()) engine()->setActivity(activity_.get());
         return false;
     }
-    // Without the engine, which others may be triggering while its constructor runs.
-    if (!owned) owned.reset(new Activity(nullptr, getName()));
-    exchangeActivity(owned);
+    if (!owned) owned.reset(makeDefaultActivity(getName()));
+    exchangeActivity(std::move(owned));
     return true;
 }
 
 void TaskContext::forceActivity(base::ActivityInterface* new_act) {
-    if (!new_act) return;
+    if (!new_act || new_act == activity_.get()) return;
     if (activity_) activity_->stop();
     exchangeActivity(base::ActivityInterface::shared_ptr(new_act));
 }
 
-void TaskContext::exchangeActivity(const base::ActivityInterface::shared_ptr& next) {
+void TaskContext::exchangeActivity(base::ActivityInterface::shared_ptr next) {
     next->stop();
     next->run(engine());  // before the old one lets go: who sends meanwhile must find one
-    const base::ActivityInterface::shared_ptr previous = activity_;
-    activity_ = next;
-    if (previous) previous->run(nullptr);
+    activity_.swap(next);
+    if (next) next->run(nullptr);
+    next.reset();  // its thread ends before the new one begins
     engine()->startActivity();
 }
 
@@ -125,7 +155,11 @@ bool TaskContext::connectPorts(TaskContext* peer) {
     bool success = true;
     for (base::PortInterface* mine : ports()->getPorts()) {
         base::PortInterface* theirs = peer->ports()->getPort(mine->getName());
-        if (!theirs) continue;
+        if (!theirs) {
+            log(Debug) << peer->getName() << " has no port '" << mine->getName() << "' to connect that of " << getName()
+                       << " with" << endlog();
+            continue;
+        }
         const bool mineReads = dynamic_cast<base::InputPortInterface*>(mine) != nullptr;
         const bool theirsReads = dynamic_cast<base::InputPortInterface*>(theirs) != nullptr;
         if (mineReads == theirsReads) {
@@ -144,11 +178,15 @@ bool TaskContext::connectServices(TaskContext* peer) {
     TaskContext* const pairs[][2] = {{this, peer}, {peer, this}};
     for (const auto& pair : pairs) {
         const ServiceRequester::shared_ptr root = pair[0]->requires_();
-        if (!root->ready()) root->connectTo(pair[1]->provides());
+        root->connectTo(pair[1]->provides());
         for (const std::string& name : root->getRequesterNames()) {
             const ServiceRequester::shared_ptr requester = root->requires_(name);
-            if (requester->ready() || !pair[1]->provides()->hasService(name)) continue;
-            if (!requester->connectTo(pair[1]->provides(name))) success = false;
+            if (requester->ready()) continue;
+            if (pair[1]->provides()->hasService(name))
+                success &= requester->connectTo(pair[1]->provides(name));
+            else
+                log(Debug) << pair[1]->getName() << " has no service '" << name << "' for " << pair[0]->getName()
+                           << endlog();
         }
     }
     return success;
@@ -164,8 +202,10 @@ void TaskContext::dataOnPort(base::PortInterface* port) {
     // The component may be started, and stopped, while the hook decides.
     const unsigned starts = mStartCounter;
     const bool running = isRunning();
-    if (!dataOnPortHook(port) || !port_callbacks_.announce(port, running || mStartCounter != starts)) return;
-    if (!engine()->process(port)) port_callbacks_.withdraw(port);
+    if (!dataOnPortHook(port)) return;
+    const std::uint64_t announcement = port_callbacks_.announce(port, running || mStartCounter != starts);
+    if (!announcement) return;
+    (void)engine()->process(port, [this, port, announcement] { port_callbacks_.queued(port, announcement); });
 }
 
 void TaskContext::dataOnPortCallback(base::PortInterface* port) {
@@ -173,10 +213,18 @@ void TaskContext::dataOnPortCallback(base::PortInterface* port) {
     port_callbacks_.call(port, getTaskState() >= Running && getTargetState() >= Running);
 }
 
+void TaskContext::missedPortCallbacks() {
+    std::uint64_t last = 0;
+    while (base::PortInterface* const port = port_callbacks_.nextAnnounced(last)) dataOnPortCallback(port);
+}
+
 void TaskContext::setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback) {
     port_callbacks_.set(port, callback ? callback : SlotFunction([this](base::PortInterface*) { trigger(); }));
 }
 
-void TaskContext::dataOnPortRemoved(base::PortInterface* port) { port_callbacks_.remove(port); }
+void TaskContext::dataOnPortRemoved(base::PortInterface* port) {
+    // Within its own step the component may be under destruction.
+    port_callbacks_.remove(port, !engine()->isStepping());
+}
 
 }  // namespace RTT

@@ -176,6 +176,7 @@ protected:
     /** Decides whether data on an event port wakes this component. Called in the writer's thread. Default: isRunning(). */
     virtual bool dataOnPortHook(base::PortInterface* port);
     void dataOnPortCallback(base::PortInterface* port) override;
+    void missedPortCallbacks() override;
 
 private:
     friend class DataFlowInterface;
@@ -184,8 +185,9 @@ private:
     void dataOnPortRemoved(base::PortInterface* port);
 
     void addStandardInterface();
-    void exchangeActivity(const base::ActivityInterface::shared_ptr& next);
+    void exchangeActivity(base::ActivityInterface::shared_ptr next);
     void releaseActivity();
+    void releaseProviders();
     void forgetPeer(const std::string& name);
     void forgetPeer(TaskContext* peer);
     void leaveAll();

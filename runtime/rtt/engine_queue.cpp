@@ -5,6 +5,7 @@
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/detail/engine_removal.hpp>
+#include <rtt/internal/detail/engine_sleep.hpp>
 #include <rtt/os/fosi.h>
 
 #include <algorithm>
@@ -42,7 +43,12 @@ bool ExecutionEngine::accepts() const { return !(task_ && task_->base::TaskCore:
 
 // In a visit to the gate, so that neither the engine nor its activity go away.
 bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activity) {
-    if (!item.what || !activity || !accepts() || !mailbox_.put(item)) return false;
+    if (!item.what || !activity || !accepts()) return false;
+    if (!mailbox_.put(item)) {
+        if (item.kind != Mailbox::Kind::Port) return false;
+        // An exchange, so that who takes the flag away sees what all those have done who set it.
+        missed_ports_.exchange(true);
+    }
     // The engine's thread may be inside waitForMessages(). It does not need to know of ports there.
     if (item.kind == Mailbox::Kind::Port)
         gate_->waitPoint.mark();
@@ -72,7 +78,7 @@ bool ExecutionEngine::process(base::DisposableInterface* message) { return enque
 bool ExecutionEngine::process(base::PortInterface* port) { return enqueue({Mailbox::Kind::Port, port}); }
 
 bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
-    if (!function || !getActivity() || !accepts()) return false;
+    if (!function || function->isLoaded() || !getActivity() || !accepts()) return false;
     function->loaded(this);
     if (enqueue({Mailbox::Kind::AddFunction, function})) return true;
     function->unloaded();
@@ -81,7 +87,8 @@ bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
 
 bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     if (!function || !function->isLoaded() || function->getEngine() != this) return true;
-    if (isSelf()) {
+    const EngineGate::Stand stand(gate_.get());
+    if (stand) {
         mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
         takeOut(function);
     } else {
@@ -124,38 +131,27 @@ void ExecutionEngine::takeOut(base::ExecutableInterface* function) {
     std::replace(functions_.begin(), functions_.end(), function, static_cast<base::ExecutableInterface*>(nullptr));
 }
 
-// Executes the messages of all engines that this thread is executing. True if it is more than one.
-bool ExecutionEngine::processWaiting() {
-    const Step* const innermost = Step::innermost();
-    bool several = false;
-    for (const Step* step = innermost; step; step = step->outer()) {
+// Executes the messages of all engines that this thread is executing.
+void ExecutionEngine::processWaiting() {
+    for (const Step* step = Step::innermost(); step; step = step->outer()) {
         ExecutionEngine* const engine = step->engine();
         if (!engine) continue;
-        several |= engine != innermost->engine();
         const Step here(*engine->gate_);
         engine->processMailbox(here, Depth::Waiting);
     }
-    return several;
 }
 
-bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline) {
-    if (!isSelf()) {
-        while (!done()) {
-            const std::uint32_t ticket = gate_->waitPoint.ticket();
-            if (done()) return true;
-            gate_->waitPoint.wait(ticket, deadline);
-            if (deadline != kForever && rtos_get_time_ns() >= deadline) return done();
-        }
-        return true;
-    }
-    const Step here(*gate_);  // also for a thread that stands for the activity and is not within a step
+bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
+                                      const EngineGate::Count* also) {
+    const Step here(*gate_);
+    internal::detail::EngineSleep sleep(*gate_, also);
     while (!done()) {
-        const std::uint32_t ticket = gate_->waitPoint.ticket();
-        const bool several = processWaiting();
+        sleep.look();
+        processWaiting();
         if (done()) break;
         if (!mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
-        gate_->waitPoint.wait(ticket, several ? std::min(deadline, soon(1)) : deadline);
+        sleep.until(deadline);
     }
     // The trigger that came with a port may have been used up before we waited.
     for (const Step* step = &here; step; step = step->outer())
@@ -163,10 +159,49 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
     return true;
 }
 
+bool ExecutionEngine::processInStead() {
+    const EngineGate::Stand stand(gate_.get());
+    if (!stand) return false;
+    const Step here(*gate_);
+    processWaiting();
+    return true;
+}
+
+// By a thread that stands for the activity and is not within a step: another one may execute the component at any moment.
+bool ExecutionEngine::waitInStead(const boost::function<bool()>& done, std::int64_t deadline) {
+    internal::detail::EngineSleep sleep(*gate_);
+    while (!done()) {
+        sleep.look();
+        const bool mine = processInStead();
+        if (done()) break;
+        if (mine && !mailbox_.empty()) continue;
+        if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
+        // Who executes it now may leave something to this thread, and tells nobody.
+        sleep.until(mine ? deadline : std::min(deadline, soon(1)));
+    }
+    triggerDeferred();
+    return true;
+}
+
+bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline) {
+    if (isStepping()) return waitForMessages(done, deadline, nullptr);
+    if (isSelf()) return waitInStead(done, deadline);
+    while (!done()) {
+        const std::uint32_t ticket = gate_->waitPoint.ticket();
+        if (done()) return true;
+        gate_->waitPoint.wait(ticket, deadline);
+        if (deadline != kForever && rtos_get_time_ns() >= deadline) return done();
+    }
+    return true;
+}
+
 void ExecutionEngine::waitForMessages(const boost::function<bool()>& done) { waitForMessages(done, kForever); }
 
 void ExecutionEngine::triggerDeferred() {
-    if (!deferred_) return;
+    if (deferred_ || missed_ports_) triggerSelf();
+}
+
+void ExecutionEngine::triggerSelf() {
     const EngineGate::Visit visit(*gate_);
     if (visit.activity()) visit.activity()->trigger();
 }

@@ -16,7 +16,10 @@ foreach(source
     internal/ConnID.cpp
     internal/ConnectionManager.cpp
     internal/PortEndpoint.cpp
+    internal/PortOperations.cpp
+    internal/DeferredCalls.cpp
     internal/Reclaimer.cpp
+    internal/detail/waiting.cpp
     internal/SampleBox.cpp
     internal/SampleStore.cpp
     internal/SharedConnection.cpp
@@ -24,6 +27,7 @@ foreach(source
     internal/connection_create.cpp
     internal/connection_join.cpp
     internal/connection_stream.cpp
+    internal/sample_type_name.cpp
     internal/detail/buffer_lock_free.cpp
     internal/detail/buffer_plain.cpp
     internal/detail/buffer_words.cpp

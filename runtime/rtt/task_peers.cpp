@@ -17,6 +17,11 @@ std::mutex& peersMutex() {
 }
 typedef std::lock_guard<std::mutex> Lock;
 
+void disconnectPorts(Service& service) {
+    for (base::PortInterface* port : service.getPorts()) port->disconnect();
+    for (const std::string& name : service.getProviderNames()) disconnectPorts(*service.getService(name));
+}
+
 }  // namespace
 
 bool TaskContext::addPeer(TaskContext* peer, std::string alias) {
@@ -80,7 +85,7 @@ void TaskContext::disconnectPeers(const std::string& name) {
 }
 
 void TaskContext::disconnect() {
-    for (base::PortInterface* port : ports()->getPorts()) port->disconnect();
+    disconnectPorts(*provides());
     leaveAll();
 }
 

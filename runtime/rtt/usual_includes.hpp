@@ -54,6 +54,7 @@ using namespace os;
 using namespace extras;
 using namespace scripting;
 using namespace plugin;
+using namespace marsh;
 }  // namespace detail
 }  // namespace RTT
 

@@ -18,6 +18,7 @@
 #include <rtt/base/RunnableInterface.cpp>
 
 RTT::ExecutionEngine* RTT::internal::GlobalEngine::Instance() { return nullptr; }
+void RTT::internal::CalleeBase::deref() const {}  // there are none
 
 namespace {
 
@@ -36,7 +37,7 @@ void prepare() {
 
 /** A call that says what became of it. */
 struct Call : SentCall {
-    explicit Call(std::atomic<int>& count) : freed(count) {}
+    explicit Call(std::atomic<int>& count) : SentCall(nullptr), freed(count) {}
     ~Call() override { freed.fetch_add(1, std::memory_order_relaxed); }
     void run() override { result = 42; }
     const void* resultAddress() const override { return &result; }

@@ -5,6 +5,7 @@
 
 #define pthread_key_create(key, destructor) static_cast<void>(0)
 #define pthread_setspecific(key, value) static_cast<void>(0)
+#include <rtt/internal/DeferredCalls.cpp>
 #include <rtt/internal/Reclaimer.cpp>
 
 namespace {
@@ -51,6 +52,20 @@ template <bool asymmetric>
 void oneReader(Trial& trial) {
     Shared shared(asymmetric);
     trial.thread([&] { shared.look(); });
+    trial.thread([&] { shared.replace(2); });
+    trial.go();
+    Reclaimer::collect();
+    require(shared.destroyed == 1 && Reclaimer::pending() == 0, "not destroyed, or twice");
+}
+
+/** The reader comes in again. */
+template <bool asymmetric>
+void returningReader(Trial& trial) {
+    Shared shared(asymmetric);
+    trial.thread([&] {
+        shared.look();
+        shared.look();
+    });
     trial.thread([&] { shared.replace(2); });
     trial.go();
     Reclaimer::collect();
@@ -105,6 +120,10 @@ TEST(Reclaimer, one_reader) {
     EXPECT_TRUE(model::holds(oneReader<true>));
     EXPECT_TRUE(model::holds(oneReader<false>));
 }
+TEST(Reclaimer, a_reader_that_returns) {
+    EXPECT_TRUE(model::holds(returningReader<true>));
+    EXPECT_TRUE(model::holds(returningReader<false>));
+}
 TEST(Reclaimer, two_readers) {
     EXPECT_TRUE(model::holds(twoReaders<true>));
     EXPECT_TRUE(model::holds(twoReaders<false>));
@@ -123,6 +142,7 @@ TEST(Reclaimer, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("reclaimer_relaxed_look", oneReader<true>));
     EXPECT_TRUE(model::catches("reclaimer_relaxed_leave", oneReader<true>));
     EXPECT_TRUE(model::catches("reclaimer_relaxed_enter", oneReader<true>));
+    EXPECT_TRUE(model::catches("reclaimer_relaxed_return", returningReader<true>));
     EXPECT_TRUE(model::catches("reclaimer_relaxed_synchronize", synchronizing<true>));
     EXPECT_TRUE(model::catches("reclaimer_waiters_forgotten", bothInside));
 }

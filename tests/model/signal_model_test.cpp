@@ -6,6 +6,7 @@
 #define pthread_key_create(key, destructor) static_cast<void>(0)
 #define pthread_setspecific(key, value) static_cast<void>(0)
 #include <rtt/internal/SignalBase.cpp>
+#include <rtt/internal/DeferredCalls.cpp>
 #include <rtt/internal/Reclaimer.cpp>
 
 namespace {

@@ -6,6 +6,7 @@
 
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/base/PortInterface.hpp>
+#include <rtt/internal/DeferredCalls.hpp>
 
 namespace RTT {
 namespace base {
@@ -14,7 +15,8 @@ class OutputPortInterface;
 
 class RTT_API InputPortInterface : public PortInterface {
 public:
-    InputPortInterface(const std::string& name, const ConnPolicy& default_policy, const types::TypeOps* ops = nullptr);
+    InputPortInterface(const std::string& name, const ConnPolicy& default_policy = ConnPolicy(),
+                       const types::TypeOps* ops = nullptr);
     ~InputPortInterface() override;
 
     /** The policy used when connecting without one. */
@@ -49,8 +51,10 @@ public:
     void newDataAvailable();
     /** For the port's endpoint, inside a Reclaimer::Guard: newDataAvailable() follows when this thread has left it. */
     void signalLater();
-    /** Waits until no other thread is telling the component of new samples. Not real-time safe. */
-    void finishSignals();
+    /** For whoever has taken the port out of its component: waits until no other thread is telling that of new samples. What
+        this thread has promised to tell is forgotten. With `executesMessages` those of the components that this thread is
+        executing are executed meanwhile. Of two threads that wait for each other one goes on. Not real-time safe. */
+    void finishSignals(bool executesMessages = false);
 
 protected:
     // The data path; `sample` points to an object of the port's type. Real-time safe, see InputPort.
@@ -59,12 +63,16 @@ protected:
     bool copyDataSample(void* sample) const;
 
 private:
-    static void deliverSignal(void* self);
+    friend class internal::PortLink;
+    static void deliverSignal(void*& self);
+    bool unpin();
     void forgetSignals();
     FlowStatus readSeveral(const internal::ChannelArray& channels, void* sample, bool copyOld);
 
     ConnPolicy default_policy_;
-    std::atomic<int> pinned_{0};  // signals promised or being delivered
+    static constexpr std::uint32_t kAgain = 1u << 31;
+    std::atomic<std::uint32_t> pinned_{0};  // signals promised or being delivered, and perhaps kAgain: one more is owed
+    internal::DeferredCalls::Call signal_;  // of the thread that pinned the port first
     // Which channel gave the last new sample. Only compared with the entries of the current list, never followed.
     std::atomic<const ChannelElementBase*> current_{nullptr};
 };

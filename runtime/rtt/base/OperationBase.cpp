@@ -21,6 +21,14 @@ void OperationBase::setOwner(ExecutionEngine* owner) {
 }
 void OperationBase::setThread(ExecutionThread et) { implementation_->setThread(et, implementation_->getOwner()); }
 
+void OperationBase::setFunction(internal::CalleeBase* function, ExecutionThread et, ExecutionEngine* owner) {
+    if (function) {
+        function->listenLike(implementation_->callee());
+        implementation_->setCallee(function);
+    }
+    implementation_->setThread(et, owner ? owner : implementation_->getOwner());
+}
+
 void OperationBase::addArgument(const std::string& name, const std::string& text) {
     description_->texts.push_back(name);
     description_->texts.push_back(text);

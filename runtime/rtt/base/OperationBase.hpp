@@ -11,6 +11,7 @@
 
 namespace RTT {
 class OperationInterfacePart;
+class Service;
 namespace internal {
 struct OperationTable;
 }
@@ -41,6 +42,7 @@ public:
     void setThread(ExecutionThread et);
 
     const OperationCallerInterface::shared_ptr& implementation() const { return implementation_; }
+    const internal::OperationTable& table() const { return *table_; }
     /** A new description of this for generic callers. With `callOnly` it cannot be sent. The caller owns it. */
     OperationInterfacePart* makePart(bool callOnly) const;
 
@@ -49,10 +51,14 @@ protected:
     OperationBase(const std::string& name, OperationCallerInterface* implementation,
                   const internal::OperationTable& table);
 
+    /** Who listens to the function before listens to this one; null: it stays. A null owner: it stays. */
+    void setFunction(internal::CalleeBase* function, ExecutionThread et, ExecutionEngine* owner);
     void setDoc(const std::string& text) { description_->texts[0] = text; }
     void addArgument(const std::string& name, const std::string& text);
 
 private:
+    friend class RTT::Service;
+
     std::shared_ptr<OperationDescription> description_;
     OperationCallerInterface::shared_ptr implementation_;
     const internal::OperationTable* table_;

@@ -21,8 +21,12 @@ public:
     virtual R call(Args... args) = 0;
     virtual SendHandle<R(Args...)> send(Args... args) = 0;
     /** The same operation for another caller. The caller of this function owns it. */
-    virtual OperationCallerBase* cloneI(ExecutionEngine* caller) const = 0;
-    OperationCallerInterface* cloneFor(ExecutionEngine* caller) const final { return cloneI(caller); }
+    OperationCallerBase* cloneI(ExecutionEngine* caller) const override = 0;
+
+protected:
+    OperationCallerBase() = default;
+    OperationCallerBase(const OperationCallerBase& other, ExecutionEngine* caller)
+        : OperationCallerInterface(other, caller) {}
 };
 
 }  // namespace base

@@ -5,6 +5,7 @@
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/base/DisposableInterface.hpp>
+#include <rtt/internal/Callee.hpp>
 #include <rtt/internal/EngineGate.hpp>
 
 #include <boost/shared_ptr.hpp>
@@ -29,7 +30,6 @@ private:
 };
 
 namespace internal {
-class CalleeBase;
 class SentCall;
 }  // namespace internal
 
@@ -44,7 +44,7 @@ public:
     void executeAndDispose() final {}
     void dispose() final {}
     /** True if there is a function to call and the component that provides it exists. */
-    virtual bool ready() const = 0;
+    virtual bool ready() const;
     /** Which thread executes, and the engine of the component that provides the operation. */
     void setThread(ExecutionThread et, ExecutionEngine* owner);
     ExecutionThread getThread() const { return thread_; }
@@ -55,27 +55,37 @@ public:
     ExecutionEngine* getCaller() const { return caller_; }
 
     /** The same operation for another caller; the caller of this function owns it. */
-    virtual OperationCallerInterface* cloneFor(ExecutionEngine* caller) const = 0;
+    virtual OperationCallerInterface* cloneI(ExecutionEngine* caller) const = 0;
+    OperationCallerInterface* cloneFor(ExecutionEngine* caller) const { return cloneI(caller); }
 
-    /** The function and its signal; null if there is none in this process. */
-    virtual internal::CalleeBase* callee() const { return nullptr; }
+    /** The function and its signal; null if there is none, or none in this process. */
+    internal::CalleeBase* callee() const { return callee_.get(); }
+    void setCallee(internal::CalleeBase* callee);
 
     /** True if a call has to be sent to another thread. */
     bool isSend() const;
 
 protected:
     OperationCallerInterface() = default;
-    OperationCallerInterface(const OperationCallerInterface&) = default;
+    /** For cloneI(). */
+    OperationCallerInterface(const OperationCallerInterface& other, ExecutionEngine* caller);
 
     /** The component that provides this was destroyed. */
     bool isGone() const { return owner_ && owner_->closed(); }
+    /** Converts to true if the caller may execute the operation itself, as long as it lives; else the call has to be sent. */
+    internal::EngineGate::Stand direct() const {
+        return internal::EngineGate::Stand(thread_ == OwnThread ? owner_.get() : nullptr);
+    }
     /** Hands the call to the engine that executes it; the reference of the queue is taken. False if refused. */
     bool enqueue(internal::SentCall& call) const;
+    /** The same with a call that nobody holds yet; gives it with a reference for the caller. Null if refused. */
+    internal::SentCall* enqueueNew(internal::SentCall* call) const;
     /** The same and waits for its end. Throws SendError. */
     void enqueueAndWait(internal::SentCall& call) const;
 
 private:
     ExecutionThread thread_ = ClientThread;
+    boost::intrusive_ptr<internal::CalleeBase> callee_;
     boost::intrusive_ptr<const internal::EngineGate> owner_;
     ExecutionEngine* caller_ = nullptr;
 };

@@ -61,6 +61,7 @@ protected:
     void setSample(const void* sample);
 
 private:
+    friend class internal::PortLink;
     void allocateLast();
     void remember(const void* sample);
     class DeadChannels;

@@ -5,6 +5,7 @@
 #define ORO_PORT_INTERFACE_HPP
 
 #include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/types/TypeInfo.hpp>
 
 #include <boost/shared_ptr.hpp>
 
@@ -24,6 +25,7 @@ namespace internal {
 class ConnID;
 class ConnectionManager;
 class PortEndpoint;
+class PortLink;
 class SharedConnectionBase;
 struct ChannelArray;
 }  // namespace internal
@@ -79,13 +81,14 @@ public:
     /** The same with the policy of the shared connection; false, with an error logged, if that is null. */
     bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection);
 
-    /** For transports: registers a finished channel under `id` (which is taken over). */
+    /** For transports: registers a finished channel under `id` (which is taken over). False, with an error logged, if one
+        of both is null. */
     virtual bool addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel, ConnPolicy const& policy);
     virtual bool removeConnection(internal::ConnID* id);
 
     DataFlowInterface* getInterface() const { return interface_.load(std::memory_order_seq_cst); }
     void setInterface(DataFlowInterface* iface);
-    /** The connections, for introspection. Include <rtt/internal/ConnectionManager.hpp>. */
+    /** The connections, for introspection. */
     internal::ConnectionManager* getManager() const { return manager_.get(); }
     virtual boost::intrusive_ptr<internal::SharedConnectionBase> getSharedConnection() const;
     /** The element at this port's end of its channels. */

@@ -12,6 +12,11 @@ namespace base {
 
 using internal::detail::BagUpdate;
 
+PropertyBase::PropertyBase() = default;
+PropertyBase::PropertyBase(const std::string& name, const std::string& description)
+    : _name(name), _description(description) {}
+PropertyBase::PropertyBase(const PropertyBase&) = default;
+PropertyBase& PropertyBase::operator=(const PropertyBase&) = default;
 PropertyBase::~PropertyBase() = default;
 
 PropertyIntrospection::~PropertyIntrospection() = default;

@@ -4,6 +4,7 @@
 #define ORO_PROPERTYBASE_HPP
 
 #include "DataSourceBase.hpp"
+#include <rtt/types/TypeInfo.hpp>
 
 namespace RTT {
 namespace base {
@@ -16,9 +17,10 @@ class PropertyIntrospection;
  */
 class RTT_API PropertyBase {
 public:
-    PropertyBase() = default;
-    PropertyBase(std::string name, std::string description)
-        : _name(std::move(name)), _description(std::move(description)) {}
+    PropertyBase();
+    PropertyBase(const std::string& name, const std::string& description);
+    PropertyBase(const PropertyBase& other);
+    PropertyBase& operator=(const PropertyBase& other);
     virtual ~PropertyBase();
 
     const std::string& getName() const { return _name; }

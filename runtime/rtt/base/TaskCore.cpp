@@ -288,6 +288,7 @@ void TaskCore::stopHook() {}
 void TaskCore::cleanupHook() {}
 void TaskCore::exceptionHook() {}
 void TaskCore::dataOnPortCallback(PortInterface*) {}
+void TaskCore::missedPortCallbacks() {}
 
 }  // namespace base
 }  // namespace RTT

@@ -110,6 +110,8 @@ protected:
 
     /** Called by the engine with a port that has new data. */
     virtual void dataOnPortCallback(PortInterface* port);
+    /** Called by the engine when it had no room for some port: dataOnPortCallback() for each that has new data. */
+    virtual void missedPortCallbacks();
 
     friend class RTT::ExecutionEngine;
     ExecutionEngine* ee;

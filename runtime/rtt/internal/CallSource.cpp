@@ -21,6 +21,10 @@ GenericCall::GenericCall(boost::shared_ptr<base::OperationCallerInterface> calle
       description_(std::move(description)),
       addresses_(arguments_.size() + 1) {}
 
+GenericCall::GenericCall(const GenericCall&) = default;
+GenericCall::GenericCall(GenericCall&&) noexcept = default;
+GenericCall::~GenericCall() = default;
+
 bool GenericCall::evaluateArguments() const {
     for (std::size_t i = 0; i != arguments_.size(); ++i) {
         base::DataSourceBase& source = *arguments_[i];

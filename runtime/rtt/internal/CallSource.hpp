@@ -35,6 +35,9 @@ public:
     /** The types of the sources have been checked. The description is for messages. */
     GenericCall(boost::shared_ptr<base::OperationCallerInterface> caller, const OperationTable& table,
                 std::vector<Source> arguments, std::shared_ptr<const base::OperationDescription> description);
+    GenericCall(const GenericCall&);
+    GenericCall(GenericCall&&) noexcept;
+    ~GenericCall();
 
     /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. False, and nothing is called, if
         an argument cannot be evaluated. */
@@ -47,6 +50,7 @@ public:
     /** The same as an exception, a std::runtime_error. */
     [[noreturn]] void fail() const;
     GenericCall copy(CopyMap& cloned) const;
+    base::OperationCallerInterface& caller() const { return *caller_.get(); }
 
 private:
     bool evaluateArguments() const;

@@ -98,6 +98,12 @@ bool isEmptyFunction(const boost::function<S>& f) {
     return f.empty();
 }
 
+/** A new callee that calls `function`; null if that is empty. */
+template <class Signature, class Function>
+CalleeBase* makeCallee(Function&& function) {
+    return isEmptyFunction(function) ? nullptr : new BoundCallee<Signature, Function>(std::forward<Function>(function));
+}
+
 }  // namespace internal
 }  // namespace RTT
 

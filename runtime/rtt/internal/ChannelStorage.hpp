@@ -20,15 +20,13 @@ public:
     typedef typename base::ChannelElement<T>::param_t param_t;
     typedef typename base::ChannelElement<T>::reference_t reference_t;
 
-    ChannelStorage(const ConnPolicy& policy, std::unique_ptr<SampleStore> store) : core_(policy, std::move(store)) {}
+    /** Sized by `first`, which may be null. */
+    ChannelStorage(const ConnPolicy& policy, const void* first) : core_(types::typeOps<T>(), policy, first) {}
 
-    WriteStatus write(param_t sample) override {
-        const Reclaimer::Guard guard;
-        return ChannelStorage::writeErased(&sample);
-    }
+    WriteStatus write(param_t sample) override { return StorageCore::writeTyped(*this, &sample); }
     FlowStatus read(reference_t sample, bool copyOld) override { return core_.store().read(&sample, copyOld); }
     using base::ChannelElement<T>::data_sample;
-    WriteStatus data_sample(param_t sample, bool reset = true) override {
+    WriteStatus data_sample(param_t sample, bool reset) override {
         return ChannelStorage::sampleErased(&sample, reset);
     }
 
@@ -47,9 +45,7 @@ public:
     void clear() override { core_.store().clear(); }
     bool signal() override { return core_.hasManyReaders() ? core_.signalReaders() : Base::signal(); }
     bool connectTo(BasePtr const& output, bool mandatory = true) override {
-        if (!core_.hasManyReaders()) return Base::connectTo(output, mandatory);
-        core_.addReader(*output);
-        return output->connectFrom(this);
+        return core_.connect(*this, output, mandatory);
     }
     const ConnPolicy* getConnPolicy() const override { return &core_.policy(); }
     std::string getElementName() const override { return "ChannelStorage"; }

@@ -45,9 +45,9 @@ public:
     }
     template <typename T>
     static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy, const void* first) {
-        ConnPolicy effective = policy;
-        std::unique_ptr<SampleStore> store = makeStore(types::typeOps<T>(), effective, first);
-        return store ? new ChannelStorage<T>(effective, std::move(store)) : nullptr;
+        auto* const made = new ChannelStorage<T>(policy, first);
+        const typename base::ChannelElement<T>::shared_ptr held(made);
+        return made->core() ? held : nullptr;
     }
 
     /** For transports: storage whose samples `port` reads once port.channelReady(storage, policy, id) was called. */

@@ -4,6 +4,7 @@
 #define ORO_DATASOURCE_TYPE_INFO_HPP
 
 #include <rtt/rtt-config.h>
+#include <rtt/types/TypeInfo.hpp>
 #include <atomic>
 #include <string>
 #include <type_traits>
@@ -31,6 +32,8 @@ namespace detail {
 RTT_API types::TypeInfo* typeInfoFor(const std::type_info& id, std::atomic<types::TypeInfo*>& cache);
 RTT_API const std::string& plainTypeName(const types::TypeInfo* info);
 RTT_API const std::string& qualifierText(bool isConst, bool isReference, bool isPointer);
+/** Both. */
+RTT_API std::string fullTypeName(const types::TypeInfo* info, const std::string& qualifier);
 
 /** One cache per type (shared by T, T& and const T&); looked up by name, so that copies in several libraries agree. */
 template <class T>
@@ -56,7 +59,7 @@ struct DataSourceTypeInfo {
                                      std::is_pointer_v<std::remove_reference_t<T>>);
     }
     /** Name and qualifier. */
-    static std::string getType() { return getTypeName() + getQualifier(); }
+    static std::string getType() { return detail::fullTypeName(getTypeInfo(), getQualifier()); }
 };
 
 }  // namespace internal

@@ -25,6 +25,10 @@ types::TypeInfo* typeInfoFor(const std::type_info& id, std::atomic<types::TypeIn
 
 const std::string& plainTypeName(const types::TypeInfo* info) { return info->getTypeName(); }
 
+std::string fullTypeName(const types::TypeInfo* info, const std::string& qualifier) {
+    return plainTypeName(info) + qualifier;
+}
+
 const std::string& qualifierText(bool isConst, bool isReference, bool isPointer) {
     static const std::string none, reference = " &", constReference = " const&", constant = " const", pointer = "*",
                                    constPointer = " const*";

@@ -5,9 +5,10 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
+#include <rtt/os/detail/futex.hpp>
 #include <rtt/os/fosi.h>
 
-#include <unistd.h>
+#include <new>
 
 namespace RTT {
 namespace internal {
@@ -15,26 +16,6 @@ namespace internal {
 namespace {
 
 thread_local const EngineGate::Visit* innermostVisit __attribute__((tls_model("initial-exec"))) = nullptr;
-
-// Waiting here is rare, and for somebody who is about to leave: not worth a wake-up in the path of every sender. It sleeps,
-// because that thread may have a lower priority than this one.
-template <class Predicate>
-void sleepUntil(const EngineGate& gate, const char* whatFor, Predicate&& predicate) {
-    const EngineGate* const own = EngineGate::ofThisThread();
-    const NANO_TIME begin = rtos_get_time_ns();
-    bool warned = false;
-    while (!predicate()) {
-        if (own && own != &gate)
-            own->engine()->waitForMessages(predicate, rtos_get_time_ns() + 1000000);
-        else
-            usleep(20);
-        if (!warned && rtos_get_time_ns() - begin > 1000000000) {
-            log(Warning) << "a component is being destroyed or given another activity, and waits for " << whatFor
-                         << endlog();
-            warned = true;
-        }
-    }
-}
 
 }  // namespace
 
@@ -47,8 +28,7 @@ EngineGate::Visit::Visit(const EngineGate& gate) noexcept : gate_(gate), outer_(
 
 EngineGate::Visit::~Visit() {
     innermostVisit = outer_;
-    // Release: what we did to the engine and its activity happens before their destruction.
-    gate_.visitors_.fetch_sub(1, std::memory_order_release);
+    EngineGate::leave(gate_.visitors_);
     if (keeps_gate_) gate_.deref();
 }
 
@@ -59,8 +39,26 @@ EngineGate::Step::Step(const EngineGate& gate) noexcept : gate_(&gate), outer_(i
 
 EngineGate::Step::~Step() {
     innermost_ = outer_;
-    // Release: pairs with waitForStep().
-    if (first_ && gate_) gate_->steppers_.fetch_sub(1, std::memory_order_release);
+    if (first_ && gate_) EngineGate::leave(gate_->steppers_);
+}
+
+bool EngineGate::Stand::enter(const EngineGate& gate) {
+    if (gate.isStepping()) return true;
+    Visit* const visit = new (visit_) Visit(gate);
+    base::ActivityInterface* const activity = visit->activity();
+    const auto answer = activity ? activity->beginDirect() : base::ActivityInterface::Direct::Refused;
+    if (answer == base::ActivityInterface::Direct::Entered)
+        entered_ = activity;  // the visit keeps it
+    else
+        visit->~Visit();
+    return answer != base::ActivityInterface::Direct::Refused;
+}
+
+void EngineGate::Stand::leave() {
+    Visit* const visit = std::launder(reinterpret_cast<Visit*>(visit_));
+    // Unless this thread has destroyed or exchanged it meanwhile.
+    if (visit->activity() == entered_) entered_->endDirect();
+    visit->~Visit();
 }
 
 const EngineGate* EngineGate::ofThisThread() noexcept {
@@ -105,12 +103,36 @@ void EngineGate::waitForVisitors() const {
     std::uint32_t own = 0;
     for (const Visit* visit = innermostVisit; visit; visit = visit->outer_)
         if (&visit->gate_ == this) ++own;
-    sleepUntil(*this, "a thread that executes it or sends to it", [&] { return visitors_.load() <= own; });
+    waitFor(visitors_, own, "a thread that executes it or sends to it");
 }
 
 void EngineGate::waitForStep() const {
-    if (isStepping()) return;
-    sleepUntil(*this, "its last step to end", [&] { return steppers_.load(std::memory_order_acquire) == 0; });
+    if (!isStepping()) waitFor(steppers_, 0, "its last step to end");
+}
+
+// Release: what was done to the engine and its activity happens before the end of the wait. Who waits adds itself to the same
+// word first, so either that comes before and is seen here, or the waiter finds the smaller number. The gate may be
+// gone after the subtraction; the kernel looks at the address only.
+void EngineGate::leave(Count& count) noexcept {
+    if (count.fetch_sub(1, std::memory_order_release) >= kWaiter) os::detail::futexWakeAll(count);
+}
+
+void EngineGate::waitFor(Count& count, std::uint32_t own, const char* what) const {
+    const auto over = [&] { return (count.load() & (kWaiter - 1)) <= own; };
+    if (over()) return;
+    count.fetch_add(kWaiter);
+    const EngineGate* const executing = ofThisThread();
+    NANO_TIME warning = os::detail::after(rtos_get_time_ns(), 1000000000);
+    for (std::uint32_t now = count; (now & (kWaiter - 1)) > own; now = count) {
+        if (executing && executing != this)
+            executing->engine()->waitForMessages(over, warning, &count);
+        else
+            os::detail::futexWait(count, now, warning);
+        if (warning == os::detail::kForever || rtos_get_time_ns() < warning) continue;
+        log(Warning) << "a component is being destroyed or given another activity, and waits for " << what << endlog();
+        warning = os::detail::kForever;
+    }
+    count.fetch_sub(kWaiter);
 }
 
 void EngineGate::deref() const {

@@ -69,6 +69,30 @@ public:
         static thread_local const Step* innermost_ __attribute__((tls_model("initial-exec")));
     };
 
+    /**
+     * While this thread touches the component without a message, because it is within a step of the engine or stands for
+     * its activity (base::ActivityInterface::isSelf()): nobody else executes the component meanwhile. Converts to false if
+     * this thread must leave it alone. Never blocks; real-time safe. Lives on the stack.
+     */
+    class RTT_API Stand {
+    public:
+        /** A null gate is that of a component which may be touched by any thread. */
+        explicit Stand(const EngineGate* gate) : granted_(!gate || enter(*gate)) {}
+        ~Stand() {
+            if (entered_) leave();
+        }
+        Stand(const Stand&) = delete;
+        Stand& operator=(const Stand&) = delete;
+        explicit operator bool() const { return granted_; }
+
+    private:
+        bool enter(const EngineGate& gate);
+        void leave();
+        base::ActivityInterface* entered_ = nullptr;
+        alignas(Visit) unsigned char visit_[sizeof(Visit)];  // a Visit, if entered
+        const bool granted_;
+    };
+
     explicit EngineGate(ExecutionEngine* engine) : engine_(engine) {}
     EngineGate(const EngineGate&) = delete;
     EngineGate& operator=(const EngineGate&) = delete;
@@ -98,13 +122,20 @@ public:
 
     mutable WaitPoint waitPoint;
 
+    /** Where others wait for the end of visits and steps, with the number of those in the lower bits. */
+    typedef std::atomic<std::uint32_t> Count;
+
     void ref() const { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref() const;
 
 private:
+    static constexpr std::uint32_t kWaiter = 1u << 24;  // in a Count: threads that wait; below: those they wait for
+    static void leave(Count& count) noexcept;
+    void waitFor(Count& count, std::uint32_t own, const char* what) const;
+
     mutable std::atomic<std::uint32_t> references_{0};
-    mutable std::atomic<std::uint32_t> visitors_{0};
-    mutable std::atomic<std::uint32_t> steppers_{0};  // threads within a step
+    mutable Count visitors_{0};
+    mutable Count steppers_{0};  // threads within a step
     std::atomic<ExecutionEngine*> engine_;
     std::atomic<base::ActivityInterface*> activity_{nullptr};
 };

@@ -16,35 +16,34 @@ template <class R, class... Args>
 class LocalOperationCaller<R(Args...)> final : public base::OperationCallerBase<R(Args...)> {
 public:
     typedef boost::shared_ptr<LocalOperationCaller> shared_ptr;
-    typedef typename Callee<R(Args...)>::shared_ptr Function;
+    typedef Callee<R(Args...)> Function;
     typedef TypedCall<R(Args...)> Sent;
 
     LocalOperationCaller() = default;
 
-    bool ready() const override { return callee_ != nullptr && !this->isGone(); }
-    void setFunction(Function function) { callee_ = std::move(function); }
-    const Function& function() const { return callee_; }
-    CalleeBase* callee() const override { return callee_.get(); }
-
     R call(Args... args) override {
-        if (!this->isSend()) return (*callee_)(std::forward<Args>(args)...);
-        typename Sent::shared_ptr sent(new Sent(callee_, args...));
-        this->enqueueAndWait(*sent);
-        copyBack(*sent, std::index_sequence_for<Args...>(), args...);
-        return sent->result.get();
+        {
+            const EngineGate::Stand direct = this->direct();
+            if (direct) return (*static_cast<Function*>(this->callee()))(std::forward<Args>(args)...);
+        }
+        const typename Sent::shared_ptr held(new Sent(this->callee(), args...));
+        Sent& sent = *held.get();
+        this->enqueueAndWait(sent);
+        copyBack(sent, std::index_sequence_for<Args...>(), args...);
+        return sent.result.get();
     }
     SendHandle<R(Args...)> send(Args... args) override {
-        typename Sent::shared_ptr sent(new Sent(callee_, args...));
-        if (!this->enqueue(*sent)) sent = nullptr;
-        return SendHandle<R(Args...)>(std::move(sent));
+        auto* const sent = static_cast<Sent*>(this->enqueueNew(new Sent(this->callee(), args...)));
+        return SendHandle<R(Args...)>(typename Sent::shared_ptr(sent, false));
     }
     LocalOperationCaller* cloneI(ExecutionEngine* caller) const override {
-        auto* made = new LocalOperationCaller(*this);
-        made->setCaller(caller);
-        return made;
+        return new LocalOperationCaller(*this, caller);
     }
 
 private:
+    LocalOperationCaller(const LocalOperationCaller& other, ExecutionEngine* caller)
+        : base::OperationCallerBase<R(Args...)>(other, caller) {}
+
     template <std::size_t... I>
     static void copyBack(Sent& sent, std::index_sequence<I...>, std::remove_reference_t<Args>&... args) {
         (copyOne<Args>(args, argumentAt<I>(sent.arguments)), ...);
@@ -56,8 +55,6 @@ private:
         (void)to;
         (void)from;
     }
-
-    Function callee_;
 };
 
 }  // namespace internal

@@ -17,6 +17,10 @@ namespace internal {
  * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, and, when the
  * component has failed for good, whoever clears up. Neither blocks nor allocates; both are real-time safe.
  *
+ * Items come out in the order in which producers entered. A producer that is stopped between entering and filling its cell
+ * (a few instructions; only a scheduler does that) hides what was put after it until it goes on: the mailbox then is empty
+ * to the consumer, and the producer that was stopped wakes the component when it has filled the cell.
+ *
  * Each cell carries a sequence number that tells whose turn it is; the numbers wrap around:
  *   sequence == position              free for the producer that wins position
  *   sequence == position + 1          filled, for the consumer that wins position

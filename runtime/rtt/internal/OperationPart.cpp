@@ -144,10 +144,11 @@ Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& a
     return Handle(slot);
 }
 
-OperationPart* OperationPart::reimplemented(Caller implementation) const {
-    if (typeid(*implementation) != typeid(*caller_)) return nullptr;
+OperationPart* OperationPart::reimplemented(const base::OperationBase& by) const {
+    if (*by.table().sentType != *table_->sentType) return nullptr;
+    const Caller& implementation = by.implementation();
     if (implementation->callee() && caller_->callee()) implementation->callee()->listenLike(caller_->callee());
-    return new OperationPart(description_, std::move(implementation), *table_, call_only_);
+    return new OperationPart(description_, implementation, by.table(), call_only_);
 }
 
 }  // namespace internal

@@ -39,7 +39,7 @@ public:
 
     /** The same operation with another function of the same signature; null if that has another one. Whoever listens to
         this listens to the new one. The caller owns it. */
-    OperationPart* reimplemented(Caller implementation) const;
+    OperationPart* reimplemented(const base::OperationBase& by) const;
 
 private:
     Args checkedArguments(const Args& args) const;

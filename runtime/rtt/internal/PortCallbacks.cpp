@@ -3,45 +3,16 @@
 #include <rtt/internal/PortCallbacks.hpp>
 
 #include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/detail/message_pause.hpp>
+#include <rtt/internal/detail/waiting.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 
 namespace RTT {
 namespace internal {
 
-namespace {
-
-/** The threads that wait for a callback's return: two that wait for each other's must not go on doing so. */
-class Waiting {
-public:
-    Waiting() {
-        const std::lock_guard<std::mutex> lock(mutex());
-        threads().push_back(pthread_self());
-    }
-    ~Waiting() {
-        const std::lock_guard<std::mutex> lock(mutex());
-        threads().erase(std::find(threads().begin(), threads().end(), pthread_self()));
-    }
-    static bool has(pthread_t thread) {
-        const std::lock_guard<std::mutex> lock(mutex());
-        return std::find(threads().begin(), threads().end(), thread) != threads().end();
-    }
-
-private:
-    // Never destroyed: components with static storage may still remove ports while the process exits.
-    static std::mutex& mutex() {
-        static std::mutex* one = new std::mutex;
-        return *one;
-    }
-    static std::vector<pthread_t>& threads() {
-        static std::vector<pthread_t>* list = new std::vector<pthread_t>;
-        return *list;
-    }
-};
-
-}  // namespace
+using detail::Waiting;
 
 PortCallbacks::~PortCallbacks() { delete table_.load(); }
 
@@ -52,7 +23,7 @@ PortCallbacks::Entry* PortCallbacks::find(base::PortInterface* port) const {
     return nullptr;
 }
 
-void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry) {
+void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry, bool executesMessages) {
     EntryPtr gone;
     {
         std::lock_guard<std::mutex> lock(mutex_);
@@ -65,15 +36,19 @@ void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry) {
                 else
                     next->push_back(other);
             }
-        if (entry) next->push_back(std::move(entry));
+        if (entry) {
+            entry->number = ++entries_;
+            entry->round.store(entry->number << 32, std::memory_order_relaxed);
+            next->push_back(std::move(entry));
+        }
         table_.store(next.release(), std::memory_order_release);
         if (old) Reclaimer::retire(const_cast<Table*>(old), [](void* table) { delete static_cast<Table*>(table); });
     }
     Reclaimer::collect();
-    if (gone) waitFor(*gone);
+    if (gone) waitFor(*gone, executesMessages);
 }
 
-void PortCallbacks::waitFor(Entry& entry) {
+void PortCallbacks::waitFor(Entry& entry, bool executesMessages) {
     // seq_cst, like call(): either it sees that the port was removed, or we see that it executes the callback.
     entry.removed.store(true, std::memory_order_seq_cst);
     const auto executes = [&entry] {
@@ -82,31 +57,41 @@ void PortCallbacks::waitFor(Entry& entry) {
     };
     if (!executes()) return;
     const Waiting here;
-    while (executes() && !Waiting::has(entry.thread.load(std::memory_order_relaxed)))
-        std::this_thread::sleep_for(std::chrono::microseconds(20));
+    while (executes() && !Waiting::has(entry.thread.load(std::memory_order_relaxed))) {
+        if (executesMessages && !Reclaimer::inside())
+            detail::pauseForMessages([&executes] { return !executes(); });
+        else
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+    }
 }
 
 void PortCallbacks::set(base::PortInterface* port, const Callback& callback) {
     auto entry = std::make_shared<Entry>();
     entry->port = port;
     entry->callback = callback;
-    replace(port, entry);
+    replace(port, entry, false);
 }
 
-void PortCallbacks::remove(base::PortInterface* port) { replace(port, nullptr); }
+void PortCallbacks::remove(base::PortInterface* port, bool executesMessages) {
+    replace(port, nullptr, executesMessages);
+}
 
-bool PortCallbacks::announce(base::PortInterface* port, bool running) {
+// A round is odd from the first announcement to the beginning of the callback. Who finds it odd relies on others only if one
+// of them has queued the port in this very round: who has stopped before that may have a lower priority than we have.
+std::uint64_t PortCallbacks::announce(base::PortInterface* port, bool running) {
     Reclaimer::Guard guard;
     Entry* entry = find(port);
-    if (!entry) return false;
-    entry->whileRunning.store(running, std::memory_order_relaxed);  // seen with `queued`
-    // Acquire-release with call(): if the port is still queued, its callback has yet to begin and will see our sample.
-    return !entry->queued.exchange(true, std::memory_order_acq_rel);
+    if (!entry) return 0;
+    entry->whileRunning.store(running, std::memory_order_relaxed);  // seen with `round`
+    // Acquire-release with call(): if the round has not ended, the callback has yet to begin and will see our sample.
+    const std::uint64_t round = entry->round.fetch_or(1, std::memory_order_acq_rel) | 1;
+    return entry->queuedRound.load(std::memory_order_acquire) == round ? 0 : round;
 }
 
-void PortCallbacks::withdraw(base::PortInterface* port) {
+void PortCallbacks::queued(base::PortInterface* port, std::uint64_t announcement) {
     Reclaimer::Guard guard;
-    if (Entry* entry = find(port)) entry->queued.store(false, std::memory_order_release);
+    // If the round has ended meanwhile this says nothing; at worst it hides that the port is queued in the next one.
+    if (Entry* entry = find(port)) entry->queuedRound.store(announcement, std::memory_order_release);
 }
 
 void PortCallbacks::call(base::PortInterface* port, bool running) {
@@ -128,8 +113,20 @@ void PortCallbacks::call(base::PortInterface* port, bool running) {
         Entry& entry;
     } const executing(*held);
     if (held->removed.load(std::memory_order_seq_cst)) return;
-    held->queued.exchange(false, std::memory_order_acq_rel);
+    if ((held->round.load(std::memory_order_acquire) & 1) == 0) return;
+    held->round.fetch_add(1, std::memory_order_acq_rel);
     if (running || !held->whileRunning.load(std::memory_order_relaxed)) held->callback(port);
+}
+
+base::PortInterface* PortCallbacks::nextAnnounced(std::uint64_t& last) const {
+    Reclaimer::Guard guard;
+    if (const Table* table = table_.load(std::memory_order_acquire))
+        for (const EntryPtr& entry : *table)
+            if (entry->number > last && entry->round.load(std::memory_order_acquire) & 1) {
+                last = entry->number;
+                return entry->port;
+            }
+    return nullptr;
 }
 
 }  // namespace internal

@@ -10,6 +10,7 @@
 #include <pthread.h>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -34,24 +35,34 @@ public:
     PortCallbacks& operator=(const PortCallbacks&) = delete;
 
     /** Both wait until a callback of the port that is executing has returned, so that the port and what the callback uses
-        may be destroyed then; except within that callback, and if it is itself waiting here. Not real-time safe. */
+        may be destroyed then; except within that callback, and if it is itself waiting here (detail::Waiting). With
+        `executesMessages` those of the components that this thread is executing are executed meanwhile. Not real-time
+        safe. */
     void set(base::PortInterface* port, const Callback& callback);
-    void remove(base::PortInterface* port);
+    void remove(base::PortInterface* port, bool executesMessages = false);
 
-    /** Marks the port as waiting for its callback; `running`: the component was running when it asked for that. True if the
-        caller is to queue it, false if it is queued already or unknown. Any thread; real-time safe. */
-    bool announce(base::PortInterface* port, bool running);
-    /** Withdraws an announcement that could not be queued. */
-    void withdraw(base::PortInterface* port);
-    /** Calls the callback of a port that was queued. What was announced while the component was running is dropped when it
-        no longer is: it may be on its way to destruction. In the component's thread. */
+    /** Marks the port as waiting for its callback; `running`: the component was running when it asked for that. Zero if
+        somebody has queued it already, or if it is unknown; otherwise the caller is to queue it, to wake the
+        component, and then to tell queued(). Any thread; real-time safe. */
+    std::uint64_t announce(base::PortInterface* port, bool running);
+    /** From here on nobody else needs to queue the port before its callback begins. Any thread; real-time safe. */
+    void queued(base::PortInterface* port, std::uint64_t announcement);
+    /** Calls the callback of a port that waits for it; nothing happens if it does not (several had queued it). What was
+        announced while the component was running is dropped when it no longer is: it may be on its way to
+        destruction. In the component's thread. */
     void call(base::PortInterface* port, bool running);
+    /** The next port that waits for its callback; null if there is none. The ports have numbers: `last` is that of the
+        previous one, 0 at first. */
+    base::PortInterface* nextAnnounced(std::uint64_t& last) const;
 
 private:
     struct Entry {
         base::PortInterface* port;
+        std::uint64_t number = 0;  // in order of creation, from 1; the table is sorted by it
         Callback callback;
-        std::atomic<bool> queued{false};
+        // Odd: the port waits for its callback. Never the same odd number twice, nor that of another port.
+        std::atomic<std::uint64_t> round{0};
+        std::atomic<std::uint64_t> queuedRound{0};  // the port was queued in this one
         std::atomic<bool> whileRunning{false};
         std::atomic<bool> removed{false};
         std::atomic<int> executing{0};               // more than one if the callback comes back to itself
@@ -61,10 +72,11 @@ private:
     typedef std::vector<EntryPtr> Table;
 
     Entry* find(base::PortInterface* port) const;
-    void replace(base::PortInterface* port, EntryPtr entry);
-    static void waitFor(Entry& entry);
+    void replace(base::PortInterface* port, EntryPtr entry, bool executesMessages);
+    static void waitFor(Entry& entry, bool executesMessages);
 
     std::mutex mutex_;
+    std::uint64_t entries_ = 0;                 // made so far
     std::atomic<const Table*> table_{nullptr};  // read under an internal::Reclaimer::Guard
 };
 

@@ -22,6 +22,7 @@ public:
 
     /** New data lies in a channel of this (input) port: tells the port. */
     bool signal() override;
+    using base::ChannelElementBase::inputReady;
     bool inputReady(shared_ptr const& caller) override;
     bool channelReady(shared_ptr const& caller, ConnPolicy const& policy, ConnID* id) override;
     void clear() override {}

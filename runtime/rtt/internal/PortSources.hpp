@@ -4,42 +4,69 @@
 #ifndef ORO_INTERNAL_PORT_SOURCES_HPP
 #define ORO_INTERNAL_PORT_SOURCES_HPP
 
+#include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/base/PortInterface.hpp>
 #include <rtt/internal/DataSource.hpp>
-#include <rtt/internal/PortEndpoint.hpp>
 
 #include <map>
 
 namespace RTT {
 namespace internal {
 
-/** Shared by both: P is the port class, which has `bool sourceValue(T&)`. When the port is gone the last value stays. */
-template <typename T, typename P>
-class PortSource : public DataSource<T> {
+/** A port, for those who may outlive it. Belongs to one thread at a time. */
+class RTT_API PortLink {
+public:
+    explicit PortLink(const base::PortInterface& port);
+    PortLink(const PortLink&);
+    ~PortLink();
+    PortLink& operator=(const PortLink&) = delete;
+
+    // As real-time safe as the functions of the port. `sample` is of its type.
+    /** Of an input port; NoData if it is gone. */
+    FlowStatus read(void* sample) const;
+    /** Of an output port; NotConnected if it is gone. */
+    WriteStatus write(const void* sample) const;
+    /** The last value written to an output port; false if there is none, or the port is gone. */
+    bool last(void* sample) const;
+    /** What an input port reads, or the last value of an output port. */
+    bool fetch(void* sample) const;
+
+private:
+    const boost::intrusive_ptr<base::ChannelElementBase> endpoint_;
+    const bool input_;
+};
+
+/** The value that was read, or last written. When the port is gone, or has none, the one before stays. */
+template <typename T>
+class PortSource final : public DataSource<T> {
 public:
     typedef typename DataSource<T>::result_t result_t;
     typedef typename DataSource<T>::const_reference_t const_reference_t;
 
-    explicit PortSource(base::ChannelElementBase::shared_ptr endpoint) : endpoint_(endpoint), value_() {}
+    /** With `orDefault` a default value stands for one that there is not, and evaluate() is always true. */
+    explicit PortSource(const PortLink& link, bool orDefault = false) : link_(link), or_default_(orDefault), value_() {}
 
     /** False if the port has no value, or is gone. */
     bool evaluate() const override {
-        P* port = static_cast<P*>(endpoint_->getPort());
-        return port && port->sourceValue(value_);
+        if (link_.fetch(&value_)) return true;
+        if (or_default_) value_ = T();
+        return or_default_;
     }
     result_t get() const override {
-        evaluate();
+        this->evaluate();
         return value_;
     }
     result_t value() const override { return value_; }
     const_reference_t rvalue() const override { return value_; }
 
-    PortSource* clone() const override { return new PortSource(endpoint_); }
+    PortSource* clone() const override { return new PortSource(link_, or_default_); }
     PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override {
         return const_cast<PortSource*>(this);
     }
 
 private:
-    base::ChannelElementBase::shared_ptr endpoint_;
+    const PortLink link_;
+    const bool or_default_;
     mutable T value_;
 };
 

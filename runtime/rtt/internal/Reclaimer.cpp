@@ -122,22 +122,6 @@ struct ReclaimerState {
 
 Reclaimer::Record* Reclaimer::attach() noexcept { return ReclaimerState::instance().attach(); }
 
-bool Reclaimer::defer(void (*call)(void*), void* argument) noexcept {
-    Record& record = *mine();
-    if (record.deferredCount == kMaxDeferred) return false;
-    record.deferred[record.deferredCount++] = {call, argument};
-    return true;
-}
-
-void Reclaimer::runDeferred(Record& record) {
-    // What is called may write to ports and come here again: take the list first.
-    Deferred list[kMaxDeferred];
-    const std::uint32_t n = record.deferredCount;
-    for (std::uint32_t i = 0; i < n; ++i) list[i] = record.deferred[i];
-    record.deferredCount = 0;
-    for (std::uint32_t i = 0; i < n; ++i) list[i].call(list[i].argument);
-}
-
 void Reclaimer::retire(void* object, void (*destroy)(void*)) {
     ReclaimerState& state = ReclaimerState::instance();
     const std::lock_guard<std::mutex> lock(state.mutex_);

@@ -14,7 +14,7 @@
 #ifndef ORO_INTERNAL_RECLAIMER_HPP
 #define ORO_INTERNAL_RECLAIMER_HPP
 
-#include <rtt/rtt-config.h>
+#include <rtt/internal/DeferredCalls.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -25,21 +25,14 @@ namespace internal {
 
 class RTT_API Reclaimer {
 public:
-    struct Deferred {
-        void (*call)(void*);
-        void* argument;
-    };
-    static constexpr std::uint32_t kMaxDeferred = 16;
-
     /** One per thread that ever was inside; reused after the thread ended. */
     struct alignas(64) Record {
         std::atomic<std::uint64_t> epoch{0};  // 0: outside
-        std::uint32_t nesting = 0;            // this and the deferred ones: touched by the owning thread only
-        std::uint32_t deferredCount = 0;
-        std::atomic<bool> waiting{false};  // the owner is inside and in synchronize()
+        std::uint32_t nesting = 0;            // touched by the owning thread only
+        std::atomic<bool> waiting{false};     // the owner is inside and in synchronize()
         std::atomic<bool> used{false};
         Record* next = nullptr;  // set before the record is published
-        Deferred deferred[kMaxDeferred];
+        DeferredCalls deferred;
     };
 
     /** While one exists, nothing that its thread can reach through atomic pointers is destroyed. Nestable, never blocks,
@@ -55,10 +48,9 @@ public:
         Record* record_;
     };
 
-    /** To be called inside a Guard: calls `call(argument)` in this thread as soon as it has left its outermost one. False,
-        and nothing remembered, if there are too many already. Used for telling components of new samples: that may run
-        their code, which must not hold up the destruction of anything. Real-time safe. */
-    static bool defer(void (*call)(void*), void* argument) noexcept;
+    /** What this thread calls as soon as it has left its outermost Guard; to be added to inside one. Used for telling
+        components of new samples: that may run their code, which must not hold up the destruction of anything. */
+    static DeferredCalls& deferred() noexcept { return mine()->deferred; }
 
     /** Has `object` destroyed by `destroy(object)` when no thread can still use it: in a later collect(), never in this
         call, so it may be made with locks held. The caller has unlinked it already. Not real-time safe. */
@@ -70,6 +62,9 @@ public:
     /** Waits until every other thread that is inside now has left. A thread that is itself inside is not waited for
         while it too is in here, so two such threads cannot wait for each other. Blocks; not real-time safe. */
     static void synchronize();
+
+    /** This thread is inside a Guard. */
+    static bool inside() noexcept { return mine()->nesting != 0; }
 
     /** See detail::thisThread(). */
     static const void* thisThread() noexcept { return mine(); }
@@ -84,8 +79,9 @@ private:
     }
     static void enter(Record& record) noexcept {
         if (record.nesting++ != 0) return;
-        // Acquire: with the number that retire() left behind we also see that its object was unlinked.
-        record.epoch.store(epoch_.load(std::memory_order_acquire), std::memory_order_relaxed);
+        // Acquire: with the number that retire() left behind we also see that its object was unlinked. Release: who finds that
+        // we are inside again, and not that we have left before, must see what we did then.
+        record.epoch.store(epoch_.load(std::memory_order_acquire), std::memory_order_release);
         if (__builtin_expect(asymmetric_, 1))
             asm volatile("" ::: "memory");  // keeps the compiler's order; membarrier sees to the CPU's
         else
@@ -97,9 +93,8 @@ private:
         if (--record.nesting != 0) return;
         // Pairs with the acquire loads of collect() and synchronize(): what we did inside happens before the destruction.
         record.epoch.store(0, std::memory_order_release);
-        if (__builtin_expect(record.deferredCount != 0, 0)) runDeferred(record);
+        if (__builtin_expect(!record.deferred.empty(), 0)) record.deferred.run();
     }
-    static void runDeferred(Record& record);
     static Record* attach() noexcept;
 
     static std::atomic<std::uint64_t> epoch_;

@@ -19,7 +19,7 @@ SendError::SendError(SendStatus status, const std::string& why) : std::runtime_e
 
 namespace internal {
 
-SentCall::SentCall() = default;
+SentCall::SentCall(CalleeBase* callee) : callee_(callee) {}
 SentCall::~SentCall() = default;
 
 // It is the thread that waits, so what counts is the engine it executes: it may be executing an operation of the caller
@@ -77,9 +77,10 @@ SendStatus SentCall::collect() {
         const auto done = [this] { return state() != Waiting; };
         const EngineGate* const own = EngineGate::ofThisThread();
         if (own && own != waiting_.get()) {
-            // Sent by another component, so nobody will tell this thread's engine of the end.
-            while (!own->engine()->waitForMessages(done, rtos_get_time_ns() + 1000000)) {
-            }
+            // Sent by another component, so nobody will tell this thread's engine of the end: it looks at the call as well.
+            std::uint32_t waiting = Waiting;
+            state_.compare_exchange_strong(waiting, Waiting | kParked);
+            own->engine()->waitForMessages(done, os::detail::kForever, &state_);
         } else if (own || waiting_->isSelf()) {
             waiting_->engine()->waitForMessages(done);
         } else {
@@ -121,6 +122,13 @@ namespace base {
 
 OperationCallerInterface::~OperationCallerInterface() = default;
 
+OperationCallerInterface::OperationCallerInterface(const OperationCallerInterface& other, ExecutionEngine* caller)
+    : thread_(other.thread_), callee_(other.callee_), owner_(other.owner_), caller_(caller) {}
+
+bool OperationCallerInterface::ready() const { return callee_ && !isGone(); }
+
+void OperationCallerInterface::setCallee(internal::CalleeBase* callee) { callee_ = callee; }
+
 void OperationCallerInterface::setThread(ExecutionThread et, ExecutionEngine* owner) {
     thread_ = et;
     owner_ = owner ? owner->gate() : nullptr;
@@ -136,6 +144,11 @@ bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
     if (ExecutionEngine::process(gate, &call)) return true;
     call.dispose();
     return false;
+}
+
+internal::SentCall* OperationCallerInterface::enqueueNew(internal::SentCall* call) const {
+    internal::SentCall::shared_ptr held(call);
+    return enqueue(*call) ? held.detach() : nullptr;
 }
 
 namespace {

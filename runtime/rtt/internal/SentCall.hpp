@@ -6,6 +6,7 @@
 #include <rtt/SendStatus.hpp>
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/internal/CallPool.hpp>
+#include <rtt/internal/Callee.hpp>
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 
@@ -28,7 +29,7 @@ public:
 
     enum State { Waiting, Done, Threw, Disposed };
 
-    SentCall();
+    explicit SentCall(CalleeBase* callee);
     ~SentCall() override;
     SentCall(const SentCall&) = delete;
     SentCall& operator=(const SentCall&) = delete;
@@ -68,14 +69,16 @@ public:
 protected:
     /** Runs the function and keeps its result. */
     virtual void run() = 0;
+    CalleeBase* callee() const { return callee_.get(); }
 
 private:
-    static constexpr std::uint32_t kParked = 0x80000000u;  // in state_: a thread that executes no engine sleeps on it
+    static constexpr std::uint32_t kParked = 0x80000000u;  // in state_: a thread sleeps on it
     void finish(State state);
     void park();
 
     std::atomic<int> references_{0};
     std::atomic<std::uint32_t> state_{Waiting};
+    const boost::intrusive_ptr<CalleeBase> callee_;
     ExecutionEngine* executor_ = nullptr;
     boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
 };

@@ -3,6 +3,7 @@
 #include <rtt/internal/StorageCore.hpp>
 
 #include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
 #include <mutex>
@@ -19,8 +20,9 @@ std::mutex& readersMutex() {
 }
 }  // namespace
 
-StorageCore::StorageCore(const ConnPolicy& policy, std::unique_ptr<SampleStore> store)
-    : store_(std::move(store)), policy_(policy) {}
+StorageCore::StorageCore(const types::TypeOps& ops, const ConnPolicy& policy, const void* first) : policy_(policy) {
+    store_ = ConnFactory::makeStore(ops, policy_, first);
+}
 
 StorageCore::~StorageCore() { ChannelArray::retire(readers_.load(std::memory_order_relaxed)); }
 
@@ -61,6 +63,18 @@ bool StorageCore::signalReaders() const {
     if (!readers) return false;
     for (const ChannelArray::Entry& entry : *readers) entry.channel->signal();
     return true;
+}
+
+WriteStatus StorageCore::writeTyped(base::ChannelElementBase& element, const void* sample) {
+    const Reclaimer::Guard guard;
+    return element.writeErased(sample);
+}
+
+bool StorageCore::connect(base::ChannelElementBase& element, base::ChannelElementBase::shared_ptr const& output,
+                          bool mandatory) {
+    if (!hasManyReaders()) return element.ChannelElementBase::connectTo(output, mandatory);
+    addReader(*output);
+    return output->connectFrom(&element);
 }
 
 }  // namespace internal

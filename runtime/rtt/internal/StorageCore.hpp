@@ -18,9 +18,11 @@ struct ChannelArray;
 /** Storage, its policy, and, for storages with several readers (PerOutputPort and Shared), the list of whom to tell. */
 class RTT_API StorageCore {
 public:
-    StorageCore(const ConnPolicy& policy, std::unique_ptr<SampleStore> store);
+    /** Completes the defaults of the policy. Without a store, and with an error logged, if it is not valid. */
+    StorageCore(const types::TypeOps& ops, const ConnPolicy& policy, const void* first);
     ~StorageCore();
 
+    explicit operator bool() const { return store_ != nullptr; }
     SampleStore& store() const { return *store_; }
     const ConnPolicy& policy() const { return policy_; }
     bool hasManyReaders() const { return policy_.buffer_policy == PerOutputPort || policy_.buffer_policy == Shared; }
@@ -28,6 +30,9 @@ public:
     void addReader(base::ChannelElementBase& reader);
     void removeReader(const base::ChannelElementBase* reader);
     bool signalReaders() const;
+    // The rare functions of the element that this belongs to.
+    static WriteStatus writeTyped(base::ChannelElementBase& element, const void* sample);
+    bool connect(base::ChannelElementBase& element, base::ChannelElementBase::shared_ptr const& output, bool mandatory);
     bool hasReaders() const { return readers_.load(std::memory_order_relaxed) != nullptr; }
 
 private:

@@ -8,13 +8,18 @@ namespace RTT {
 namespace internal {
 
 void WaitPoint::wait(std::uint32_t ticket, std::int64_t deadline) {
-    const std::uint32_t asleep = ticket | kAsleep;
+    std::uint32_t asleep = 0;
     do {
-        std::uint32_t found = ticket;
-        // Another waiter may have set the bit already; a notifier may have cleared it for a sleeper that came before us.
-        if (!word_.compare_exchange_strong(found, asleep) && found != asleep) return;
-        if (!os::detail::futexWait(word_, asleep, deadline)) return;
+        if (!arm(ticket, asleep) || !os::detail::futexWait(word_, asleep, deadline)) return;
     } while (this->ticket() == ticket);
+}
+
+// Who is woken by something else leaves the bit behind: the next notify() makes a system call for nobody.
+bool WaitPoint::arm(std::uint32_t ticket, std::uint32_t& asleep) {
+    asleep = ticket | kAsleep;
+    std::uint32_t found = ticket;
+    // Another waiter may have set the bit already; a notifier may have cleared it for a sleeper that came before us.
+    return word_.compare_exchange_strong(found, asleep) || found == asleep;
 }
 
 void WaitPoint::wake() {

@@ -28,6 +28,12 @@ public:
     std::uint32_t ticket() const { return word_.load(std::memory_order_acquire) & ~kAsleep; }
     /** Sleeps until a notify() after ticket(), or until the monotonic time in ns. Blocks. */
     void wait(std::uint32_t ticket, std::int64_t deadline = INT64_MAX);
+    /**
+     * For a thread that waits here and elsewhere (os::detail::futexWaitAny): announces a sleeper. False if there was a
+     * notify() after ticket(); otherwise it may sleep while word() is `asleep`.
+     */
+    bool arm(std::uint32_t ticket, std::uint32_t& asleep);
+    const std::atomic<std::uint32_t>& word() const { return word_; }
     /** Wakes all waiters. Real-time safe; a system call only if somebody sleeps. */
     void notify() {
         if (word_.fetch_add(kStep) & kAsleep) wake();

@@ -8,7 +8,9 @@
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/Reclaimer.hpp>
-#include <rtt/types/TypeInfo.hpp>
+#include <rtt/internal/StorageCore.hpp>
+#include <rtt/internal/sample_type_name.hpp>
+#include <rtt/types/TypeOps.hpp>
 
 #include <cstring>
 
@@ -21,12 +23,6 @@ using base::PortInterface;
 typedef ConnectionManager::Obstacle Obstacle;
 
 namespace {
-
-std::string typeName(const PortInterface& port) {
-    const types::TypeInfo* type = port.getTypeInfo();
-    const std::string name = type ? type->getTypeName() : "unknown_t";
-    return name == "unknown_t" && port.sampleOps() ? name + " (" + port.sampleOps()->id->name() + ")" : name;
-}
 
 bool sameType(const types::TypeOps* a, const types::TypeOps* b) {
     return a && b && std::strcmp(a->id->name(), b->id->name()) == 0;
@@ -49,6 +45,28 @@ bool refuseOther(const PortInterface& owner, const ConnPolicy& wanted, const Con
     return false;
 }
 
+/** Takes for a storage what fills it before the connection is there, and tells nobody: it may have readers already. */
+class Filling final : public base::ChannelElementBase {
+public:
+    explicit Filling(StorageCore& core) : core_(core) {}
+    WriteStatus writeErased(const void* sample) override { return core_.store().write(sample); }
+    WriteStatus sampleErased(const void* sample, bool reset) override {
+        core_.store().setSample(sample, reset);
+        return WriteSuccess;
+    }
+    StorageCore* storageCore() override { return &core_; }
+
+private:
+    StorageCore& core_;
+};
+
+bool fill(base::ChannelElementBase& storage, OutputPortInterface& output, bool init) {
+    StorageCore* const core = storage.storageCore();
+    if (!core) return output.initialise(storage, init);
+    Filling filling(*core);
+    return output.initialise(filling, init);
+}
+
 /** False, and an error, if the two can never be connected directly. */
 bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
     if (!output.isLocal())
@@ -56,12 +74,12 @@ bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
                    << " is a proxy for one in another process: connections start at a local output port" << endlog();
     else if (!input.isLocal())
         log(Error) << "input port " << input.getFullName() << " lives in another process (protocol "
-                   << input.serverProtocol() << "), and no transport for its type " << typeName(input) << " is loaded"
-                   << endlog();
+                   << input.serverProtocol() << "), and no transport for its type " << sampleTypeName(input)
+                   << " is loaded" << endlog();
     else if (!sameType(output.sampleOps(), input.sampleOps()))
-        log(Error) << "output port " << output.getFullName() << " of type " << typeName(output)
-                   << " is not compatible with input port " << input.getFullName() << " of type " << typeName(input)
-                   << endlog();
+        log(Error) << "output port " << output.getFullName() << " of type " << sampleTypeName(output)
+                   << " is not compatible with input port " << input.getFullName() << " of type "
+                   << sampleTypeName(input) << endlog();
     else
         return true;
     return false;
@@ -75,6 +93,13 @@ bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const Con
     if (ConnFactory::createStream(input, both)) return true;
     const StreamConnID id(both.name_id);
     (void)output.getManager()->removeConnection(&id);
+    return false;
+}
+
+/** Says of which ports the error before was. */
+bool notConnected(const OutputPortInterface& output, const InputPortInterface& input) {
+    log(Error) << "therefore output port " << output.getFullName() << " is not connected to input port "
+               << input.getFullName() << endlog();
     return false;
 }
 
@@ -94,7 +119,7 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
 
     for (;;) {
         ElementPtr storage = input.buildStorage(wanted);  // checks and completes the policy, too
-        if (!storage) return false;
+        if (!storage) return notConnected(output, input);
         ConnPolicy policy = storage->getConnPolicy() ? *storage->getConnPolicy() : wanted;
         PortInterface& owner = policy.buffer_policy == PerOutputPort ? static_cast<PortInterface&>(output) : input;
         ConnPolicy existing;
@@ -104,7 +129,7 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
 
         // Nobody signals yet: the storage is filled before the reader can see it. A value written between this and join()
         // was written before the connection was there.
-        if (!output.initialise(*storage, policy.init)) return false;
+        if (!fill(*storage, output, policy.init)) return false;
         if (!input.channelReady(storage, policy)) {
             log(Error) << "input port " << input.getFullName()
                        << " could not read from the connection with output port " << output.getFullName() << endlog();
@@ -116,7 +141,11 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
         if (obstacle == ConnectionManager::Retry) continue;
         if (obstacle == ConnectionManager::AlreadyConnected) return connected(output, input, "already");
         if (obstacle != ConnectionManager::None) return refuseMix(output, input, policy);
-        if (policy.init && output.hasLastWrittenValue()) (void)storage->signal();
+        // The other readers of a shared buffer have been told when this value was written.
+        if (policy.init && output.hasLastWrittenValue()) (void)input.getEndpoint()->signal();
+        if (policy.type != ConnPolicy::DATA && policy.size == 0)
+            log(Warning) << "the connection of output port " << output.getFullName() << " with input port "
+                         << input.getFullName() << " is a buffer of size 0: every write will fail" << endlog();
         return connected(output, input, nullptr);
     }
 }
@@ -137,8 +166,9 @@ SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedCon
     policy.name_id = given->getName();
     if (!sameType(&given->ops(), port.sampleOps()) || !sameStorage(given->getPolicy(), policy)) {
         log(Error) << "incompatible connection policies for shared connection '" << given->getName() << "': port "
-                   << port.getFullName() << " of type " << typeName(port) << " requests " << policy
-                   << ", but the connection is " << given->getPolicy() << endlog();
+                   << port.getFullName() << " of type " << sampleTypeName(port) << " requests " << policy
+                   << ", but the connection of type " << sampleTypeName(given->ops()) << " is " << given->getPolicy()
+                   << endlog();
         return nullptr;
     }
     return given;
@@ -178,7 +208,7 @@ bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortI
     if (wanted.name_id != policy.name_id) wanted.name_id = policy.name_id;
     if (!connection) return false;
 
-    if (output && !has[0] && !output->initialise(*connection->storage(), policy.init)) return false;
+    if (output && !has[0] && !fill(*connection->storage(), *output, policy.init)) return false;
     const bool done = (!input || joinShared(*input, connection)) && (!output || joinShared(*output, connection));
     if (!done && input && !has[1]) (void)input->getManager()->removeChannel(connection->storage().get());
     Reclaimer::collect();

@@ -8,7 +8,7 @@
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/Service.hpp>
-#include <rtt/internal/PortSources.hpp>
+#include <rtt/internal/PortOperations.hpp>
 
 namespace RTT {
 
@@ -24,7 +24,7 @@ base::PortInterface* InputPort<T>::antiClone() const {
 
 template <typename T>
 base::DataSourceBase* InputPort<T>::getDataSource() {
-    return new internal::PortSource<T, InputPort<T>>(getEndpoint());
+    return new internal::PortSource<T>(internal::PortLink(*this));
 }
 
 template <typename T>
@@ -35,9 +35,8 @@ base::ChannelElementBase::shared_ptr InputPort<T>::buildStorage(ConnPolicy const
 template <typename T>
 Service* InputPort<T>::createPortObject() {
     Service* object = base::InputPortInterface::createPortObject();
-    object->addSynchronousOperation("read", &InputPort<T>::readOperation, this)
-        .doc("Reads a sample from the port.")
-        .arg("sample", "Where the sample goes.");
+    internal::PortOperation::addRead(*object, *this, new internal::PortCaller<FlowStatus(T&)>(),
+                                     internal::PortTables<T>::read);
     return object;
 }
 
@@ -60,7 +59,7 @@ base::PortInterface* OutputPort<T>::antiClone() const {
 
 template <typename T>
 base::DataSourceBase* OutputPort<T>::getDataSource() const {
-    return new internal::PortSource<T, const OutputPort<T>>(getEndpoint());
+    return new internal::PortSource<T>(internal::PortLink(*this));
 }
 
 template <typename T>
@@ -71,11 +70,9 @@ base::ChannelElementBase::shared_ptr OutputPort<T>::buildStorage(ConnPolicy cons
 template <typename T>
 Service* OutputPort<T>::createPortObject() {
     Service* object = base::OutputPortInterface::createPortObject();
-    object->addSynchronousOperation("write", &OutputPort<T>::writeOperation, this)
-        .doc("Writes a sample to the port.")
-        .arg("sample", "The sample.");
-    object->addSynchronousOperation("last", &OutputPort<T>::lastOperation, this)
-        .doc("Gives the last written value, a default one if there is none.");
+    internal::PortOperation::addWrite(*object, *this, new internal::PortCaller<WriteStatus(const T&)>(),
+                                      internal::PortTables<T>::write);
+    internal::PortOperation::addLast(*object, *this, new internal::PortCaller<T()>(), internal::PortTables<T>::last);
     return object;
 }
 

@@ -3,17 +3,22 @@
 set(file rtt/internal/PortCallbacks.cpp)
 under_test(${file})
 faulty_value(callbacks_relaxed_announcement ${file}
-  [=[entry->queued.exchange(true, @{std::memory_order_acq_rel}@);]=] [=[std::memory_order_relaxed]=])
+  [=[entry->round.fetch_or(1, @{std::memory_order_acq_rel}@) | 1;]=] [=[std::memory_order_relaxed]=])
+faulty_value(callbacks_rely_on_an_announcement ${file}
+  [=[return @{entry->queuedRound.load(std::memory_order_acquire)}@ == round ? 0 : round;]=]
+  [=[entry->queuedRound.exchange(round)]=])
 faulty_statement(callbacks_cleared_late ${file}
-  [=[@{held->queued.exchange(false, std::memory_order_acq_rel);
+  [=[@{held->round.fetch_add(1, std::memory_order_acq_rel);
     if (running || !held->whileRunning.load(std::memory_order_relaxed)) held->callback(port);}@]=]
-  [=[held->callback(port); held->queued.exchange(false);]=])
+  [=[held->callback(port); held->round.fetch_add(1);]=])
+faulty_value(callbacks_rounds_repeat ${file} [=[else { @{held->round.fetch_add(1, std::memory_order_acq_rel)}@;]=]
+  [=[held->round.fetch_sub(1)]=])
 faulty_statement(callbacks_deleted_at_once ${file}
   [=[if (old) Reclaimer::retire(const_cast<Table*>(old), [](void* table) { delete static_cast<Table*>(table); });]=]
   [=[delete old;]=])
 faulty_value(callbacks_relaxed_table ${file} [=[table_.store(next.release(), @{std::memory_order_release}@);]=]
   [=[std::memory_order_relaxed]=])
-faulty_statement(callbacks_not_waited_for ${file} [=[@{if (gone) waitFor(*gone);}@]=] [=[]=])
+faulty_statement(callbacks_not_waited_for ${file} [=[@{if (gone) waitFor(*gone, executesMessages);}@]=] [=[]=])
 faulty_value(callbacks_removal_unseen ${file} [=[if (held->removed.load(@{std::memory_order_seq_cst}@)) return;]=]
   [=[std::memory_order_relaxed]=])
 faulty_value(callbacks_relaxed_end ${file} [=[entry.executing.fetch_sub(1, @{std::memory_order_release}@);]=]

@@ -15,7 +15,8 @@ faulty_value(reclaimer_relaxed_synchronize ${file}
 faulty_value(reclaimer_relaxed_leave ${header}
   [=[record.epoch.store(0, @{std::memory_order_release}@);]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_enter ${header}
-  [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), std::memory_order_relaxed);]=]
-  [=[std::memory_order_relaxed]=])
+  [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), ]=] [=[std::memory_order_relaxed]=])
+faulty_value(reclaimer_relaxed_return ${header} [=[), @{std::memory_order_release}@);
+        if (__builtin_expect(asymmetric_, 1))]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_fence ${header} [=[epoch_.fetch_add(0, @{std::memory_order_acq_rel}@);]=]
   [=[std::memory_order_relaxed]=])

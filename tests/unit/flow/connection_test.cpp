@@ -134,6 +134,9 @@ TEST(Connection, WithAnInvalidPolicyIsRefused) {
     EXPECT_FALSE(p.out.createConnection(p.in, ConnPolicy::buffer(-1)));
     EXPECT_FALSE(p.in.connected());
     EXPECT_TRUE(log.contains("invalid connection policy: unknown type")) << log.text();
+    EXPECT_TRUE(
+        log.contains("output port " + p.out.getFullName() + " is not connected to input port " + p.in.getFullName()))
+        << log.text();
 }
 
 TEST(Connection, ThatIsNotMandatoryMayFail) {
@@ -150,8 +153,10 @@ TEST(Connection, ThatIsNotMandatoryMayFail) {
 }
 
 TEST(Connection, OfBufferSizeZeroFailsAtEveryWrite) {
+    LogCapture log;
     Pair p;
     EXPECT_TRUE(p.out.createConnection(p.in, ConnPolicy::buffer(0)));
+    EXPECT_TRUE(log.contains("buffer of size 0")) << log.text();
     EXPECT_EQ(p.out.write(1), WriteFailure);
     EXPECT_EQ(p.read(), NoData);
 }

@@ -8,11 +8,12 @@
 #include <thread>
 #include <vector>
 
+using RTT::internal::DeferredCalls;
 using RTT::internal::Reclaimer;
 
 namespace {
 void countDown(void* counter) { --*static_cast<std::atomic<int>*>(counter); }
-void countUp(void* counter) { ++*static_cast<std::atomic<int>*>(counter); }
+void countUp(void*& counter) { ++*static_cast<std::atomic<int>*>(counter); }
 }  // namespace
 
 TEST(Reclaimer, DestroysAtOnceWhenNobodyIsInside) {
@@ -52,7 +53,7 @@ TEST(Reclaimer, RunsDeferredCallsAfterTheOutermostGuard) {
         const Reclaimer::Guard outer;
         {
             const Reclaimer::Guard inner;
-            EXPECT_TRUE(Reclaimer::defer(countUp, &calls));
+            EXPECT_TRUE(Reclaimer::deferred().add(nullptr, countUp, &calls));
         }
         EXPECT_EQ(calls, 0);
     }
@@ -117,4 +118,44 @@ TEST(Reclaimer, NeverDestroysWhatReadersSee) {
     delete shared.load();
     Reclaimer::collect();
     EXPECT_EQ(Reclaimer::pending(), 0u);
+}
+
+namespace {
+
+/** Notes what is called. */
+struct Log {
+    static void note(void*& argument) { calls.push_back(*static_cast<int*>(argument)); }
+    static std::vector<int> calls;
+};
+std::vector<int> Log::calls;
+
+}  // namespace
+
+TEST(DeferredCalls, AreMadeInOrderWithoutThoseThatWereCancelled) {
+    Log::calls.clear();
+    DeferredCalls calls;
+    DeferredCalls::Call places[4];
+    int numbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (int i = 0; i != 8; ++i) EXPECT_TRUE(calls.add(i % 2 ? &places[i / 2] : nullptr, Log::note, &numbers[i]));
+    for (const int i : {0, 3, 7}) EXPECT_EQ(calls.cancel(&numbers[i]), 1u);
+    EXPECT_EQ(calls.cancel(&numbers[3]), 0u);
+    EXPECT_TRUE(calls.add(&places[1], Log::note, &numbers[3]));
+    calls.run();
+    EXPECT_EQ(Log::calls, (std::vector<int>{1, 2, 4, 5, 6, 3}));
+    EXPECT_TRUE(calls.empty());
+}
+
+TEST(DeferredCalls, SparePlacesAreFreeAgainWhenTheCallBegins) {
+    Log::calls.clear();
+    DeferredCalls calls;
+    int number = 1;
+    for (int round = 0; round != 3; ++round) {
+        for (std::uint32_t i = 0; i != DeferredCalls::kSpare; ++i) EXPECT_TRUE(calls.add(nullptr, Log::note, &number));
+        EXPECT_FALSE(calls.add(nullptr, Log::note, &number));
+        if (round == 1) {
+            EXPECT_EQ(calls.cancel(&number), DeferredCalls::kSpare);
+        }
+        calls.run();
+    }
+    EXPECT_EQ(Log::calls.size(), 2 * DeferredCalls::kSpare);
 }

@@ -64,6 +64,47 @@ TEST(Values, SetValueTakesOwnershipAndRefusesTheIncomplete) {
     EXPECT_THAT(c.getAttributeNames(), ElementsAre("a"));
 }
 
+TEST(Constants, OfConstantObjectsShareTheirValue) {
+    ConfigurationInterface c;
+    Constant<int> own("own", 5);
+    Attribute<int> attribute("attribute", 6);
+    EXPECT_TRUE(c.addConstant("renamed", own));
+    EXPECT_EQ(own.getName(), "renamed");
+    EXPECT_TRUE(c.addConstant(own));
+    EXPECT_TRUE(c.addConstant(attribute));
+    EXPECT_EQ(Constant<int>(c.getConstant("renamed")).get(), 5);
+    attribute.set(7);
+    EXPECT_EQ(Constant<int>(c.getConstant("attribute")).get(), 7);
+}
+
+TEST(Values, OfEveryKindAreFoundByOneName) {
+    ConfigurationInterface c;
+    int variable = 1;
+    const double constant = 2.0;
+    c.addAttribute("a", variable);
+    c.addConstant("c", constant);
+    EXPECT_EQ(c.attributes(), &c);
+    for (const char* name : {"a", "c"}) {
+        EXPECT_TRUE(c.hasAttribute(name));
+        EXPECT_EQ(c.getAttribute(name), c.getValue(name));
+        EXPECT_EQ(c.getConstant(name), c.getValue(name));
+        ASSERT_TRUE(c.getValue(name)->ready());
+    }
+    EXPECT_EQ(c.getValues().size(), 2u);
+    EXPECT_EQ(c.getValue("none"), nullptr);
+    EXPECT_FALSE(c.hasAttribute("none"));
+    EXPECT_TRUE(c.removeValue("c"));
+    EXPECT_FALSE(c.removeValue("c"));
+    EXPECT_THAT(c.getAttributeNames(), ElementsAre("a"));
+}
+
+TEST(Values, AreLoadedTogether) {
+    ConfigurationInterface c;
+    c.loadValues({new Attribute<int>("a", 1), new Constant<int>("c", 2)});
+    EXPECT_THAT(c.getAttributeNames(), ElementsAre("a", "c"));
+    EXPECT_EQ(Attribute<int>(c.getAttribute("a")).get(), 1);
+}
+
 TEST(Properties, FollowTheVariable) {
     ConfigurationInterface c;
     double gain = 1.5;
@@ -84,6 +125,48 @@ TEST(Properties, OfTheUserAreReferredTo) {
     EXPECT_EQ(c.getProperty("own"), &own);
     EXPECT_TRUE(c.removeProperty(own));
     EXPECT_FALSE(c.hasProperty("own"));
+    EXPECT_EQ(own.get(), 4);
+}
+
+TEST(Properties, AreRenamedByTheNameTheyAreAddedUnder) {
+    ConfigurationInterface c;
+    Property<int> own("own", "text", 4);
+    EXPECT_EQ(&c.addProperty("other", own), &own);
+    EXPECT_EQ(own.getName(), "other");
+    EXPECT_EQ(c.getProperty("other"), &own);
+    EXPECT_FALSE(c.properties()->ownsProperty(&own));
+}
+
+TEST(Properties, OfVariablesMayHaveEqualNames) {
+    ConfigurationInterface c;
+    int one = 1, two = 2;
+    Property<int>& first = c.addProperty("p", one);
+    c.addProperty("p", two);
+    EXPECT_EQ(c.properties()->size(), 2u);
+    EXPECT_EQ(c.getProperty("p"), &first);
+}
+
+TEST(Properties, AreFoundAtTheTopLevelOnly) {
+    ConfigurationInterface c;
+    PropertyBag group;
+    Property<int> inner("inner", "", 1);
+    group.addProperty(inner);
+    c.addProperty("group", group);
+    EXPECT_TRUE(c.hasProperty("group"));
+    EXPECT_FALSE(c.hasProperty("inner"));
+    EXPECT_EQ(c.getProperty("group.inner"), nullptr);
+}
+
+TEST(Clear, RemovesAttributesAndProperties) {
+    ConfigurationInterface c;
+    int variable = 1;
+    Property<int> own("own", "", 4);
+    c.addAttribute("a", variable);
+    c.addProperty("p", variable);
+    c.addProperty(own);
+    c.clear();
+    EXPECT_TRUE(c.getValues().empty());
+    EXPECT_EQ(c.properties()->size(), 0u);
     EXPECT_EQ(own.get(), 4);
 }
 

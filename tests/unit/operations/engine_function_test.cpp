@@ -35,6 +35,21 @@ TEST(EngineFunctions, AreExecutedOncePerStepUntilDone) {
     EXPECT_FALSE(function.isLoaded());
 }
 
+TEST(EngineFunctions, OneThatIsLoadedIsNotTakenASecondTime) {
+    Probe probe, other("other");
+    makeManual(probe);
+    makeManual(other);
+    auto function = std::make_unique<Steps>([] { return false; });
+    ASSERT_TRUE(probe.engine()->runFunction(function.get()));
+    EXPECT_FALSE(probe.engine()->runFunction(function.get()));
+    EXPECT_FALSE(other.engine()->runFunction(function.get()));
+    ASSERT_TRUE(probe.update());
+    EXPECT_EQ(function->executions, 1);
+    ASSERT_FALSE(function->isLoaded());
+    function.reset();  // who is not loaded is known to nobody
+    EXPECT_TRUE(probe.update() && other.update());
+}
+
 TEST(EngineFunctions, OneMayRemoveItselfOrAnotherWhileItExecutes) {
     Probe probe;
     std::atomic<int> others{0};

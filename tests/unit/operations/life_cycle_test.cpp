@@ -214,13 +214,14 @@ TEST_P(HookThrows, LeadsToExceptionOnce) {
 
 const Throwing kThrowing[] = {
     {"configure", kPreOperational, "configure", kException, "configure exception"},
+    {"configure", kStopped, "configure", kException, "configure cleanup exception"},
     {"start", kStopped, "start", kException, "start cleanup exception"},
     {"stop", kRunning, "stop", kException, "stop cleanup exception"},
     {"cleanup", kStopped, "cleanup", kException, "cleanup exception"},
     {"exception", kStopped, "exception", kFatal, "cleanup exception"},
 };
 INSTANTIATE_TEST_SUITE_P(Table, HookThrows, testing::ValuesIn(kThrowing),
-                         [](const auto& info) { return std::string(info.param.hook); });
+                         [](const auto& info) { return nameOf(info.param.from) + std::string("_") + info.param.hook; });
 
 TEST(HookThrowsWithinException, StopHookThatThrowsThereLeadsToFatalError) {
     Probe probe("probe", kPreOperational);
@@ -278,6 +279,27 @@ TEST(RunTimeError, ErrorHookTakesThePlaceOfUpdateHookFromTheSameStepOn) {
     EXPECT_TRUE(probe.recover());
     ASSERT_TRUE(probe.trigger());
     EXPECT_TRUE(eventually([&] { return probe.updates == 2; }));
+}
+
+TEST(Hooks, AllowEverythingAndDoNothingByDefault) {
+    struct Plain : TaskContext {
+        Plain() : TaskContext("plain", kPreOperational) { setActivity(new extras::SlaveActivity()); }
+        using TaskContext::breakUpdateHook;
+        using TaskContext::exception;
+        void updateHook() override { ++updates; }
+        int updates = 0;
+    } plain;
+    EXPECT_TRUE(plain.breakUpdateHook());
+    ASSERT_TRUE(plain.configure() && plain.start() && plain.update());
+    EXPECT_EQ(plain.updates, 1);
+    plain.error();
+    ASSERT_TRUE(plain.update());
+    EXPECT_EQ(plain.updates, 1) << "errorHook() does not call updateHook()";
+    EXPECT_TRUE(plain.recover() && plain.update());
+    EXPECT_EQ(plain.updates, 2);
+    EXPECT_TRUE(plain.stop() && plain.cleanup());
+    plain.exception();
+    EXPECT_TRUE(plain.inException());
 }
 
 TEST(Stop, WaitsForTheStepThatIsExecuting) {

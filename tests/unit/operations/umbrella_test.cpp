@@ -3,7 +3,14 @@
 // What user code finds with <rtt/RTT.hpp> alone.
 #include <rtt/RTT.hpp>
 
+// Besides, for RTT::detail.
+#include <rtt/extras/rtt-extras-fwd.hpp>
+#include <rtt/marsh/MarshallInterface.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+
 #include <gtest/gtest.h>
+
+#include <type_traits>
 
 using namespace Orocos;
 
@@ -35,6 +42,18 @@ public:
     std::map<std::string, std::vector<int>> table;
     int events = 0;
 };
+
+namespace everything {
+using namespace RTT::detail;
+static_assert(std::is_same_v<PortInterface, RTT::base::PortInterface>);
+static_assert(std::is_same_v<ConnectionManager, RTT::internal::ConnectionManager>);
+static_assert(std::is_same_v<TypeInfo, RTT::types::TypeInfo>);
+static_assert(std::is_same_v<Mutex, RTT::os::Mutex>);
+static_assert(std::is_same_v<SlaveActivity, RTT::extras::SlaveActivity>);
+static_assert(std::is_same_v<PluginLoader, RTT::plugin::PluginLoader>);
+static_assert(std::is_same_v<MarshallInterface, RTT::marsh::MarshallInterface>);
+}  // namespace everything
+static_assert(std::is_same_v<RTT::TimeService, RTT::os::TimeService>);
 
 TEST(Umbrella, IsEnoughForAComponent) {
     Component c("component");

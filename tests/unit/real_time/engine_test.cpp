@@ -4,6 +4,7 @@
 #include <support/real_time_trap.hpp>
 
 #include <rtt/Activity.hpp>
+#include <rtt/Port.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/AccessGate.hpp>
@@ -14,7 +15,9 @@
 #include <chrono>
 #include <gtest/gtest.h>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 using namespace RTT;
 using oroforge::test::expectRealTime;
@@ -182,4 +185,40 @@ TEST_F(RealTimeEngine, GatesAreEntered) {
         internal::AccessGate::Pass outer(gate);
         EXPECT_TRUE(outer);
     });
+}
+
+TEST_F(RealTimeEngine, ManyCallbacksComeUpDuringAWait) {
+    Counting component("component");
+    ASSERT_TRUE(component.setActivity(new extras::SlaveActivity));
+    std::vector<std::unique_ptr<InputPort<int>>> ports;
+    OutputPort<int> out("out");
+    int calls = 0;
+    for (int i = 0; i != 40; ++i) {
+        ports.emplace_back(new InputPort<int>("port" + std::to_string(i)));
+        component.addEventPort(*ports.back(), [&calls](base::PortInterface*) { ++calls; });
+        ASSERT_TRUE(out.createConnection(*ports.back()));
+    }
+    ASSERT_TRUE(component.start());
+    Message message;
+    struct Waiting : base::DisposableInterface {
+        void executeAndDispose() override {
+            expectRealTime([&] {
+                out->write(1);
+                EXPECT_TRUE(engine->process(message));
+                engine->waitForMessages([this] { return message->executed == 1; });
+            });
+        }
+        void dispose() override {}
+        OutputPort<int>* out;
+        ExecutionEngine* engine;
+        Message* message;
+    } waiting;
+    waiting.out = &out;
+    waiting.engine = component.engine();
+    waiting.message = &message;
+    ASSERT_TRUE(component.engine()->process(&waiting));
+    component.update();
+    component.update();
+    EXPECT_EQ(calls, 40);
+    component.stop();
 }

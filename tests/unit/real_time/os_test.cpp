@@ -78,9 +78,9 @@ TEST_F(RealTimeOs, AtomicsSemaphoresAndBroadcasts) {
 }
 
 TEST_F(RealTimeOs, ActivitiesAreTriggered) {
-    Idle idle;
-    Activity own(0, 0.0, &idle, "own");
-    Activity periodic(0, 0.01, &idle, "periodic");
+    Idle one, two;
+    Activity own(0, 0.0, &one, "own");
+    Activity periodic(0, 0.01, &two, "periodic");
     ASSERT_TRUE(own.start() && periodic.start());
     expectRealTime([&] {
         for (int i = 0; i < 10; ++i) {
@@ -138,7 +138,8 @@ TEST_F(RealTimeOs, ReaderSectionsAreEntered) {
     expectRealTime([&] {
         internal::Reclaimer::Guard outer;
         internal::Reclaimer::Guard inner;
-        EXPECT_TRUE(internal::Reclaimer::defer([](void* count) { ++*static_cast<int*>(count); }, &called));
+        EXPECT_TRUE(internal::Reclaimer::deferred().add(
+            nullptr, [](void*& count) { ++*static_cast<int*>(count); }, &called));
     });
     EXPECT_EQ(called, 1);
 }

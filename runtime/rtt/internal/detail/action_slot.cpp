@@ -40,10 +40,13 @@ ActionSlot::ActionSlot(base::ActionInterface* action, const Sources& variables, 
     : action_(action), variables_(variables), subscriber_(subscriber ? subscriber->gate() : nullptr) {}
 
 void ActionSlot::call(void* const* arguments) const {
-    if (!subscriber_ || subscriber_->isSelf()) {
-        assign(arguments);
-        run();
-        return;
+    {
+        const EngineGate::Stand direct(subscriber_.get());
+        if (direct) {
+            assign(arguments);
+            run();
+            return;
+        }
     }
     // Refused: the subscriber has failed for good or is gone, and cannot react.
     auto event = std::make_unique<Event>(shared_from_this(), variables_, arguments);

@@ -6,6 +6,8 @@
 
 #include <model/checker/atomic.hpp>
 
+#include <functional>
+
 namespace RTT {
 namespace base {
 class InputPortInterface;
@@ -13,8 +15,14 @@ class InputPortInterface;
 
 class DataFlowInterface {
 public:
-    void dataOnPort(base::InputPortInterface*) { told = told + 1; }
-    model::Plain<int> told{0};  // one writer only
+    void dataOnPort(base::InputPortInterface* port) {
+        told.fetch_add(1, std::memory_order_relaxed);
+        (void)alive.get();
+        if (onData) onData(port);
+    }
+    std::atomic<int> told{0};
+    model::Plain<int> alive{1};  // read when told: nobody may be destroying the component
+    std::function<void(base::InputPortInterface*)> onData;
 };
 
 }  // namespace RTT

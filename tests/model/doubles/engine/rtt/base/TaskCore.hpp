@@ -24,6 +24,7 @@ public:
     void errorHook() {}
     bool breakUpdateHook() { return true; }
     void dataOnPortCallback(PortInterface*) {}
+    void missedPortCallbacks() {}
 
     std::atomic<bool> fatal{false};  // sequentially consistent, as the state of the real one is
     std::string name = "component";

@@ -4,6 +4,7 @@
 #ifndef OROFORGE_MODEL_INPUT_PORT_INTERFACE_HPP
 #define OROFORGE_MODEL_INPUT_PORT_INTERFACE_HPP
 
+#include <rtt/internal/DeferredCalls.hpp>
 #include <rtt/internal/PortEndpoint.hpp>
 
 #include <atomic>
@@ -19,16 +20,19 @@ public:
     bool signalsInterface() const;
     void newDataAvailable();
     void signalLater();
-    void finishSignals();
+    void finishSignals(bool executesMessages = false);
     DataFlowInterface* getInterface() const { return interface_.load(std::memory_order_seq_cst); }
     void setInterface(DataFlowInterface* iface) { interface_.store(iface, std::memory_order_seq_cst); }
 
 private:
-    static void deliverSignal(void* self);
+    static void deliverSignal(void*& self);
+    bool unpin();
     void forgetSignals();
     internal::PortEndpoint& endpoint() const { return endpoint_; }
 
-    std::atomic<int> pinned_{0};
+    static constexpr std::uint32_t kAgain = 1u << 31;
+    std::atomic<std::uint32_t> pinned_{0};
+    internal::DeferredCalls::Call signal_;
     std::atomic<DataFlowInterface*> interface_{nullptr};
     mutable internal::PortEndpoint endpoint_;
 };

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// How messages call the type of samples.
+#ifndef ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
+#define ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
+
+#include <rtt/rtt-config.h>
+#include <string>
+
+namespace RTT {
+namespace base {
+class PortInterface;
+}
+namespace types {
+struct TypeOps;
+}
+namespace internal {
+
+/** The name that a typekit gave the type, or its C++ name if none did. Not real-time safe. */
+RTT_API std::string sampleTypeName(const base::PortInterface& port);
+RTT_API std::string sampleTypeName(const types::TypeOps& ops);
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif
