@@ -6,5 +6,6 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
 
 #endif

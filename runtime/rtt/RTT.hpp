@@ -8,6 +8,8 @@
 #include <rtt/usual_includes.hpp>
 
 /** The name of this namespace before version 2. */
-namespace Orocos = RTT;
+namespace Orocos {
+using namespace RTT;
+}
 
 #endif

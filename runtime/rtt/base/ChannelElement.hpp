@@ -27,8 +27,10 @@ public:
     virtual WriteStatus write(param_t sample);
     /** Gives one sample. Leaves `sample` untouched on NoData, and on OldData unless copy_old_data. */
     virtual FlowStatus read(reference_t sample, bool copy_old_data = true);
-    /** Passes a sample that shows the size of later ones. It is never delivered as data. */
-    virtual WriteStatus data_sample(param_t sample, bool reset = true);
+    /** Passes a sample that shows the size of later ones. It is never delivered as data. Without `reset` samples that are
+        there stay. Overriding one of both forms is enough. */
+    virtual WriteStatus data_sample(param_t sample, bool reset);
+    virtual WriteStatus data_sample(param_t sample);
     /** The sample given last to data_sample(), or a default one. */
     virtual value_t data_sample();
 
@@ -61,9 +63,18 @@ FlowStatus ChannelElement<T>::read(reference_t sample, bool copy_old_data) {
     return ChannelElementBase::readErased(&sample, copy_old_data);
 }
 
+// Each form calls the other one, unless it is called by that.
+
 template <typename T>
 WriteStatus ChannelElement<T>::data_sample(param_t sample, bool reset) {
-    return ChannelElementBase::sampleErased(&sample, reset);
+    const SampleCall call(*this, reset);
+    return data_sample(sample);
+}
+
+template <typename T>
+WriteStatus ChannelElement<T>::data_sample(param_t sample) {
+    const SampleCall* const caller = SampleCall::of(*this);
+    return caller ? ChannelElementBase::sampleErased(&sample, caller->reset()) : data_sample(sample, true);
 }
 
 template <typename T>

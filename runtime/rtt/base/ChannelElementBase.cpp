@@ -15,6 +15,19 @@ ChannelElementBase::~ChannelElementBase() {
     exchangeLink(output_, nullptr);
 }
 
+thread_local const ChannelElementBase::SampleCall* ChannelElementBase::SampleCall::innermost_ = nullptr;
+
+ChannelElementBase::SampleCall::SampleCall(const ChannelElementBase& element, bool reset)
+    : element_(element), reset_(reset), outer_(innermost_) {
+    innermost_ = this;
+}
+
+ChannelElementBase::SampleCall::~SampleCall() { innermost_ = outer_; }
+
+const ChannelElementBase::SampleCall* ChannelElementBase::SampleCall::of(const ChannelElementBase& element) {
+    return innermost_ && &innermost_->element_ == &element ? innermost_ : nullptr;
+}
+
 void ChannelElementBase::deref() {
     // Release, and acquire by the last one: all use of the element happens before its destruction.
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;

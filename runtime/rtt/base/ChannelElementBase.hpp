@@ -96,6 +96,25 @@ public:
     void deref();
 
 protected:
+    /** For ChannelElement::data_sample(): while its form with `reset` calls the other one of the same element in this
+        thread. Lives on the stack. */
+    class RTT_API SampleCall {
+    public:
+        SampleCall(const ChannelElementBase& element, bool reset);
+        ~SampleCall();
+        SampleCall(const SampleCall&) = delete;
+        SampleCall& operator=(const SampleCall&) = delete;
+        /** Null if there is none, or the innermost one is that of another element. */
+        static const SampleCall* of(const ChannelElementBase& element);
+        bool reset() const { return reset_; }
+
+    private:
+        const ChannelElementBase& element_;
+        const bool reset_;
+        const SampleCall* const outer_;
+        static thread_local const SampleCall* innermost_;
+    };
+
     /** The neighbour without taking a reference. Valid only while an internal::Reclaimer::Guard exists. */
     ChannelElementBase* inputUnderGuard() const { return input_.load(std::memory_order_acquire); }
     ChannelElementBase* outputUnderGuard() const { return output_.load(std::memory_order_acquire); }

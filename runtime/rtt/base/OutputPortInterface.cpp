@@ -223,6 +223,7 @@ bool OutputPortInterface::createStream(ConnPolicy const& policy) {
 
 bool OutputPortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
                                         ConnPolicy const& policy) {
+    if (!id || !channel) return PortInterface::addConnection(id, channel, policy);
     channel->connectFrom(ChannelElementBase::shared_ptr(getEndpoint()));
     if (initialise(*channel, policy.init)) return PortInterface::addConnection(id, channel, policy);
     delete id;

@@ -70,8 +70,14 @@ int PortInterface::serverProtocol() const { return 0; }
 
 bool PortInterface::addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel,
                                   ConnPolicy const& policy) {
-    manager_->addConnection(id, channel, policy);
-    return true;
+    if (id && channel) {
+        manager_->addConnection(id, channel, policy);
+        return true;
+    }
+    log(Error) << "port " << getFullName() << ": a connection without " << (id ? "channel" : "id") << " was refused"
+               << endlog();
+    delete id;
+    return false;
 }
 
 bool PortInterface::removeConnection(internal::ConnID* id) { return manager_->removeConnection(id); }

@@ -3,7 +3,8 @@
 #ifndef ORO_TRANSPORT_PLUGIN_HPP
 #define ORO_TRANSPORT_PLUGIN_HPP
 
-#include <rtt/rtt-config.h>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeTransporter.hpp>
 #include <string>
 
 namespace RTT {
@@ -11,8 +12,6 @@ namespace RTT {
 class TaskContext;
 
 namespace types {
-
-class TypeInfo;
 
 /** A library that adds a transport to types. Lives until the process ends. */
 class RTT_API TransportPlugin {

@@ -3,7 +3,8 @@
 #ifndef ORO_TYPEKIT_PLUGIN_HPP
 #define ORO_TYPEKIT_PLUGIN_HPP
 
-#include <rtt/rtt-config.h>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
 #include <string>
 
 namespace RTT {
