@@ -9,7 +9,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
-#include <rtt/types/TypeInfo.hpp>
+#include <rtt/internal/sample_type_name.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <cstring>
@@ -36,10 +36,6 @@ bool mayAddPorts(const Record& record) { return record.plan.autoConf.value_or(fa
 bool sameType(const PortInterface& a, const PortInterface& b) {
     if (a.sampleOps() && b.sampleOps()) return std::strcmp(a.sampleOps()->id->name(), b.sampleOps()->id->name()) == 0;
     return a.getTypeInfo() == b.getTypeInfo();
-}
-
-std::string typeName(const PortInterface& port) {
-    return port.getTypeInfo() ? port.getTypeInfo()->getTypeName() : "unknown";
 }
 
 bool isOutput(const PortInterface* port) {
@@ -92,9 +88,9 @@ private:
             if (!sameType(*first.port, *other.port))
                 sink_
                     .error(other.where(), "DEP041",
-                           "port '" + other.name() + "' of type '" + typeName(*other.port) +
+                           "port '" + other.name() + "' of type '" + RTT::internal::sampleTypeName(*other.port) +
                                "' cannot take part in connection '" + connection_.name + "' of type '" +
-                               typeName(*first.port) + "'")
+                               RTT::internal::sampleTypeName(*first.port) + "'")
                     .note(first.where(), "port '" + first.name() + "' gives the connection its type");
         }
     }
