@@ -31,7 +31,7 @@ public:
         false. NoData: nothing was written yet; `sample` is untouched. */
     FlowStatus read(reference_t sample, bool copy_old_data = true) { return readSample(&sample, copy_old_data); }
     using base::InputPortInterface::read;
-    /** Reads until nothing is new; NewData if anything was. */
+    /** Reads all samples that are there when it begins and gives the last one; NewData if any was new. */
     FlowStatus readNewest(reference_t sample, bool copy_old_data = true) {
         return readNewestSample(&sample, copy_old_data);
     }

@@ -57,7 +57,25 @@ public:
     int closed = 0;
 };
 
+/** Has a new sample whenever it is asked. */
+struct Spring : base::ChannelElement<int> {
+    FlowStatus read(int& sample, bool) override {
+        sample = ++last;
+        return NewData;
+    }
+    int last = 0;
+};
+
 }  // namespace
+
+TEST(ChannelElement, ThatAlwaysHasSomethingNewDoesNotKeepItsReader) {
+    InputPort<int> in("in");
+    boost::intrusive_ptr<Spring> spring(new Spring());
+    ASSERT_TRUE(in.channelReady(spring, ConnPolicy(), new internal::StreamConnID("spring")));
+    int got = 0;
+    EXPECT_EQ(in.readNewest(got), NewData);
+    EXPECT_EQ(got, spring->last);
+}
 
 TEST(ChannelElement, SendsThroughABufferInFrontOfIt) {
     OutputPort<int> out("out");
