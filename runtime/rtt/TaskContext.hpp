@@ -43,8 +43,8 @@ public:
     const std::string& getName() const override;
 
     /** Takes ownership, stops the old activity and starts the new one, which executes what was queued meanwhile; null gives
-        a new default activity. False, with an error, while running, within a step of the component, and if the old one does
-        not stop. Blocks until the step that is being executed is over. */
+        a new default activity, the present one changes nothing. False, with an error, while running, within a step of the
+        component, and if the old one does not stop. Blocks until the step that is being executed is over. */
     bool setActivity(base::ActivityInterface* new_act);
     base::ActivityInterface* getActivity();
     template <class ActivityType>
