@@ -65,6 +65,7 @@ TEST(UserCode, PassesTheSampleOn) {
     EXPECT_EQ(last->size, 5u);
     EXPECT_EQ(first->data_sample(Samples(6), false), RTT::WriteSuccess);
     EXPECT_EQ(last->size, 6u);
+    first->disconnect(true);  // neighbours hold each other
 }
 
 TEST(UserCode, IsRefusedAConnectionOfNothing) {
