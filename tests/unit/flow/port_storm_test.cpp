@@ -219,5 +219,5 @@ void connectAtRandom(std::uint64_t operations) {
 }  // namespace
 
 // Three threads connect and disconnect: 10^6 times in both tests together.
-TEST(ConnectionStorm, OfAllPoliciesDuringTrafficOfPlainSamples) { connectAtRandom<Plain>(stressCount(170000, 20000)); }
-TEST(ConnectionStorm, OfAllPoliciesDuringTrafficOfDeepSamples) { connectAtRandom<Deep>(stressCount(170000, 20000)); }
+TEST(ConnectionStorm, OfAllPoliciesDuringTrafficOfPlainSamples) { connectAtRandom<Plain>(stressCount(170000)); }
+TEST(ConnectionStorm, OfAllPoliciesDuringTrafficOfDeepSamples) { connectAtRandom<Deep>(stressCount(170000)); }

@@ -10,12 +10,7 @@
 
 namespace flow_test {
 
-std::uint64_t stressCount(std::uint64_t normally, std::uint64_t sanitized) {
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-    if (sanitized != 0) normally = sanitized;
-#else
-    (void)sanitized;
-#endif
+std::uint64_t stressCount(std::uint64_t normally) {
     const char* factor = std::getenv("OROFORGE_STRESS");
     const std::uint64_t times = factor ? std::strtoull(factor, nullptr, 10) : OROFORGE_STRESS_DEFAULT;
     return normally * (times ? times : 1);

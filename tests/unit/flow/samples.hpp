@@ -40,9 +40,8 @@ bool intact(const S& sample) {
     return sum == sample.sum;
 }
 
-/** How many operations a stress test makes; more in ./dev stress. `sanitized`, unless 0, is for programs that a sanitizer
-    makes slow. */
-std::uint64_t stressCount(std::uint64_t normally, std::uint64_t sanitized = 0);
+/** How many operations a stress test makes; more in ./dev stress. */
+std::uint64_t stressCount(std::uint64_t normally);
 
 }  // namespace flow_test
 

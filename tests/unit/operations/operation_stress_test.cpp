@@ -11,14 +11,10 @@ using oroforge::test::Probe;
 
 namespace {
 
-// In each direction; sanitizers make them slow.
-#if defined(OROFORGE_STRESS_CALLS)
-constexpr int kCalls = OROFORGE_STRESS_CALLS;
-#elif defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr int kCalls = 50000;
-#else
-constexpr int kCalls = 500000;
+#ifndef OROFORGE_STRESS_CALLS
+#define OROFORGE_STRESS_CALLS 500000
 #endif
+constexpr int kCalls = OROFORGE_STRESS_CALLS;  // in each direction
 
 TEST(OperationStress, CallsInBothDirections) {
     Probe a("a"), b("b");
