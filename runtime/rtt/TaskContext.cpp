@@ -7,6 +7,7 @@
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/os/ThreadInterface.hpp>
 
 namespace RTT {
 
@@ -35,7 +36,8 @@ TaskContext::TaskContext(const std::string& name, TaskState initial_state)
 }
 
 TaskContext::~TaskContext() {
-    if (isRunning() && isActive())
+    // Without a thread of its own nobody executes it now.
+    if (isRunning() && isActive() && activity_->thread() && !activity_->thread()->isSelf())
         log(Warning) << getName()
                      << " is destroyed while it is running: its thread may meet what is left of it. Call stop() "
                      << "in the destructor of its class" << endlog();

@@ -8,6 +8,7 @@
 #include <rtt/InputPort.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/OutputPort.hpp>
+#include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 
 #include <ostream>
@@ -152,6 +153,15 @@ TEST_F(ComponentLog, TellsThatItIsDestroyedWhileItRuns) {
         EXPECT_EQ(log.text(), "");
     }
     EXPECT_TRUE(log.contains("careless")) << log.text();
+}
+
+TEST_F(ComponentLog, SaysNothingIfNoThreadExecutesWhatIsDestroyed) {
+    {
+        TaskContext driven("driven");
+        ASSERT_TRUE(driven.setActivity(new extras::SequentialActivity()));
+        ASSERT_TRUE(driven.start());
+    }
+    EXPECT_EQ(log.text(), "");
 }
 
 TEST_F(ComponentLog, TellsWhyTheActivityStays) {
