@@ -3,7 +3,6 @@
 #ifndef ORO_EXTRAS_PROPERTIES_HPP
 #define ORO_EXTRAS_PROPERTIES_HPP
 
-#include <rtt/Property.hpp>
-#include <rtt/PropertyBag.hpp>
+#include <rtt/Properties.hpp>
 
 #endif
