@@ -33,7 +33,6 @@ public:
     // The rare functions of the element that this belongs to.
     static WriteStatus writeTyped(base::ChannelElementBase& element, const void* sample);
     bool connect(base::ChannelElementBase& element, base::ChannelElementBase::shared_ptr const& output, bool mandatory);
-    bool hasReaders() const { return readers_.load(std::memory_order_relaxed) != nullptr; }
 
 private:
     std::unique_ptr<SampleStore> store_;
