@@ -23,7 +23,8 @@ public:
 
     void readFile(const std::string& file) {
         open_.push_back(identity(file));
-        if (const auto document = xml::Document::parseFile(file, sink_)) readRoot(document->root());
+        if (const auto document = xml::Document::parseFile(file, sink_, xml::Blanks::condensed))
+            readRoot(document->root());
         open_.pop_back();
     }
 
@@ -145,7 +146,7 @@ Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& 
 std::string resolveFile(const Text& file) {
     const fs::path path = file.value;
     if (path.is_absolute() || fs::exists(path)) return file.value;
-    const fs::path beside = fs::path(file.where.file).parent_path() / path;
+    const fs::path beside = fs::path(file.where.file.str()).parent_path() / path;
     return fs::exists(beside) ? beside.string() : file.value;
 }
 

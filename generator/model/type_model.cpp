@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string place(const diag::Location& where) {
-    return where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+    return where.file.str() + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
 }
 
 void addText(Json& json, const char* key, const std::string& text) {

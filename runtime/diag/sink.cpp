@@ -39,14 +39,17 @@ Diagnostic& Sink::add(Diagnostic diagnostic) {
 }
 
 std::vector<Diagnostic> Sink::sorted() const {
-    std::vector<Diagnostic> result;
-    for (const Diagnostic& candidate : all_) {
-        const bool known = std::any_of(result.begin(), result.end(),
-                                       [&](const Diagnostic& other) { return sameReport(candidate, other); });
-        if (!known) result.push_back(candidate);
-    }
-    std::stable_sort(result.begin(), result.end(),
+    std::vector<Diagnostic> all = all_;
+    std::stable_sort(all.begin(), all.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.where < b.where; });
+    std::vector<Diagnostic> result;
+    std::size_t samePlace = 0;  // where the reports on the present place begin, which are all that may be repeats
+    for (Diagnostic& candidate : all) {
+        if (!result.empty() && result.back().where != candidate.where) samePlace = result.size();
+        const bool known = std::any_of(result.begin() + static_cast<std::ptrdiff_t>(samePlace), result.end(),
+                                       [&](const Diagnostic& other) { return sameReport(candidate, other); });
+        if (!known) result.push_back(std::move(candidate));
+    }
     return result;
 }
 

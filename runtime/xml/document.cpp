@@ -1,92 +1,140 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 //
-//     text ─► scan (places, syntax) ─► tinyxml2 (values) ─► Element tree: the two walked side by side
+//     text ─► scan (places, syntax) ─► tinyxml2 (tree) ─► Element tree: the two walked side by side
 #include <xml/document.hpp>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include <tinyxml2.h>
 
+#include <xml/detail/references.hpp>
 #include <xml/detail/scanner.hpp>
 
 namespace oroforge::xml {
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-    const char* spaces = " \t\r\n";
-    const auto begin = text.find_first_not_of(spaces);
-    if (begin == std::string::npos) return {};
-    return text.substr(begin, text.find_last_not_of(spaces) - begin + 1);
-}
+/// Joins the tree of the XML library with the places of its tags, which were scanned in the order of this walk.
+class Conversion {
+public:
+    Conversion(const std::vector<detail::TagPlace>& tags, const std::string& file, Blanks blanks)
+        : next_(tags.begin()), end_(tags.end()), file_(file), blanks_(blanks) {}
 
-/// Takes one place per element: tags were scanned in the order of this walk.
-using PlaceIterator = std::vector<detail::TagPlace>::const_iterator;
+    /// False if the library and the scan saw different tags.
+    bool good() const { return good_; }
 
-Element convert(const tinyxml2::XMLElement& source, PlaceIterator& place) {
-    const detail::TagPlace& tag = *place++;
-    Element element;
-    element.name = source.Name();
-    element.where = tag.at;
-    element.textWhere = tag.text_at.line == 0 ? tag.at : tag.text_at;
-    auto at = tag.attributes.begin();
-    for (auto* a = source.FirstAttribute(); a != nullptr; a = a->Next(), ++at) {
-        element.attributes.push_back(Attribute{a->Name(), a->Value(), at->name_at, at->value_at});
+    Element convert(const tinyxml2::XMLElement& source) {
+        Element element;
+        good_ = good_ && next_ != end_ && next_->name == source.Name();
+        if (!good_) return element;
+        const detail::TagPlace& tag = *next_++;
+        element.name = source.Name();
+        element.where = inFile(tag.at);
+        element.textWhere = inFile(tag.text_at.line == 0 ? tag.at : tag.text_at);
+        element.extent = tag.extent;
+        convertAttributes(source, tag, element);
+        std::size_t count = 0;
+        for (auto* c = source.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) ++count;
+        element.children.reserve(count);
+        detail::TextCollector text(blanks_ == Blanks::condensed);
+        for (auto* node = source.FirstChild(); node != nullptr; node = node->NextSibling()) {
+            if (const auto* child = node->ToElement()) {
+                element.children.push_back(convert(*child));
+            } else if (const auto* piece = node->ToText()) {
+                piece->CData() ? text.addCdata(piece->Value()) : text.addText(piece->Value());
+            }
+        }
+        element.text = text.finish();
+        return element;
     }
-    for (auto* node = source.FirstChild(); node != nullptr; node = node->NextSibling()) {
-        if (const auto* child = node->ToElement()) {
-            element.children.push_back(convert(*child, place));
-        } else if (const auto* text = node->ToText()) {
-            element.text += text->Value();
+
+private:
+    diag::Location inFile(const detail::Place& place) const { return {file_, place.line, place.column}; }
+
+    void convertAttributes(const tinyxml2::XMLElement& source, const detail::TagPlace& tag, Element& to) {
+        auto at = tag.attributes.begin();
+        to.attributes.reserve(tag.attributes.size());
+        for (auto* a = source.FirstAttribute(); a != nullptr; a = a->Next(), ++at) {
+            good_ = good_ && at != tag.attributes.end() && at->name == a->Name();
+            if (!good_) return;
+            to.attributes.push_back(Attribute{a->Name(), detail::resolved(a->Value()), inFile(at->name_at),
+                                              inFile(at->value_at), at->value_begin, at->value_end});
         }
     }
-    element.text = trimmed(element.text);
-    return element;
-}
+
+    std::vector<detail::TagPlace>::const_iterator next_, end_;
+    const diag::FileName file_;
+    Blanks blanks_;
+    bool good_ = true;
+};
 
 std::string wording(tinyxml2::XMLError error) {
     switch (error) {
-        case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED: return "elements are nested too deeply";
         case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "found a malformed attribute";
         case tinyxml2::XML_ERROR_PARSING_TEXT: return "found malformed text";
+        case tinyxml2::XML_ERROR_PARSING_DECLARATION: return "found <? where no declaration may stand";
         case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "found an end tag that closes no open element";
         default: return "not well-formed XML";
     }
 }
 
+/// The place of the byte at `offset`.
+diag::Location placeOf(const std::string& text, std::size_t offset, const std::string& name) {
+    const auto at = text.begin() + static_cast<std::ptrdiff_t>(offset);
+    const auto line = std::count(text.begin(), at, '\n') + 1;
+    const auto lineBegin = offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
+    return {name, static_cast<unsigned>(line),
+            static_cast<unsigned>(offset - (lineBegin == std::string::npos ? 0 : lineBegin + 1) + 1)};
+}
+
 }  // namespace
 
-std::optional<Document> Document::parseFile(const std::string& path, diag::Sink& sink) {
+std::optional<std::string> readText(const std::string& path, diag::Sink& sink) {
     std::ifstream in(path, std::ios::binary);
     std::error_code ignored;
     if (!in || std::filesystem::is_directory(path, ignored)) {
         sink.error({path, 0, 0}, "XML001", "cannot read the file");
         return std::nullopt;
     }
-    std::ostringstream text;
-    text << in.rdbuf();
-    return parseText(text.str(), path, sink);
+    std::string text;
+    std::array<char, 1 << 16> piece;
+    do {
+        in.read(piece.data(), piece.size());
+        text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    } while (in);
+    return text;
 }
 
-std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink) {
+std::optional<Document> Document::parseFile(const std::string& path, diag::Sink& sink, Blanks blanks) {
+    const auto text = readText(path, sink);
+    return text ? parseText(*text, path, sink, blanks) : std::nullopt;
+}
+
+std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink,
+                                            Blanks blanks) {
     std::vector<detail::TagPlace> tags;
-    if (text.find('\0') != std::string::npos) {
-        sink.error({name, 0, 0}, "XML001", "found a zero byte; expected XML text in UTF-8");
+    const auto zero = text.find('\0');
+    if (zero != std::string::npos) {
+        sink.error(placeOf(text, zero, name), "XML001", "found a zero byte; expected XML text in UTF-8");
         return std::nullopt;
     }
     if (!detail::scan(text, name, sink, tags)) return std::nullopt;
-    tinyxml2::XMLDocument source;
+    // References are resolved here, because afterwards blanks that were written as such could not be told from others.
+    tinyxml2::XMLDocument source(false);
     if (source.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
         sink.error({name, static_cast<unsigned>(source.ErrorLineNum()), 0}, "XML002", wording(source.ErrorID()));
         return std::nullopt;
     }
-    const tinyxml2::XMLElement* root = source.RootElement();
-    PlaceIterator place = tags.begin();
-    return Document(convert(*root, place));
+    Conversion conversion(tags, name, blanks);
+    Document document(conversion.convert(*source.RootElement()));
+    if (conversion.good()) return document;
+    sink.error({name, tags.front().at.line, tags.front().at.column}, "XML002", wording(tinyxml2::XML_ERROR_PARSING));
+    return std::nullopt;
 }
 
 }  // namespace oroforge::xml

@@ -11,14 +11,25 @@
 
 namespace oroforge::xml {
 
+/// What becomes of spaces, tabs and line ends in character data. Those at both ends are always cut off, unless they
+/// are written as character references or in CDATA.
+enum class Blanks {
+    kept,       ///< between words they stay
+    condensed,  ///< between words they become one space, as in property files
+};
+
+/// The whole file; an error (XML001), and nothing, if it cannot be read.
+std::optional<std::string> readText(const std::string& path, diag::Sink& sink);
+
 /// A well-formed document with exactly one root element. A plain value: copyable, no hidden state.
 class Document {
 public:
     /// Malformed or unreadable input gives one located error (codes XML…) and no document.
-    static std::optional<Document> parseFile(const std::string& path, diag::Sink& sink);
+    static std::optional<Document> parseFile(const std::string& path, diag::Sink& sink, Blanks blanks = Blanks::kept);
 
     /// `name` stands for the file name in diagnostics.
-    static std::optional<Document> parseText(const std::string& text, const std::string& name, diag::Sink& sink);
+    static std::optional<Document> parseText(const std::string& text, const std::string& name, diag::Sink& sink,
+                                             Blanks blanks = Blanks::kept);
 
     const Element& root() const { return root_; }
 

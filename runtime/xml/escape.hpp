@@ -14,6 +14,10 @@ std::string escapeText(const std::string& text);
 /// For a value between double quotes: also the quotes, tabs and line ends, so that they survive reading.
 std::string escapeAttribute(const std::string& text);
 
+/// For character data, or a value between double quotes, that must be read back exactly: blanks that reading would cut
+/// off or join, and control characters, become character references.
+std::string escapeExactly(const std::string& text, bool inAttribute = false);
+
 }  // namespace oroforge::xml
 
 #endif

@@ -2,8 +2,10 @@
 // Copyright Oroforge contributors
 #include <xml/detail/scanner.hpp>
 
-#include <cctype>
+#include <algorithm>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 
 namespace oroforge::xml::detail {
 
@@ -13,12 +15,10 @@ bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 bool isNameStart(char c) {
     const auto u = static_cast<unsigned char>(c);
-    return std::isalpha(u) != 0 || c == '_' || c == ':' || u >= 0x80U;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' || u >= 0x80U;
 }
 
-bool isNameLetter(char c) {
-    return isNameStart(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
-}
+bool isNameLetter(char c) { return isNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
 
 class Scanner {
 public:
@@ -27,26 +27,31 @@ public:
 
     bool run() {
         if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) position_ = lineStart_ = 3;
+        tags_.reserve(static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '<')) / 2);
         while (position_ < text_.size()) {
             if (text_[position_] == '<' ? !markup() : !characters()) return false;
         }
         if (!open_.empty()) {
             const TagPlace& tag = tags_[open_.back()];
-            return fail(tag.at, "XML003", "<" + tag.name + "> is never closed; expected </" + tag.name + ">");
+            return fail(tag.at, "XML003", '<' + str(tag.name) + "> is never closed; expected </" + str(tag.name) + ">");
         }
         if (tags_.empty()) return fail(here(), "XML005", "found no element; expected one root element");
         return true;
     }
 
 private:
-    diag::Location here() const { return {file_, line_, static_cast<unsigned>(position_ - lineStart_ + 1)}; }
+    Place here() const { return {line_, static_cast<unsigned>(position_ - lineStart_ + 1)}; }
+    diag::Location inFile(const Place& place) const { return {file_, place.line, place.column}; }
 
-    bool fail(const diag::Location& where, const char* code, const std::string& message) {
-        sink_.error(where, code, message);
+    diag::Diagnostic& report(const Place& where, const char* code, const std::string& message) {
+        return sink_.error(inFile(where), code, message);
+    }
+    bool fail(const Place& where, const char* code, const std::string& message) {
+        report(where, code, message);
         return false;
     }
 
-    bool startsWith(const char* word) const { return text_.compare(position_, std::string(word).size(), word) == 0; }
+    bool startsWith(std::string_view word) const { return text_.compare(position_, word.size(), word) == 0; }
     char current() const { return position_ < text_.size() ? text_[position_] : '\0'; }
 
     void advance() {
@@ -61,12 +66,14 @@ private:
     void skipSpace() {
         while (position_ < text_.size() && isSpace(text_[position_])) advance();
     }
-    std::string name() {
+    static std::string str(std::string_view part) { return std::string(part); }
+
+    std::string_view name() {
         const std::size_t begin = position_;
         if (position_ < text_.size() && isNameStart(text_[position_])) {
             while (position_ < text_.size() && isNameLetter(text_[position_])) advance();
         }
-        return text_.substr(begin, position_ - begin);
+        return std::string_view(text_).substr(begin, position_ - begin);
     }
 
     bool characters() {
@@ -80,42 +87,46 @@ private:
     }
 
     bool markup() {
-        if (startsWith("<!--")) return skipPast("-->", "comment");
+        if (startsWith("<!--")) return skipPast(4, "-->", "comment");
         if (startsWith("<![CDATA[")) {
             if (open_.empty()) return fail(here(), "XML004", "found a CDATA section outside of the root element");
             TagPlace& tag = tags_[open_.back()];
             if (tag.text_at.line == 0) tag.text_at = here();
-            return skipPast("]]>", "CDATA section");
+            return skipPast(9, "]]>", "CDATA section");
         }
-        if (startsWith("<?")) return skipPast("?>", "processing instruction");
-        if (startsWith("<!")) return skipPast(">", "declaration");
+        if (startsWith("<?")) return skipPast(2, "?>", "processing instruction");
+        if (startsWith("<!")) return skipPast(2, ">", "declaration");
         if (startsWith("</")) return endTag();
         return startTag();
     }
 
-    bool skipPast(const std::string& end, const std::string& what) {
-        const std::size_t found = text_.find(end, position_ + 2);
+    /// `begin` is the length of what opens it.
+    bool skipPast(std::size_t begin, std::string_view end, const char* what) {
+        const std::size_t found = text_.find(end, position_ + begin);
         if (found == std::string::npos) {
-            return fail(here(), "XML003", what + " is never closed; expected '" + end + "'");
+            return fail(here(), "XML003", str(what) + " is never closed; expected '" + str(end) + "'");
         }
         advanceTo(found + end.size());
         return true;
     }
 
     bool endTag() {
-        const diag::Location at = here();
+        const Place at = here();
+        const std::size_t begin = position_;
         advanceTo(position_ + 2);
-        const std::string closed = name();
-        if (open_.empty()) return fail(at, "XML003", "found </" + closed + ">, but no element is open");
-        const TagPlace& tag = tags_[open_.back()];
+        const std::string_view closed = name();
+        if (open_.empty()) return fail(at, "XML003", "found </" + str(closed) + ">, but no element is open");
+        TagPlace& tag = tags_[open_.back()];
         if (closed != tag.name) {
-            sink_.error(at, "XML003", "found </" + closed + ">, expected </" + tag.name + ">")
-                .note(tag.at, "<" + tag.name + "> opened here");
+            report(at, "XML003", "found </" + str(closed) + ">, expected </" + str(tag.name) + ">")
+                .note(inFile(tag.at), "<" + str(tag.name) + "> opened here");
             return false;
         }
         skipSpace();
-        if (current() != '>') return fail(here(), "XML002", "expected '>' at the end of </" + closed + ">");
+        if (current() != '>') return fail(here(), "XML002", "expected '>' at the end of </" + str(closed) + ">");
         advance();
+        tag.extent.contentEnd = begin;
+        tag.extent.end = position_;
         open_.pop_back();
         return true;
     }
@@ -123,13 +134,15 @@ private:
     bool startTag() {
         TagPlace tag;
         tag.at = here();
+        tag.extent.begin = position_;
+        if (open_.size() == maxDepth) return fail(tag.at, "XML007", "elements are nested too deeply");
         advance();
         tag.name = name();
         if (tag.name.empty())
             return fail(tag.at, "XML002", "found '<' without an element name; write '&lt;' for the character");
         if (open_.empty() && !tags_.empty()) {
-            sink_.error(tag.at, "XML005", "found a second root element <" + tag.name + ">, expected only one")
-                .note(tags_.front().at, "<" + tags_.front().name + "> is the first");
+            report(tag.at, "XML005", "found a second root element <" + str(tag.name) + ">, expected only one")
+                .note(inFile(tags_.front().at), "<" + str(tags_.front().name) + "> is the first");
             return false;
         }
         for (;;) {
@@ -137,14 +150,15 @@ private:
             skipSpace();
             if (current() == '>' || startsWith("/>")) break;
             if (position_ >= text_.size() || current() == '<') {
-                return fail(tag.at, "XML002", "start tag <" + tag.name + " is not finished; expected '>'");
+                return fail(tag.at, "XML002", "start tag <" + str(tag.name) + " is not finished; expected '>'");
             }
             if (!spaced) return fail(here(), "XML002", "expected white space before the next attribute");
             if (!attribute(tag)) return false;
         }
         const bool empty = current() == '/';
         advanceTo(position_ + (empty ? 2 : 1));
-        tags_.push_back(tag);
+        tag.extent.contentBegin = tag.extent.contentEnd = tag.extent.end = position_;
+        tags_.push_back(std::move(tag));
         if (!empty) open_.push_back(tags_.size() - 1);
         return true;
     }
@@ -154,31 +168,39 @@ private:
         place.name_at = here();
         place.name = name();
         if (place.name.empty()) {
-            return fail(here(), "XML002",
-                        std::string("found '") + current() + "' in <" + tag.name + ">, expected an attribute name");
+            return fail(
+                here(), "XML002",
+                std::string("found '") + current() + "' in <" + str(tag.name) + ">, expected an attribute name");
         }
         for (const AttributePlace& other : tag.attributes) {
             if (other.name != place.name) continue;
-            sink_.error(place.name_at, "XML006", "attribute '" + place.name + "' is given twice")
-                .note(other.name_at, "first given here");
+            report(place.name_at, "XML006", "attribute '" + str(place.name) + "' is given twice")
+                .note(inFile(other.name_at), "first given here");
             return false;
         }
+        if (tag.attributes.size() == maxAttributes) {
+            return fail(place.name_at, "XML008",
+                        '<' + str(tag.name) + "> has more than " + std::to_string(maxAttributes) + " attributes");
+        }
         skipSpace();
-        if (current() != '=') return fail(here(), "XML002", "expected '=' after attribute '" + place.name + "'");
+        if (current() != '=') return fail(here(), "XML002", "expected '=' after attribute '" + str(place.name) + "'");
         advance();
         skipSpace();
         const char quote = current();
         if (quote != '"' && quote != '\'') {
-            return fail(here(), "XML002", "the value of attribute '" + place.name + "' is not in quotes");
+            return fail(here(), "XML002", "the value of attribute '" + str(place.name) + "' is not in quotes");
         }
         const std::size_t end = text_.find(quote, position_ + 1);
-        const std::size_t bad = text_.find('<', position_ + 1);
-        if (end == std::string::npos || bad < end) {
+        const std::string_view value(text_.data() + position_ + 1,
+                                     (end == std::string::npos ? text_.size() : end) - position_ - 1);
+        if (end == std::string::npos || value.find('<') != std::string_view::npos) {
             return fail(here(), "XML002",
-                        "the value of attribute '" + place.name + "' has no closing quote before the next '<'");
+                        "the value of attribute '" + str(place.name) + "' has no closing quote before the next '<'");
         }
         advance();
         place.value_at = here();
+        place.value_begin = position_;
+        place.value_end = end;
         advanceTo(end + 1);
         tag.attributes.push_back(place);
         return true;

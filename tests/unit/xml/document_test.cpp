@@ -57,6 +57,49 @@ TEST(Document, TrimsTextAndResolvesEntities) {
     EXPECT_EQ(root.attribute("x")->value, "<\"");
 }
 
+TEST(Document, BlanksAreKeptOrCondensed) {
+    const std::string text = "<a> \n one  \t two<!-- x --> <![CDATA[ ]]>&#32;\n</a>";
+    diag::Sink sink;
+
+    EXPECT_EQ(Document::parseText(text, "f", sink)->root().text, "one  \t two  ");
+    EXPECT_EQ(Document::parseText(text, "f", sink, Blanks::condensed)->root().text, "one two  ");
+}
+
+TEST(Document, ResolvesReferencesAndLeavesUnknownOnes) {
+    const Element root =
+        parsed("<a x=\"&#9;&apos;&#x20AC;&none;&\">&lt;&gt;&amp;&quot;&#0;&#x10FFFF;&#x110000;&#;&#x;&#65</a>");
+
+    EXPECT_EQ(root.attribute("x")->value, "\t'\xE2\x82\xAC&none;&");
+    EXPECT_EQ(root.text, std::string("<>&\"\0\xF4\x8F\xBF\xBF&#x110000;&#;&#x;&#65", 30));
+}
+
+TEST(Document, ExtentsAreThoseOfTheSource) {
+    const std::string text = "<!-- c --><a><b x='y' >in</b ><c/></a>";
+    const Element root = parsed(text);
+    const auto piece = [&](std::size_t begin, std::size_t end) { return text.substr(begin, end - begin); };
+    const Element &b = root.children[0], &c = root.children[1];
+
+    EXPECT_EQ(piece(root.extent.begin, root.extent.end), text.substr(10));
+    EXPECT_EQ(piece(b.extent.begin, b.extent.end), "<b x='y' >in</b >");
+    EXPECT_EQ(piece(b.extent.contentBegin, b.extent.contentEnd), "in");
+    EXPECT_EQ(piece(b.attributes[0].valueBegin, b.attributes[0].valueEnd), "y");
+    EXPECT_EQ(piece(c.extent.begin, c.extent.end), "<c/>");
+    EXPECT_TRUE(c.extent.isEmptyTag());
+    EXPECT_FALSE(b.extent.isEmptyTag());
+}
+
+TEST(Document, CommentsEndWhereXmlSaysSo) {
+    EXPECT_EQ(parsed("<a><!--><b/>--><c/></a>").children.size(), 1U);
+    EXPECT_EQ(parsed("<a><!---><b/>--><c/></a>").children.size(), 1U);
+}
+
+TEST(Document, TakesManyElements) {
+    std::string text = "<a>";
+    for (int i = 0; i < 100000; ++i) text += "<b>x</b>";
+
+    EXPECT_EQ(parsed(text + "</a>").children.size(), 100000U);
+}
+
 TEST(Document, SkipsAByteOrderMark) {
     const Element root = parsed("\xEF\xBB\xBF<a/>");
 

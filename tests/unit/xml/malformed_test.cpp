@@ -74,14 +74,38 @@ TEST(Malformed, DirectoryIsReported) {
     EXPECT_EQ(sink.errorCount(), 1U);
 }
 
-TEST(Malformed, DeepNestingIsRefusedNotFatal) {
+std::string nested(int depth) {
     std::string text;
-    for (int i = 0; i < 100000; ++i) text += "<a>";
-    for (int i = 0; i < 100000; ++i) text += "</a>";
+    for (int i = 0; i < depth; ++i) text += "<a>";
+    for (int i = 0; i < depth; ++i) text += "</a>";
+    return text;
+}
+
+TEST(Malformed, DeepNestingIsRefusedNotFatal) {
+    for (const int depth : {99, 10000, 100000}) {
+        diag::Sink sink;
+        EXPECT_FALSE(Document::parseText(nested(depth), "f.xml", sink).has_value());
+        EXPECT_EQ(diag::toString(sink.all()[0]), "f.xml:1:295: error: [XML007] elements are nested too deeply");
+    }
+    diag::Sink sink;
+    EXPECT_TRUE(Document::parseText(nested(98), "f.xml", sink).has_value());
+}
+
+TEST(Malformed, ThousandsOfAttributesAreRefused) {
+    std::string text = "<a";
+    for (int i = 0; i < 100000; ++i) text += "\na" + std::to_string(i) + "=''";
     diag::Sink sink;
 
-    EXPECT_FALSE(Document::parseText(text, "f.xml", sink).has_value());
-    EXPECT_EQ(sink.all()[0].message, "elements are nested too deeply");
+    EXPECT_FALSE(Document::parseText(text + "/>", "f.xml", sink).has_value());
+    EXPECT_EQ(diag::toString(sink.all()[0]), "f.xml:1002:1: error: [XML008] <a> has more than 1000 attributes");
+}
+
+TEST(Malformed, ZeroBytesAreLocated) {
+    diag::Sink sink;
+
+    EXPECT_FALSE(Document::parseText(std::string("<a>\n x\0</a>", 12), "f.xml", sink).has_value());
+    EXPECT_EQ(diag::toString(sink.all()[0]),
+              "f.xml:2:3: error: [XML001] found a zero byte; expected XML text in UTF-8");
 }
 
 }  // namespace
