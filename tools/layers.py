@@ -8,6 +8,7 @@ LAYER_OF = {
     "runtime/xml/": "xml",
     "runtime/rtt/os/": "os",
     "runtime/rtt/rtt-config.h": "os",       # made by CMake from rtt-config.h.in
+    "runtime/rtt/rtt-detail-fwd.hpp": "os",  # included by it
     "runtime/rtt/Time.hpp": "os",
     "runtime/rtt/": "core",                 # rtt/, base/, internal/, types/: one library, API templates force that
     "runtime/rtt/RTT.hpp": "umbrella",      # what components include; nothing inside the runtime does
@@ -16,6 +17,7 @@ LAYER_OF = {
     # The C interface of plugins: TypekitPlugin.hpp, core API, brings it along.
     "runtime/rtt/plugin/Plugin.hpp": "plugin_api",
     "runtime/rtt/plugin/c_linkage.hpp": "plugin_api",
+    "runtime/rtt/plugin/version_guard.hpp": "plugin_api",
     "runtime/rtt/typekit/": "typekit",
     "runtime/rtt/extras/": "extras",
     # TaskContext and ExecutionEngine need these two, so they are built into core; only their paths say extras.

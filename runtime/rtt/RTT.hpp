@@ -7,9 +7,4 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/usual_includes.hpp>
 
-/** The name of this namespace before version 2. */
-namespace Orocos {
-using namespace RTT;
-}
-
 #endif

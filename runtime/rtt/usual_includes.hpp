@@ -39,23 +39,4 @@
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/TimeService.hpp>
 
-namespace RTT {
-namespace extras {}
-namespace marsh {}
-namespace plugin {}
-namespace scripting {}
-namespace types {}
-/** All namespaces of the runtime at once. */
-namespace detail {
-using namespace base;
-using namespace internal;
-using namespace types;
-using namespace os;
-using namespace extras;
-using namespace scripting;
-using namespace plugin;
-using namespace marsh;
-}  // namespace detail
-}  // namespace RTT
-
 #endif
