@@ -7,34 +7,59 @@
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>
 
+#include <cstring>
+#include <string_view>
+
 /** @file The face of the log: << ─► line of this thread (detail/log_line) ─► sink of the process (detail/log_sink). */
 namespace RTT {
 
 using detail::logLine;
+using detail::logMayReach;
 using detail::logSink;
 
 namespace {
 
-void logFromOs(int level, const char* module, const std::string& text) {
+void logFromOs(int number, const char* module, std::string_view text) {
     Logger::Instance();
-    if (logSink().mayLog(static_cast<LoggerLevel>(level)))
-        logSink().write(static_cast<LoggerLevel>(level), module, text, true);
+    const auto level = static_cast<LoggerLevel>(number);
+    if (logMayReach(level)) logSink().write(level, module, text, true);
+}
+
+/** A thread that begins: what it needs to log as a real-time thread. */
+void prepareRealTimeThread() {
+    Logger::Instance();
+    logSink().startDrain();
+    logLine();
 }
 
 int startLogging() {
     Logger::Instance()->startup();
+    logSink().startDrain();
     return 0;
 }
 
 // When the library is loaded: a thread may be created before anything else asks for the log.
-const bool hooked = (os::setLogHook(&logFromOs), true);
+const bool hooked = (os::setLogHook(&logFromOs), os::setRealTimeThreadHook(&prepareRealTimeThread), true);
 os::InitFunction onStart(&startLogging, os::StartLogging);
 os::CleanupFunction onStop(&Logger::Release, os::StopLogging);
 
+/** Static objects of programs and plugins are gone by now, those of this library partly. */
+const struct AtExit {
+    ~AtExit() { logSink().finish(); }
+} atExit;
+
 }  // namespace
 
-Logger::In::In(const std::string& module) : previous_(Logger::log().getLogModule()) { Logger::log().in(module); }
-Logger::In::~In() { Logger::log().out(previous_); }
+Logger::In::In(const std::string& module) { enter(module.data(), module.size()); }
+Logger::In::In(const char* module) { enter(module, std::strlen(module)); }
+
+void Logger::In::enter(const char* module, std::size_t size) noexcept {
+    detail::LogLine& line = logLine();
+    std::strcpy(previous_, line.module);
+    line.setModule(module, size);
+}
+
+Logger::In::~In() { logLine().setModule(previous_, std::strlen(previous_)); }
 
 Logger* Logger::Instance() {
     static Logger* const instance = [] {
@@ -65,7 +90,7 @@ std::ostream& Logger::flush(std::ostream& s) { return s << std::flush; }
 
 std::ostream* Logger::openLine() {
     detail::LogLine& line = logLine();
-    if (!logSink().mayLog(line.level)) return nullptr;
+    if (!logMayReach(line.level)) return nullptr;
     line.opened = true;
     return &line.stream;
 }
@@ -101,15 +126,18 @@ void Logger::logendl() { logLine().finish(true); }
 void Logger::lognl() { logLine().finish(false); }
 void Logger::logflush() { logSink().flush(); }
 
-void Logger::in(const std::string& module) { logLine().module = module; }
-void Logger::out(const std::string& previousModule) { logLine().module = previousModule; }
+Logger& Logger::in(const std::string& module) {
+    logLine().setModule(module.data(), module.size());
+    return *this;
+}
+Logger& Logger::out(const std::string& previousModule) { return in(previousModule); }
 std::string Logger::getLogModule() const { return logLine().module; }
 
 void Logger::setLogLevel(LogLevel level) { logSink().setLevel(level); }
 Logger::LogLevel Logger::getLogLevel() const { return logSink().level(); }
 void Logger::setStdStream(std::ostream& stream) { logSink().setConsole(stream); }
 
-bool Logger::mayLog() const { return logSink().mayLog(logLine().level); }
+bool Logger::mayLog() const { return logMayReach(logLine().level); }
 bool Logger::mayLogStdOut() const { return logSink().reachesConsole(logLine().level); }
 bool Logger::mayLogFile() const { return logSink().reachesFile(logLine().level); }
 void Logger::mayLogStdOut(bool yes) { logSink().enableConsole(yes); }

@@ -7,6 +7,7 @@
 #include <rtt/rtt-config.h>
 
 #include <cmath>
+#include <cstddef>
 #include <ostream>
 #include <string>
 
@@ -18,6 +19,10 @@ using std::log;
 /** How bad or how detailed a message is; smaller is worse. */
 enum LoggerLevel { Never = 0, Fatal = 1, Critical = 2, Error = 3, Warning = 4, Info = 5, Debug = 6, RealTime = 7 };
 
+namespace detail {
+constexpr std::size_t kLongestLogModule = 255;
+}
+
 /**
  * The log of the process: `log(Error) << "what happened" << endlog();`
  *
@@ -26,8 +31,15 @@ enum LoggerLevel { Never = 0, Fatal = 1, Critical = 2, Error = 3, Warning = 4, I
  * ORO_LOGFILE (file name). Logging starts by itself with the first use.
  *
  * Every thread composes its own line, with its own level and module name; a finished line is handed over as a whole, so
- * lines of several threads never mix. A message below both levels costs one comparison per `<<`. Writing a line that
- * is shown or stored allocates and locks: not for hard real-time paths.
+ * lines of several threads never mix. A message below both levels costs one comparison per `<<`.
+ *
+ * A line is written before endlog() returns, unless its thread is scheduled as a real-time thread at that moment: that
+ * one puts it into a queue, neither allocating nor waiting for anybody, and a thread of ordinary priority writes it. That
+ * thread exists from __os_init(), or the first real-time os::Thread; without it, the next line of an ordinary thread or
+ * the end of the process brings out what is queued.
+ * All log(), <<, In, endlog() and nlog() are real-time safe there, but not what an operator<< of a type may do itself.
+ * A line of a real-time thread is cut after about 1750 characters, and says so; lines for which the queue (at least 64
+ * lines) has no room are counted, and a warning tells how many.
  */
 class RTT_API Logger {
 public:
@@ -41,16 +53,19 @@ public:
     static constexpr LogLevel Debug = RTT::Debug;
     static constexpr LogLevel RealTime = RTT::RealTime;
 
-    /** Names the module of this thread's messages until the end of the scope. */
+    /** Names the module of this thread's messages until the end of the scope. Takes up to 255 characters of the name. */
     class RTT_API In {
     public:
         explicit In(const std::string& module);
+        /** Allocates nothing. */
+        explicit In(const char* module);
         ~In();
         In(const In&) = delete;
         In& operator=(const In&) = delete;
 
     private:
-        std::string previous_;
+        void enter(const char* module, std::size_t size) noexcept;
+        char previous_[detail::kLongestLogModule + 1];
     };
 
     static Logger& log();
@@ -87,13 +102,14 @@ public:
     void logflush();
 
     /** Module name of this thread. Prefer Logger::In. */
-    void in(const std::string& module);
-    void out(const std::string& previousModule);
+    Logger& in(const std::string& module);
+    Logger& out(const std::string& previousModule);
     std::string getLogModule() const;
 
     void setLogLevel(LogLevel level);
     LogLevel getLogLevel() const;
-    /** Console stream; it must live as long as it is used. Default: std::cerr. */
+    /** Console stream; it must live as long as it is used. Default: std::cerr. Lines that real-time threads have logged
+        before go to the former one. */
     void setStdStream(std::ostream& stream);
     /** True if the level of this thread's current line reaches the console or the file. */
     bool mayLog() const;
@@ -119,7 +135,7 @@ private:
     std::ostream* openLine();
 };
 
-/** The log. Never blocks. */
+/** The log. */
 inline Logger& log() { return Logger::log(); }
 inline Logger& log(LoggerLevel level) { return Logger::log(level); }
 /** Ends a line and flushes. */

@@ -6,8 +6,11 @@ target_sources(orocos-rtt PRIVATE
   rtt/Logger.cpp
   rtt/base/ActivityInterface.cpp
   rtt/base/RunnableInterface.cpp
+  rtt/detail/log_drain.cpp
+  rtt/detail/log_file.cpp
   rtt/detail/log_format.cpp
   rtt/detail/log_line.cpp
+  rtt/detail/log_queue.cpp
   rtt/detail/log_sink.cpp
   rtt/detail/oro_main.cpp
   rtt/extras/FileDescriptorActivity.cpp

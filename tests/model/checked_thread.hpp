@@ -18,12 +18,14 @@ namespace RTT {
 namespace os {
 // There is nothing to schedule.
 const int LowestPriority = 1;
+bool inRealTimeThread() noexcept { return false; }
 namespace detail {
 bool checkScheduler(int&, const std::string&) { return true; }
 bool checkPriority(int&, int&, const std::string&) { return true; }
 int addThread(const char*, unsigned) { return 0; }
 void removeThread(int) {}
-void log(LogLevel, const char*, const std::string&) {}
+void log(LogLevel, const char*, std::string_view) {}
+void beginRealTimeThread() {}
 const char* schedulerName(int) noexcept { return ""; }
 bool applyScheduling(pthread_t, int, int, const std::string&) { return true; }
 bool applyAffinity(pid_t, unsigned, const std::string&) { return true; }

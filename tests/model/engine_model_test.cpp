@@ -19,6 +19,7 @@
 
 RTT::ExecutionEngine* RTT::internal::GlobalEngine::Instance() { return nullptr; }
 void RTT::internal::CalleeBase::deref() const {}  // there are none
+std::string RTT::internal::describe(const CalleeBase*) { return {}; }
 
 namespace {
 

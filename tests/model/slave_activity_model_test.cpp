@@ -17,7 +17,7 @@ RTT::os::ThreadInterface* volatile mainThread = nullptr;
 RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return mainThread; }
 int RTT::os::detail::addThread(const char*, unsigned) { return 0; }
 void RTT::os::detail::removeThread(int) {}
-void RTT::os::detail::log(LogLevel, const char*, const std::string&) {}
+void RTT::os::detail::log(LogLevel, const char*, std::string_view) {}
 
 namespace {
 

@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/detail/log_format.hpp>
 
-#include <cstdio>
+#include <charconv>
+#include <cstring>
 
 namespace RTT {
 namespace detail {
@@ -21,11 +22,27 @@ const char* levelTag(LoggerLevel level) noexcept {
     return "[ ?      ]";
 }
 
-void formatLine(std::string& line, nsecs sinceReference, LoggerLevel level, const std::string& module,
-                const std::string& text) {
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.3f", nsecs_to_Seconds(sinceReference));
-    line.assign(seconds).append(" ").append(levelTag(level)).append("[").append(module).append("] ").append(text);
+std::size_t formatStart(char (&out)[kLongestStart], nsecs time, LoggerLevel level) noexcept {
+    char* at = out;
+    if (time < 0) *at++ = '-';
+    const auto amount = static_cast<unsigned long long>(time);
+    const unsigned long long rounded = ((time < 0 ? 0 - amount : amount) + 500000) / 1000000;  // ms
+    at = std::to_chars(at, out + 24, rounded / 1000).ptr;
+    *at++ = '.';
+    for (unsigned digit = 100; digit != 0; digit /= 10) *at++ = static_cast<char>('0' + rounded / digit % 10);
+    *at++ = ' ';
+    std::memcpy(at, levelTag(level), 10);
+    at += 10;
+    *at++ = '[';
+    return static_cast<std::size_t>(at - out);
+}
+
+std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept {
+    if (cut == 0) return 0;
+    std::memcpy(out, " ... (", 6);
+    char* const at = std::to_chars(out + 6, out + 30, cut).ptr;
+    std::memcpy(at, " characters cut)", 16);
+    return static_cast<std::size_t>(at + 16 - out);
 }
 
 std::string compilerName() {

@@ -2,8 +2,13 @@
 // Copyright Oroforge contributors
 #include <rtt/detail/log_line.hpp>
 
+#include <rtt/detail/log_queue.hpp>
 #include <rtt/detail/log_sink.hpp>
+#include <rtt/os/real_time_thread.hpp>
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <pthread.h>
 
 namespace RTT {
@@ -15,7 +20,9 @@ namespace {
  * Not a thread_local object: those of the main thread are destroyed before static objects are, whose destructors
  * log as well. The key's function runs when a thread ends, not for the main thread.
  */
-thread_local LogLine* currentLine = nullptr;
+thread_local LogLine* currentLine __attribute__((tls_model("initial-exec"))) = nullptr;
+
+std::atomic<LogLine*> spareLines[kSpareLines];
 
 void endOfThread(void* line) {
     currentLine = nullptr;
@@ -33,21 +40,75 @@ pthread_key_t lineKey() {
     return key;
 }
 
+LogLine* makeLine() {
+    if (os::inRealTimeThread())
+        for (auto& spare : spareLines)
+            // Acquire: pairs with the release in refillSpareLines(); the line is complete.
+            if (LogLine* line = spare.exchange(nullptr, std::memory_order_acquire)) return line;
+    return new LogLine;
+}
+
 }  // namespace
 
 LogLine& logLine() {
     if (!currentLine) {
-        currentLine = new LogLine;
+        currentLine = makeLine();
         pthread_setspecific(lineKey(), currentLine);
     }
     return *currentLine;
 }
 
+void refillSpareLines() {
+    lineKey();
+    for (auto& spare : spareLines) {
+        if (spare.load(std::memory_order_relaxed)) continue;
+        LogLine* const made = new LogLine;
+        LogLine* nothing = nullptr;
+        if (!spare.compare_exchange_strong(nothing, made, std::memory_order_release, std::memory_order_relaxed))
+            delete made;
+    }
+}
+
+LineBuffer::LineBuffer() { text_.reserve(LogQueue::kLongest); }
+
+void LineBuffer::append(const char* text, std::size_t size) {
+    if (const std::size_t room = text_.capacity() - text_.size(); size > room && os::inRealTimeThread()) {
+        cut_ += size - room;
+        size = room;
+    }
+    text_.append(text, size);
+}
+
+LineBuffer::int_type LineBuffer::overflow(int_type c) {
+    if (!traits_type::eq_int_type(c, traits_type::eof())) {
+        const char one = traits_type::to_char_type(c);
+        append(&one, 1);
+    }
+    return traits_type::not_eof(c);
+}
+
+std::streamsize LineBuffer::xsputn(const char* text, std::streamsize size) {
+    append(text, static_cast<std::size_t>(size));
+    return size;
+}
+
+LogLine::LogLine() {
+    // Streams look some things up when they are used first, and may allocate for that.
+    stream << 1 << 0.5;
+    buffer.clear();
+}
+
+void LogLine::setModule(const char* name, std::size_t size) noexcept {
+    size = std::min(size, kLongestLogModule);
+    std::memmove(module, name, size);
+    module[size] = '\0';
+}
+
 void LogLine::finish(bool flush) {
     // Nobody sees it, nothing was composed: the common case of debug messages, which must cost next to nothing.
-    if (!opened && !logSink().mayLog(level)) return;
-    if (!buffer.text().empty() && logSink().mayLog(level))
-        logSink().write(level, module, buffer.text(), flush);
+    if (!opened && !logMayReach(level)) return;
+    if (!buffer.text().empty() && logMayReach(level))
+        logSink().write(level, module, buffer.text(), flush, buffer.cut());
     else if (flush)
         logSink().flush();
     buffer.clear();

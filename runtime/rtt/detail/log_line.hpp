@@ -12,40 +12,49 @@
 namespace RTT {
 namespace detail {
 
-/** Appends to a string, which keeps its memory from line to line. */
+/** Collects the text of a line; keeps its memory from line to line. In a real-time thread it does not grow but cuts. */
 class LineBuffer : public std::streambuf {
 public:
+    LineBuffer();
     const std::string& text() const { return text_; }
-    void clear() { text_.clear(); }
+    /** Characters that were left out. */
+    std::size_t cut() const { return cut_; }
+    void append(const char* text, std::size_t size);
+    void clear() {
+        text_.clear();
+        cut_ = 0;
+    }
 
 protected:
-    int_type overflow(int_type c) override {
-        if (!traits_type::eq_int_type(c, traits_type::eof())) text_.push_back(traits_type::to_char_type(c));
-        return traits_type::not_eof(c);
-    }
-    std::streamsize xsputn(const char* text, std::streamsize size) override {
-        text_.append(text, static_cast<std::size_t>(size));
-        return size;
-    }
+    int_type overflow(int_type c) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
 
 private:
     std::string text_;
+    std::size_t cut_ = 0;
 };
 
 /** The line that one thread is composing. */
 struct LogLine {
+    LogLine();
     LineBuffer buffer;
     std::ostream stream{&buffer};
     bool opened = false;  // something may have been put into the stream
     LoggerLevel level = Info;
-    std::string module = "Logger";
+    char module[kLongestLogModule + 1] = "Logger";
 
+    void setModule(const char* name, std::size_t size) noexcept;
     /** Hands the line to the sink, if it may be logged, and begins the next one with the same level. */
     void finish(bool flush);
 };
 
-/** The line of the calling thread; made with its first use, gone with the thread. */
+/**
+ * The line of the calling thread; made with its first use, gone with the thread. A real-time thread takes one of those
+ * that refillSpareLines() has set aside, and allocates only if more than kSpareLines threads do that at once.
+ */
 LogLine& logLine();
+constexpr unsigned kSpareLines = 8;
+void refillSpareLines();
 
 }  // namespace detail
 }  // namespace RTT

@@ -3,11 +3,16 @@
 #include <rtt/detail/log_sink.hpp>
 
 #include <rtt/detail/log_format.hpp>
+#include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
+#include <pthread.h>
+#include <unistd.h>
 
 namespace RTT {
 namespace detail {
@@ -17,9 +22,17 @@ constexpr std::size_t kRecentLines = 1000;
 }
 
 LogSink& logSink() {
-    static LogSink& sink = *new LogSink;
+    static LogSink& sink = *[] {
+        auto* const made = new LogSink;
+        // A thread that holds the mutexes during a fork() would never give back those of the child.
+        pthread_atfork([] { logSink().beforeFork(); }, [] { logSink().afterFork(false); },
+                       [] { logSink().afterFork(true); });
+        return made;
+    }();
     return sink;
 }
+
+std::atomic<int> logLimit{-1};
 
 void LogSink::startup() {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -33,13 +46,38 @@ void LogSink::startup() {
 }
 
 void LogSink::shutdown() {
+    drainer_.stop();
     std::lock_guard<std::mutex> lock(mutex_);
     if (!started_) return;
+    drainLocked();
     note(Info, "logging ends");
     started_ = false;
     updateLimits();
-    if (file_) std::fclose(file_);
-    file_ = nullptr;
+    file_.close();
+}
+
+void LogSink::startDrain() { drainer_.start(); }
+
+void LogSink::finish() {
+    drainer_.stop();
+    finished_ = true;
+    {
+        // The stream that was given may be gone by now.
+        std::lock_guard<std::mutex> lock(mutex_);
+        console_ = nullptr;
+    }
+    drain();
+}
+
+void LogSink::beforeFork() {
+    drainer_.beforeFork();
+    mutex_.lock();
+}
+
+void LogSink::afterFork(bool inChild) {
+    if (inChild) queue_.clear();  // the parent writes it
+    mutex_.unlock();
+    drainer_.afterFork(inChild);
 }
 
 void LogSink::readEnvironment() {
@@ -63,9 +101,9 @@ void LogSink::readEnvironment() {
 
 void LogSink::openFile() {
     const char* const name = std::getenv("ORO_LOGFILE");
-    // 'e': programs that this process starts do not get it. Not openable: no file, and no message about it.
-    file_ = std::fopen(name && *name ? name : "orocos.log", fileUsed_ ? "ae" : "we");
-    fileUsed_ = true;  // logging that starts again must not delete what was logged before
+    // Logging that starts again must not delete what was logged before. Not openable: no file, and no message about it.
+    file_.open(name && *name ? name : "orocos.log", fileUsed_);
+    fileUsed_ = true;
 }
 
 void LogSink::announceStart() {
@@ -87,75 +125,155 @@ void LogSink::updateLimits() {
     int file = kNothing;
     if (started_ && !disabled_ && (level != RealTime || realTimeAllowed_)) {
         if (consoleEnabled_ && level != Never) console = level;
-        if (fileEnabled_ && file_) file = std::max<int>(level, Info);
+        if (fileEnabled_ && file_.isOpen()) file = std::max<int>(level, Info);
     }
     consoleLimit_ = console;
     fileLimit_ = file;
-    limit_ = std::max(console, file);
+    logLimit = std::max(console, file);
 }
 
 void LogSink::setLevel(LoggerLevel level) {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();  // what was logged before had the settings of then; so with the other settings
     level_ = level;
     updateLimits();
 }
 
 void LogSink::setConsole(std::ostream& stream) {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
     console_ = &stream;
 }
 
 void LogSink::enableConsole(bool yes) {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
     consoleEnabled_ = yes;
     updateLimits();
 }
 
 void LogSink::enableFile(bool yes) {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
     fileEnabled_ = yes;
     updateLimits();
 }
 
 void LogSink::allowRealTime(bool yes) {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
     realTimeAllowed_ = yes;
     updateLimits();
 }
 
-void LogSink::note(LoggerLevel level, const std::string& text) { writeLocked(level, "Logger", text, true); }
-
-void LogSink::write(LoggerLevel level, const std::string& module, const std::string& text, bool flush) {
-    std::lock_guard<std::mutex> lock(mutex_);
-    writeLocked(level, module, text, flush);
+void LogSink::note(LoggerLevel level, const std::string& text) {
+    writeLocked({now(), level, "Logger", text});
+    flushLocked();
 }
 
-void LogSink::writeLocked(LoggerLevel level, const std::string& module, const std::string& text, bool flush) {
-    if (!mayLog(level)) return;
-    formatLine(scratch_, os::TimeService::Instance()->getTicks(referenceTime()), level, module, text);
-    if (reachesConsole(level)) {
-        if (recent_.size() == kRecentLines) recent_.pop_front();
-        recent_.push_back(scratch_);
+void LogSink::write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut) {
+    if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return enqueue(level, module, text, cut);
+    std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
+    writeLocked({now(), level, module, text, cut});
+    if (flush || finished_) flushLocked();
+}
+
+void LogSink::enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut) noexcept {
+    LogRecord record{};
+    record.time = now();
+    record.level = static_cast<std::uint8_t>(level);
+    record.moduleSize = static_cast<std::uint16_t>(std::min(module.size(), kLongestLogModule));
+    const std::size_t size = std::min<std::size_t>(text.size(), LogQueue::kLongest - record.moduleSize);
+    record.textSize = static_cast<std::uint16_t>(size);
+    record.cut = static_cast<std::uint32_t>(std::min<std::size_t>(cut + text.size() - size, UINT32_MAX));
+    queue_.put(record, module.data(), text.data());
+    drainer_.wake();
+}
+
+void LogSink::drain() {
+    std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
+    flushLocked();
+}
+
+namespace {
+
+LogParts partsOf(const LogRecord& record, const char* bytes) {
+    return {record.time, static_cast<LoggerLevel>(record.level), std::string_view(bytes, record.moduleSize),
+            std::string_view(bytes + record.moduleSize, record.textSize), record.cut};
+}
+
+/** Text of the line that tells of others; into a buffer, for signal handlers. */
+std::string_view lostText(char (&out)[96], std::uint32_t lost) noexcept {
+    char* const at = std::to_chars(out, out + 16, lost).ptr;
+    constexpr std::string_view rest = " line(s) of real-time threads lost: the queue of the log was full";
+    return {out, static_cast<std::size_t>(std::copy(rest.begin(), rest.end(), at) - out)};
+}
+
+}  // namespace
+
+void LogSink::drainLocked() {
+    LogRecord record;
+    char bytes[LogQueue::kLongest];
+    // Bounded: threads that log without end must not keep the one that is here.
+    for (std::uint32_t i = 0; i != LogQueue::kCells && queue_.take(record, bytes); ++i)
+        writeLocked(partsOf(record, bytes));
+    if (const std::uint32_t lost = queue_.takeLost()) {
+        char text[96];
+        writeLocked({now(), Warning, "Logger", lostText(text, lost)});
     }
-    scratch_ += '\n';
-    if (reachesConsole(level))
+}
+
+void LogSink::drainDying() noexcept {
+    // The thread that dies may hold the mutex itself: then the lines are lost.
+    for (int attempt = 0; !mutex_.try_lock(); ++attempt) {
+        if (attempt == 100) return;
+        const timespec ms{0, 1000000};
+        nanosleep(&ms, nullptr);
+    }
+    file_.flush();
+    LogRecord record;
+    char bytes[LogQueue::kLongest];
+    char text[96];
+    const bool toConsole = !console_ || console_ == &std::cerr || console_ == &std::clog;
+    const auto show = [&](const LogParts& parts) {
+        if (toConsole && reachesConsole(parts.level))
+            composeLine(parts, [](const char* part, std::size_t size) { writeAll(STDERR_FILENO, part, size); });
+        if (reachesFile(parts.level))
+            composeLine(parts, [this](const char* part, std::size_t size) { file_.write(part, size); });
+    };
+    while (queue_.take(record, bytes)) show(partsOf(record, bytes));
+    if (const std::uint32_t lost = queue_.takeLost()) show({now(), Warning, "Logger", lostText(text, lost)});
+    file_.flush();
+    mutex_.unlock();
+}
+
+void LogSink::writeLocked(const LogParts& parts) {
+    if (!logMayReach(parts.level)) return;
+    scratch_.clear();
+    composeLine(parts, [this](const char* part, std::size_t size) { scratch_.append(part, size); });
+    if (reachesConsole(parts.level)) {
+        if (recent_.size() == kRecentLines) recent_.pop_front();
+        recent_.emplace_back(scratch_, 0, scratch_.size() - 1);
         (console_ ? *console_ : std::cerr).write(scratch_.data(), static_cast<std::streamsize>(scratch_.size()));
-    if (file_ && reachesFile(level)) std::fwrite(scratch_.data(), 1, scratch_.size(), file_);
-    if (flush) flushLocked();
+    }
+    if (reachesFile(parts.level)) file_.write(scratch_.data(), scratch_.size());
 }
 
 void LogSink::flush() {
-    std::lock_guard<std::mutex> lock(mutex_);
-    flushLocked();
+    if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return;
+    drain();
 }
 
 void LogSink::flushLocked() {
     if (consoleLimit_ != kNothing) (console_ ? *console_ : std::cerr).flush();
-    if (file_) std::fflush(file_);
+    file_.flush();
 }
 
 std::string LogSink::takeLine() {
     std::lock_guard<std::mutex> lock(mutex_);
+    drainLocked();
     if (recent_.empty()) return std::string();
     std::string line = std::move(recent_.front());
     recent_.pop_front();

@@ -4,27 +4,50 @@
 #define RTT_DETAIL_LOG_SINK_HPP
 
 #include <rtt/Logger.hpp>
+#include <rtt/detail/log_drain.hpp>
+#include <rtt/detail/log_file.hpp>
+#include <rtt/detail/log_format.hpp>
+#include <rtt/detail/log_queue.hpp>
 
 #include <atomic>
-#include <cstdio>
 #include <deque>
 #include <mutex>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace RTT {
 namespace detail {
 
-/** Where finished lines go: console, file and the list for getLogLine(). All functions are thread-safe. */
+/**
+ * Where finished lines go: console, file and the list for getLogLine(). All functions are thread-safe.
+ *
+ *   write() ─┬─ thread is not real-time ─► mutex ─► queue is emptied ─► console, file
+ *            └─ real-time ─► queue ─► LogDrain wakes up ─► drain() ─► mutex ─► console, file
+ *
+ * docs/design/logging.md says why.
+ */
 class LogSink {
 public:
     void startup();
     void shutdown();
 
-    /** Cheap: one relaxed load. */
-    bool mayLog(LoggerLevel level) const noexcept { return level <= limit_.load(std::memory_order_relaxed); }
-    void write(LoggerLevel level, const std::string& module, const std::string& text, bool flush);
+    /** Real-time safe in a real-time thread. `cut`: characters of the text that were left out. */
+    void write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut = 0);
+    /** Puts a line into the queue and wakes who empties it. Real-time safe. */
+    void enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut = 0) noexcept;
+    /** Nothing in a real-time thread: what was queued before is flushed when it is written. */
     void flush();
+    /** Writes what is in the queue. */
+    void drain();
+    /** The thread that empties the queue; exists from __os_init(), or the first real-time os::Thread, to shutdown(). */
+    void startDrain();
+    /** The process ends: writes the queue; from now on every thread writes for itself, and the console is std::cerr. */
+    void finish();
+    void beforeFork();
+    void afterFork(bool inChild);
+    /** Writes queue and file buffer from a signal handler, unless another thread holds the mutex for too long. */
+    void drainDying() noexcept;
 
     void setLevel(LoggerLevel level);
     LoggerLevel level() const noexcept { return level_.load(std::memory_order_relaxed); }
@@ -46,16 +69,20 @@ private:
     void announceStart();
     void updateLimits();
     void note(LoggerLevel level, const std::string& text);
-    void writeLocked(LoggerLevel level, const std::string& module, const std::string& text, bool flush);
+    void writeLocked(const LogParts& parts);
+    void drainLocked();
     void flushLocked();
+    nsecs now() const noexcept { return os::TimeService::Instance()->getTicks(referenceTime()); }
 
     static constexpr int kNothing = -1;
     // What the settings below come down to; the most detailed level that goes to each place. Read without the mutex.
     std::atomic<int> consoleLimit_{kNothing};
     std::atomic<int> fileLimit_{kNothing};
-    std::atomic<int> limit_{kNothing};  // the larger one
     std::atomic<LoggerLevel> level_{Warning};
     std::atomic<os::TimeService::ticks> reference_{0};
+    std::atomic<bool> finished_{false};
+    LogQueue queue_;
+    LogDrain drainer_;
 
     std::mutex mutex_;  // for everything below, and for writing
     bool started_ = false;
@@ -64,7 +91,7 @@ private:
     bool fileEnabled_ = true;
     bool realTimeAllowed_ = false;
     std::ostream* console_ = nullptr;  // null: std::cerr
-    std::FILE* file_ = nullptr;
+    LogFile file_;
     bool fileUsed_ = false;
     std::deque<std::string> recent_;
     std::string scratch_;
@@ -74,6 +101,10 @@ private:
 
 /** The only one; never destroyed, since static objects log when the process ends. */
 LogSink& logSink();
+
+/** The most detailed level that goes anywhere. Not a member: a message that nobody sees asks for nothing else. */
+extern std::atomic<int> logLimit;
+inline bool logMayReach(LoggerLevel level) noexcept { return level <= logLimit.load(std::memory_order_relaxed); }
 
 }  // namespace detail
 }  // namespace RTT

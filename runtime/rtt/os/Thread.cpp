@@ -6,6 +6,7 @@
 #include <rtt/os/detail/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_state.hpp>
+#include <rtt/os/real_time_thread.hpp>
 
 #include <cstdio>
 #include <cstring>
@@ -71,6 +72,7 @@ void* Thread::entry(void* self) {
     Thread* const thread = static_cast<Thread*>(self);
     thread->state_->task.pid = detail::currentTid();
     pthread_setname_np(pthread_self(), detail::shortThreadName(thread->state_->name).c_str());
+    if (inRealTimeThread()) detail::beginRealTimeThread();
     thread->state_->born.signal();
     thread->run();
     return nullptr;

@@ -5,19 +5,23 @@
 
 #include <rtt/rtt-config.h>
 
-#include <string>
+#include <string_view>
 
 namespace RTT {
 namespace os {
 
 /** Writes one line to the log; `level` is a RTT::LoggerLevel. */
-typedef void (*LogHook)(int level, const char* module, const std::string& text);
+typedef void (*LogHook)(int level, const char* module, std::string_view text);
 
 /**
  * Tells the os layer, which does not know the Logger, where its messages go. The Logger does it when the library is
  * loaded; until then warnings and worse go to the standard error stream.
  */
 RTT_API void setLogHook(LogHook hook) noexcept;
+
+/** Called in every new os::Thread that is a real-time thread, before it executes anything. */
+typedef void (*RealTimeThreadHook)();
+RTT_API void setRealTimeThreadHook(RealTimeThreadHook hook) noexcept;
 
 }  // namespace os
 }  // namespace RTT

@@ -23,8 +23,9 @@ public:
     typedef T value_type;
     typedef T* pointer;
     typedef const T* const_pointer;
-    typedef T& reference;
-    typedef const T& const_reference;
+    // void can be rebound to a type that has objects.
+    typedef std::add_lvalue_reference_t<T> reference;
+    typedef std::add_lvalue_reference_t<const T> const_reference;
     typedef std::size_t size_type;
     typedef std::ptrdiff_t difference_type;
     typedef std::true_type is_always_equal;

@@ -2,10 +2,14 @@
 // Copyright Oroforge contributors
 #include <rtt/os/oro_malloc.h>
 
+#include <rtt/os/detail/os_log.hpp>
 #include <rtt/os/detail/pool_registry.hpp>
 #include <rtt/os/tlsf/tlsf.h>
 
+#include <atomic>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 
 using RTT::os::detail::MemoryPool;
 using RTT::os::detail::PoolRegistry;
@@ -14,7 +18,39 @@ namespace {
 
 PoolRegistry& pools() noexcept { return PoolRegistry::instance(); }
 
-void* allocate(MemoryPool* pool, std::size_t size) noexcept { return pool ? pool->allocate(size) : nullptr; }
+/** The smallest size there was no memory for, until a block of that size could be had again; 0: none. */
+std::atomic<std::size_t> refusedSize{0};
+
+/** Real-time safe in real-time threads. */
+void reportExhausted(const MemoryPool& pool, std::size_t size) noexcept {
+    const MemoryPool::Usage usage = pool.usage();
+    char text[128];
+    const int length =
+        std::snprintf(text, sizeof text, "no real-time memory for %zu bytes: %zu of %zu bytes are in use", size,
+                      usage.used, usage.total);
+    try {
+        RTT::os::detail::log(RTT::os::detail::LogError, "Memory", {text, static_cast<std::size_t>(length)});
+    } catch (const std::exception&) {
+        // Who asked gets a null pointer in any case.
+    }
+}
+
+/** Says once that memory is used up, not each time somebody tries in vain. Passes the block on. */
+void* noted(const MemoryPool& pool, std::size_t size, void* block) noexcept {
+    // Relaxed: threads that fail at the same time may both report.
+    std::size_t refused = refusedSize.load(std::memory_order_relaxed);
+    if (block) {
+        if (refused != 0 && size >= refused) refusedSize.compare_exchange_strong(refused, 0, std::memory_order_relaxed);
+    } else if (refused == 0 || size < refused) {
+        refusedSize.store(size, std::memory_order_relaxed);
+        reportExhausted(pool, size);
+    }
+    return block;
+}
+
+void* allocate(MemoryPool* pool, std::size_t size) noexcept {
+    return pool ? noted(*pool, size, pool->allocate(size)) : nullptr;
+}
 
 void* allocateZeros(MemoryPool* pool, std::size_t count, std::size_t size) noexcept {
     std::size_t total = 0;
@@ -33,7 +69,7 @@ void* resize(MemoryPool* pool, void* block, std::size_t size) noexcept {
     }
     MemoryPool* owner = pools().ownerOf(block);
     if (!owner) return nullptr;
-    return owner->resize(block, size);
+    return noted(*owner, size, owner->resize(block, size));
 }
 
 MemoryPool::Usage usageOf(const MemoryPool* pool) noexcept {

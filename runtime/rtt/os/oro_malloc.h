@@ -10,7 +10,9 @@
  * Every function takes a constant number of steps, whatever the size (but oro_rt_calloc() fills and oro_rt_realloc()
  * may copy what is asked for), and never calls the system. Any thread. They hold a mutex that inherits priority for a
  * bounded number of instructions: real-time safe in that sense, but not lock-free. Blocks are aligned to 16 bytes and
- * cost 16 bytes more than asked for. There is no growing: a pool that is full gives a null pointer.
+ * cost 16 bytes more than asked for. There is no growing: a pool that is full gives a null pointer, and an error line in
+ * the log; the next line comes after a block of that size could be had in the meantime, or when there is none for a
+ * smaller one.
  *
  * __os_init() sets aside 512 KiB unless init_memory_pool() of <rtt/os/tlsf/tlsf.h> gave a pool before. Without either
  * the first call sets them aside, and only that one asks the system.

@@ -82,9 +82,9 @@ public:
     }
 
 private:
-    static void write(int level, const char* module, const std::string& text) {
+    static void write(int level, const char* module, std::string_view text) {
         std::lock_guard<std::mutex> lock(mutex());
-        lines().emplace_back(level, std::string(module) + ": " + text);
+        lines().emplace_back(level, std::string(module) + ": " + std::string(text));
     }
     static std::mutex& mutex() {
         static std::mutex& one = *new std::mutex;

@@ -24,6 +24,21 @@ TEST(Time, WhatDoesNotFitIsClamped) {
     EXPECT_EQ(Seconds_to_nsecs(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
+// What nobody can set never jumps.
+TEST(Time, IsThatOfTheMonotonicClock) {
+    const auto monotonic = [] {
+        timespec now;
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        return static_cast<nsecs>(now.tv_sec) * 1000000000 + now.tv_nsec;
+    };
+    const nsecs before = monotonic();
+    const nsecs time = rtos_get_time_ns();
+    const nsecs ticks = os::TimeService::ticks2nsecs(os::TimeService::Instance()->getTicks());
+    EXPECT_LE(before, time);
+    EXPECT_LE(time, ticks);
+    EXPECT_LE(ticks, monotonic());
+}
+
 class TimeServiceTest : public testing::Test {
 protected:
     ~TimeServiceTest() override { os::TimeService::Release(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Real-time memory as programs use it: C functions, allocator, rt_string, rt_list.
+#include <rtt/os/log_hook.hpp>
 #include <rtt/os/oro_malloc.h>
 #include <rtt/os/startstop.h>
 #include <rtt/os/tlsf/tlsf.h>
@@ -185,4 +186,51 @@ TEST(RtString, ConvertsAndPrints) {
     out << text;
     EXPECT_EQ(out.str(), makeString(text));
     EXPECT_EQ(makeRTString(std::string("nul\0inside", 10)).size(), 10u);
+}
+
+TEST(RtAllocator, CanBeReboundFromVoid) {
+    typedef os::rt_allocator<void>::rebind<double>::other Doubles;
+    const os::rt_allocator<void> none;
+    std::vector<double, Doubles> v((Doubles(none)));
+    v.assign(100, 1.5);
+    EXPECT_TRUE(v.get_allocator() == none);
+    EXPECT_EQ(v[99], 1.5);
+}
+
+namespace {
+
+int exhausted = 0;
+std::string lastLine;
+void countExhausted(int level, const char* module, std::string_view text) {
+    EXPECT_EQ(level, 3);
+    EXPECT_STREQ(module, "Memory");
+    lastLine = text;
+    ++exhausted;
+}
+
+}  // namespace
+
+// Last: the log is not told any more.
+TEST(RealTimeMemoryReport, ExhaustionIsReportedOnceUntilThereIsMemoryAgain) {
+    OwnPool pool(20000);
+    os::setLogHook(&countExhausted);
+    void* most = oro_rt_malloc(9000);
+    ASSERT_NE(most, nullptr);
+    EXPECT_EQ(exhausted, 0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(oro_rt_malloc(8000), nullptr);
+    EXPECT_EQ(oro_rt_malloc(9000), nullptr);
+    EXPECT_EQ(exhausted, 1);
+    EXPECT_EQ(lastLine, "no real-time memory for 8000 bytes: " + std::to_string(get_used_size(pool.at())) + " of " +
+                            std::to_string(get_pool_size(pool.at())) + " bytes are in use");
+    EXPECT_EQ(oro_rt_malloc(6000), nullptr);
+    EXPECT_EQ(exhausted, 2) << "less than ever before";
+    oro_rt_free(oro_rt_malloc(10));
+    EXPECT_EQ(oro_rt_malloc(6000), nullptr);
+    EXPECT_EQ(exhausted, 2) << "a small block says nothing about large ones";
+    oro_rt_free(most);
+    oro_rt_free(oro_rt_malloc(6000));
+    void* block = oro_rt_malloc(100);
+    EXPECT_EQ(oro_rt_realloc(block, 20000), nullptr);
+    EXPECT_EQ(exhausted, 3) << "there was memory in the meantime";
+    oro_rt_free(block);
 }

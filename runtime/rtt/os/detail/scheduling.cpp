@@ -3,12 +3,23 @@
 #include <rtt/os/detail/scheduling.hpp>
 
 #include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/real_time_thread.hpp>
 
 #include <cerrno>
 #include <cstring>
 
 namespace RTT {
 namespace os {
+
+bool inRealTimeThread() noexcept {
+    switch (sched_getscheduler(0) & ~SCHED_RESET_ON_FORK) {
+        case SCHED_FIFO:
+        case SCHED_RR:
+        case SCHED_DEADLINE: return true;
+        default: return false;  // also an error, -1
+    }
+}
+
 namespace detail {
 
 namespace {

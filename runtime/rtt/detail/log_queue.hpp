@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef RTT_DETAIL_LOG_QUEUE_HPP
+#define RTT_DETAIL_LOG_QUEUE_HPP
+
+#include <rtt/rtt-config.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace RTT {
+namespace detail {
+
+/** A line on its way through the queue. */
+struct LogRecord {
+    std::int64_t time;  // ns since the reference time
+    std::uint32_t cut;  // characters of the text that were left out
+    std::uint16_t moduleSize, textSize;
+    std::uint8_t level;
+};
+
+/**
+ * Bounded first-in-first-out queue for the lines of real-time threads. Any thread puts, without waiting for anybody; one
+ * at a time takes (the sink's mutex sees to that). A line takes as many neighbouring cells as it needs.
+ *
+ * Each cell carries a sequence number that tells whose turn it is; the numbers wrap around:
+ *   sequence == position          free for the producer that wins position
+ *   sequence == position + 1      first cell of a line that is complete; the others of the line keep their number
+ *   sequence == position + kCells free again, one round later
+ *
+ * A producer that is stopped between winning its cells and completing them hides what was put after it until it goes on.
+ */
+class RTT_API LogQueue {
+public:
+    static constexpr std::uint32_t kCells = 512;
+    static constexpr std::uint32_t kRoom = 224;           // bytes of text in a cell, which is 256 bytes then
+    static constexpr std::uint32_t kLongest = 8 * kRoom;  // bytes of module and text together
+
+    LogQueue();
+    /** Forgets everything. Nobody else may use it meanwhile. */
+    void clear() noexcept;
+    /** False, and counted, if there is no room. Real-time safe. */
+    bool put(const LogRecord& record, const char* module, const char* text) noexcept;
+    /** False if there is nothing complete. `bytes` has room for kLongest; the text follows the module there. */
+    bool take(LogRecord& record, char* bytes) noexcept;
+    /** How many lines found no room since it was asked last. */
+    std::uint32_t takeLost() noexcept { return lost_.exchange(0, std::memory_order_relaxed); }
+
+private:
+    struct Cell {
+        std::atomic<std::uint32_t> sequence;
+        LogRecord record;  // of the first cell of a line
+        char bytes[kRoom];
+    };
+    static std::uint32_t cellsOf(const LogRecord& record) noexcept;
+    Cell& at(std::uint32_t position) noexcept { return cells_[position % kCells]; }
+
+    std::unique_ptr<Cell[]> cells_;
+    alignas(64) std::atomic<std::uint32_t> tail_{0};
+    std::atomic<std::uint32_t> lost_{0};
+    alignas(64) std::uint32_t head_ = 0;
+};
+
+}  // namespace detail
+}  // namespace RTT
+#endif
