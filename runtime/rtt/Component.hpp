@@ -9,19 +9,25 @@
  *     ORO_CREATE_COMPONENT_LIBRARY()         // a library with several: this once,
  *     ORO_LIST_COMPONENT_TYPE(NS::Class)     // and this per type, in any source file
  *
- * With RTT_COMPONENT defined (orocos_component() does so) the library can be loaded at run time. Without it the types
- * are registered in the program that links the code.
+ * With RTT_COMPONENT defined (orocos_component() does so) the library can be loaded at run time. Without it, or with
+ * RTT_STATIC, the types are registered in the program that links the code. A linker takes from a static library only what
+ * somebody asks for, and nobody asks for these: link it as a whole (orocos_component(name STATIC …) sees to that).
  */
 #ifndef ORO_COMPONENT_HPP
 #define ORO_COMPONENT_HPP
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/plugin/c_linkage.hpp>
+#include <rtt/plugin/version_guard.hpp>
 #include <rtt/rtt-config.h>
 
 #include <map>
 #include <string>
 #include <vector>
+
+#if (defined(RTT_COMPONENT) || defined(OCL_DLL_EXPORT)) && !defined(RTT_STATIC) && !defined(OCL_STATIC)
+#define ORO_COMPONENT_LIBRARY_
+#endif
 
 namespace RTT {
 
@@ -30,11 +36,22 @@ typedef TaskContext* (*ComponentLoaderSignature)(std::string instance_name);
 /** Component types and how to create them. */
 typedef std::map<std::string, ComponentLoaderSignature> FactoryMap;
 
-/** The component types linked into the program itself. Filled before main; not thread-safe while being filled. */
+/**
+ * The component types linked into the program itself, or into a library that was not made for the component loader.
+ * Static objects fill it, before main() or while a library is opened.
+ */
 class RTT_API ComponentFactories {
 public:
+    /** The types by name. Other threads may open libraries: use add(), remove() and all() when they do. */
     static FactoryMap& Instance();
-    /** Adds a type to `types`, or replaces the one of that name. */
+    /** Adds a type, or replaces the one of that name. Thread-safe. */
+    static void add(const std::string& type_name, ComponentLoaderSignature create);
+    /** Removes a type if that is how it is created. Thread-safe. */
+    static void remove(const std::string& type_name, ComponentLoaderSignature create);
+    /** The types at this moment. Thread-safe. */
+    static FactoryMap all();
+
+    /** Adds to the types of one library. */
     static void add(FactoryMap& types, const std::string& type_name, ComponentLoaderSignature create);
 };
 
@@ -53,17 +70,23 @@ RTT_HIDE TaskContext* createComponentOf(std::string instance_name) {
 
 }  // namespace plugin
 
-/** A static object of this type registers a component class under the given name. */
+/** A static object of this type registers a component class under the given name, as long as it exists. */
 template <class C>
 class RTT_HIDE ComponentFactoryLoader {
 public:
+#ifdef ORO_COMPONENT_LIBRARY_
     explicit ComponentFactoryLoader(const std::string& type_name) {
-#ifdef RTT_COMPONENT
         ComponentFactories::add(plugin::libraryFactories(), type_name, &plugin::createComponentOf<C>);
-#else
-        ComponentFactories::add(ComponentFactories::Instance(), type_name, &plugin::createComponentOf<C>);
-#endif
     }
+#else
+    explicit ComponentFactoryLoader(const std::string& type_name) : type_name_(type_name) {
+        ComponentFactories::add(type_name_, &plugin::createComponentOf<C>);
+    }
+    ~ComponentFactoryLoader() { ComponentFactories::remove(type_name_, &plugin::createComponentOf<C>); }
+
+private:
+    std::string type_name_;
+#endif
 };
 
 }  // namespace RTT
@@ -78,7 +101,7 @@ public:
                                                                          __COUNTER__)(#__VA_ARGS__); \
     }
 
-#ifdef RTT_COMPONENT
+#ifdef ORO_COMPONENT_LIBRARY_
 
 /** Makes the library one that holds exactly this component type. Use once per library. */
 #define ORO_CREATE_COMPONENT(...)                                                                                      \

@@ -3,6 +3,7 @@
 # Plugin and component loader.
 target_sources(orocos-rtt PRIVATE
   rtt/deployment/ComponentLoader.cpp
+  rtt/deployment/component_factories.cpp
   rtt/deployment/detail/component_library.cpp
   rtt/deployment/detail/component_table.cpp
   rtt/deployment/detail/package_import.cpp

@@ -59,16 +59,14 @@ bool finish(const plugin::PackageImport& import, const std::string& what, Logger
     return import.errors().empty();
 }
 
+/** Logs why a component library could not be loaded or unloaded, if it could not. */
+bool succeeded(const char* what, const std::string& file, const std::string& error) {
+    if (!error.empty())
+        log(Error) << "could not " << what << " component library '" << file << "': " << error << endlog();
+    return error.empty();
+}
+
 }  // namespace
-
-FactoryMap& ComponentFactories::Instance() {
-    static FactoryMap types;
-    return types;
-}
-
-void ComponentFactories::add(FactoryMap& types, const std::string& type_name, ComponentLoaderSignature create) {
-    types[type_name] = create;
-}
 
 struct ComponentLoader::Impl {
     plugin::ComponentTable table;
@@ -76,7 +74,7 @@ struct ComponentLoader::Impl {
     std::string path = plugin::defaultSearchPath();
 };
 
-ComponentLoader::ComponentLoader() : impl_(new Impl) {}
+ComponentLoader::ComponentLoader() : impl_(new Impl) { impl_->table.loadLinked(); }
 
 ComponentLoader::~ComponentLoader() = default;
 
@@ -88,7 +86,7 @@ ComponentLoader::shared_ptr ComponentLoader::Instance() {
 
 void ComponentLoader::Release() {
     const std::lock_guard<std::mutex> lock(instanceMutex());
-    instance().reset();
+    if (instance() && instance()->listComponents().empty()) instance().reset();
 }
 
 bool ComponentLoader::import(const std::string& path_list) {
@@ -115,10 +113,7 @@ bool ComponentLoader::import(const std::string& package, const std::string& path
 
 bool ComponentLoader::loadLibrary(const std::string& path) {
     const Logger::In in("ComponentLoader");
-    std::string error;
-    const bool loaded = loadLibrary(path, error);
-    if (!loaded) log(Error) << "could not load component library '" << path << "': " << error << endlog();
-    return loaded;
+    return succeeded("load", path, impl_->table.loadLibrary(path).error);
 }
 
 bool ComponentLoader::loadLibrary(const std::string& path, std::string& error) {
@@ -126,11 +121,14 @@ bool ComponentLoader::loadLibrary(const std::string& path, std::string& error) {
     return error.empty();
 }
 
+bool ComponentLoader::unloadLibrary(const std::string& filepath) {
+    const Logger::In in("ComponentLoader");
+    return succeeded("unload", filepath, impl_->table.unloadLibrary(filepath));
+}
+
 bool ComponentLoader::reloadLibrary(const std::string& filepath) {
     const Logger::In in("ComponentLoader");
-    const std::string error = impl_->table.reloadLibrary(filepath);
-    if (!error.empty()) log(Error) << "could not reload component library '" << filepath << "': " << error << endlog();
-    return error.empty();
+    return succeeded("reload", filepath, impl_->table.reloadLibrary(filepath));
 }
 
 TaskContext* ComponentLoader::loadComponent(const std::string& name, const std::string& type) {
@@ -151,10 +149,8 @@ TaskContext* ComponentLoader::loadComponent(const std::string& name, const std::
 
 bool ComponentLoader::unloadComponent(TaskContext* tc) {
     const Logger::In in("ComponentLoader");
-    if (!tc || !impl_->table.owns(tc)) {
-        log(Error) << "refusing to unload "
-                   << (tc ? "component '" + tc->getName() + "'" : std::string("a null component"))
-                   << ": it was not loaded by this loader" << endlog();
+    if (!tc || !impl_->table.claim(tc)) {
+        log(Error) << "refusing to unload a component that this loader did not load" << endlog();
         return false;
     }
     const std::string name = tc->getName();
@@ -188,7 +184,7 @@ void ComponentLoader::setComponentPath(const std::string& newpath) {
     impl_->path = newpath;
 }
 
-FactoryMap ComponentLoader::getFactories() const { return impl_->table.factories(); }
+const FactoryMap& ComponentLoader::getFactories() const { return impl_->table.keptFactories(); }
 
 void ComponentLoader::addFactory(const std::string& type_name, ComponentLoaderSignature factory) {
     impl_->table.addFactory(type_name, factory);

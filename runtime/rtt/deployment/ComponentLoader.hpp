@@ -30,7 +30,10 @@ public:
 
     /** The one loader of the process. The first call reads RTT_COMPONENT_PATH. */
     static shared_ptr Instance();
-    /** Drops the process' reference. Component libraries stay loaded: their components may outlive the loader. */
+    /**
+     * Drops the process' reference, so that the next loader begins with nothing imported; not while components exist that
+     * it made, for somebody uses it then. Component libraries stay loaded in any case.
+     */
     static void Release();
 
     virtual ~ComponentLoader();
@@ -61,7 +64,19 @@ public:
     bool loadLibrary(const std::string& path);
     /** As above; the reason of a failure is stored in `error` instead of being logged. */
     bool loadLibrary(const std::string& path, std::string& error);
-    /** Unloads and loads a library again. False if the file was not loaded before, or components of it exist. */
+    /**
+     * Unloads a library and forgets its types; packages it belongs to can be imported again. False if the file is not
+     * loaded, or a component exists that loadComponent made from it. The loader does not know of anything else that needs
+     * the library's code: components made by a function of getFactories() or by the library itself, operation callers and
+     * send handles of its operations, data sources and samples of its types. Delete or disconnect them first. Waits for
+     * the data path of all threads.
+     */
+    bool unloadLibrary(const std::string& filepath);
+    /**
+     * Unloads and loads a library again, on the same conditions. False, too, if it stays in memory meanwhile, because
+     * something else holds it; then its types stay as they were. If the file cannot be loaded again, it stays unloaded, and
+     * packages it belongs to can be imported again.
+     */
     bool reloadLibrary(const std::string& filepath);
 
     /**
@@ -86,8 +101,8 @@ public:
     /** Replaces the search path; imports nothing. */
     void setComponentPath(const std::string& newpath);
 
-    /** The types that can be created and how, by name; the program's own included. */
-    FactoryMap getFactories() const;
+    /** The types that can be created now and how, by name; the program's own included. Valid as long as the loader. */
+    const FactoryMap& getFactories() const;
     /** Registers a type by hand; replaces one of the same name. */
     void addFactory(const std::string& type_name, ComponentLoaderSignature factory);
 

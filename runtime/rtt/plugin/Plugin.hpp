@@ -10,6 +10,7 @@
 
 #include <rtt/rtt-config.h>
 #include "c_linkage.hpp"
+#include "version_guard.hpp"
 
 #include <string>
 

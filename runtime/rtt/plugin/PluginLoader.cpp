@@ -38,7 +38,8 @@ bool addGlobalService(const LoadedPlugin& plugin) {
         log(Error) << "plugin '" << plugin.name << "' was found, but it is not a service" << endlog();
         return false;
     }
-    return internal::GlobalService::Instance()->addService(plugin.createService());
+    const Service::shared_ptr global = internal::GlobalService::Instance();
+    return global->hasService(plugin.name) || global->addService(plugin.createService());
 }
 
 bool loadInto(const LoadedPlugin& plugin, TaskContext* component, const std::string& owner) {
@@ -137,7 +138,7 @@ bool PluginLoader::loadLibrary(const std::string& path) {
 
 bool PluginLoader::loadLibrary(const std::string& path, std::string& error) {
     const Logger::In in("PluginLoader");
-    const std::string directory = fileName(parentPath(canonicalPath(path)));
+    const std::string directory = fileName(parentPath(absolutePath(path)));
     for (Kind kind : {Kind::Typekit, Kind::Plugin})
         if (directory == directoryOf(kind)) return impl_->table.load(path, kind, error);
     error = "its directory is named '" + directory + "', expected 'types' or 'plugins'";

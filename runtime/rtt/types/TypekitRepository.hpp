@@ -3,7 +3,9 @@
 #ifndef ORO_TYPEKIT_REPOSITORY_HPP
 #define ORO_TYPEKIT_REPOSITORY_HPP
 
+#include <rtt/plugin/Plugin.hpp>
 #include <rtt/rtt-config.h>
+
 #include <string>
 
 namespace RTT {
@@ -28,29 +30,14 @@ public:
 }  // namespace types
 }  // namespace RTT
 
-// The same brackets as <rtt/plugin/c_linkage.hpp>, which this layer must not include.
-#if defined(__clang__)
-#define ORO_TYPEKIT_C_LINKAGE_BEGIN_ \
-    _Pragma("clang diagnostic push") _Pragma("clang diagnostic ignored \"-Wreturn-type-c-linkage\"") extern "C" {
-#define ORO_TYPEKIT_C_LINKAGE_END_ \
-    }                              \
-    _Pragma("clang diagnostic pop")
-#else
-#define ORO_TYPEKIT_C_LINKAGE_BEGIN_ extern "C" {
-#define ORO_TYPEKIT_C_LINKAGE_END_ }
-#endif
-
 /** Makes the library a plugin that brings the typekit or transport CLASS, which must be default constructible. */
 #define ORO_TYPEKIT_PLUGIN(CLASS)                                                      \
-    ORO_TYPEKIT_C_LINKAGE_BEGIN_                                                       \
-    RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner);                            \
+    ORO_PLUGIN_C_LINKAGE_BEGIN_                                                        \
     RTT_EXPORT bool loadRTTPlugin(RTT::TaskContext* owner) {                           \
         return owner == nullptr && RTT::types::TypekitRepository::Import(new CLASS()); \
     }                                                                                  \
-    RTT_EXPORT std::string getRTTPluginName();                                         \
     RTT_EXPORT std::string getRTTPluginName() { return CLASS().getName(); }            \
-    RTT_EXPORT std::string getRTTTargetName();                                         \
     RTT_EXPORT std::string getRTTTargetName() { return OROCOS_TARGET_NAME; }           \
-    ORO_TYPEKIT_C_LINKAGE_END_
+    ORO_PLUGIN_C_LINKAGE_END_
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include "libraries.hpp"
+
 #include <rtt/TaskContext.hpp>
-#include <rtt/deployment/ComponentLoader.hpp>
 
 #include <support/temp_dir.hpp>
 
@@ -12,26 +13,13 @@
 
 namespace {
 
-using RTT::ComponentLoader;
+using loading_test::kPath;
+using loading_test::kTarget;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kPath = LOADING_TEST_PATH;
-const std::string kTarget = kPath + "/" OROCOS_TARGET_NAME;
-
-class ComponentLoading : public testing::Test {
-protected:
-    ComponentLoading() {
-        ComponentLoader::Release();  // each test begins with nothing imported
-        loader_ = ComponentLoader::Instance();
-        loader_->setComponentPath("/nowhere:" + kPath);
-    }
-
-    bool import(const std::string& package) { return loader_->import(package, std::string()); }
-
-    ComponentLoader::shared_ptr loader_;
-};
+class ComponentLoading : public loading_test::ComponentLoaderTest {};
 
 TEST_F(ComponentLoading, PackageIsFoundBelowTheTargetDirectory) {
     EXPECT_TRUE(import("single"));
@@ -153,7 +141,10 @@ TEST_F(ComponentLoading, ForeignComponentIsNotDeleted) {
 }
 
 TEST_F(ComponentLoading, LibraryIsReloadedOnlyWithoutComponents) {
-    const std::string file = kTarget + "/single/libloading_single-" OROCOS_TARGET_NAME ".so";
+    // A file of its own: other tests leave theirs in memory.
+    const oroforge::test::TempDir dir;
+    const std::string file = (dir / "libreloaded.so").string();
+    std::filesystem::copy_file(kTarget + "/single/libloading_single-" OROCOS_TARGET_NAME ".so", file);
     EXPECT_FALSE(loader_->reloadLibrary(file));
     ASSERT_TRUE(loader_->loadLibrary(file));
     RTT::TaskContext* component = loader_->loadComponent("one", "loading_test::Single");
@@ -161,6 +152,7 @@ TEST_F(ComponentLoading, LibraryIsReloadedOnlyWithoutComponents) {
     loader_->unloadComponent(component);
     EXPECT_TRUE(loader_->reloadLibrary(file));
     EXPECT_THAT(loader_->listComponentTypes(), Contains("loading_test::Single"));
+    EXPECT_TRUE(loader_->unloadLibrary(file));
 }
 
 TEST_F(ComponentLoading, FactoryCanBeAddedByHand) {

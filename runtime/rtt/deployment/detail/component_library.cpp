@@ -10,7 +10,7 @@ namespace RTT::plugin {
 namespace {
 
 /** Adds what the library exports; false if it exports neither form. */
-bool collectTypes(ComponentLibrary& result) {
+bool collectExported(ComponentLibrary& result) {
     auto* typesOf = result.library.function<FactoryMap*()>("getComponentFactoryMap");
     if (typesOf)
         if (const FactoryMap* types = typesOf()) result.types = *types;
@@ -18,6 +18,12 @@ bool collectTypes(ComponentLibrary& result) {
     auto* typeName = result.library.function<std::string()>("getComponentType");
     if (create && typeName) result.types[typeName()] = create;
     return typesOf || (create && typeName);
+}
+
+/** Adds what its static objects registered, as those do that were compiled without RTT_COMPONENT. */
+void collectRegistered(ComponentLibrary& result) {
+    for (const auto& type : ComponentFactories::all())
+        if (result.library.holds(reinterpret_cast<const void*>(type.second))) result.types.insert(type);
 }
 
 }  // namespace
@@ -29,7 +35,13 @@ LibraryState openComponentLibrary(const std::string& file, ComponentLibrary& res
         // Static objects of the library run here and may throw.
         result.library = SharedLibrary(result.path, SharedLibrary::Local, error);
         if (!result.library) return LibraryState::NotLoadable;
-        if (collectTypes(result)) return LibraryState::Opened;
+        if (const std::string version = result.library.otherVersion(); !version.empty()) {
+            error = "it is built for " + version + ", this program for " ORO_BUILT_FOR;
+            return LibraryState::NotLoadable;
+        }
+        const bool exports = collectExported(result);
+        collectRegistered(result);
+        if (exports || !result.types.empty()) return LibraryState::Opened;
         error =
             "it exports neither createComponent nor getComponentFactoryMap; "
             "put ORO_CREATE_COMPONENT or ORO_CREATE_COMPONENT_LIBRARY into it and define RTT_COMPONENT";

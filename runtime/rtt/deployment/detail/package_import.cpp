@@ -68,14 +68,23 @@ void PackageImport::libraryFile(const std::string& file) {
 void PackageImport::fromSearchPath(const std::string& name, const std::string& pathList) {
     std::vector<std::string> paths = splitPathList(pathList);
     if (std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
+    std::vector<std::string> first;
     std::string text;
     for (const std::string& path : paths) {
         const std::vector<std::string> directories = packageDirectories(path, name);
-        if (!directories.empty())
-            return importAll(name, directories);  // an overlay: the first path that has it hides the rest
         text += (text.empty() ? "" : ", ") + path;
+        if (directories.empty()) continue;
+        // An overlay: the first path that has it hides the rest.
+        if (first.empty())
+            first = directories;
+        else
+            log(Info) << "package '" << name << "' is in " << directories.front() << ", too: using that in "
+                      << first.front() << endlog();
     }
-    errors_.push_back("no such package or directory in the search path: " + text);
+    if (first.empty())
+        errors_.push_back("no such package or directory in the search path: " + text);
+    else
+        importAll(name, first);
 }
 
 void PackageImport::importAll(const std::string& what, const std::vector<std::string>& directories) {
@@ -86,9 +95,9 @@ void PackageImport::importAll(const std::string& what, const std::vector<std::st
         text += (text.empty() ? "" : ", ") + directory;
     }
     if (found && !broken_)
-        table_.addPackage(what);  // not when broken: a second attempt shall show the errors again
+        table_.addPackage(what, libraries_);  // not when broken: a second attempt shall show the errors again
     else if (!found && !broken_)
-        errors_.push_back("no components, typekits or plugins in " + text);
+        errors_.push_back("no components, typekits or plugins in " + text + others_);
 }
 
 bool PackageImport::importDirectory(const std::string& directory) {
@@ -98,9 +107,11 @@ bool PackageImport::importDirectory(const std::string& directory) {
         const ComponentTable::LoadResult result = table_.loadLibrary(file);
         if (result.error.empty()) {
             found = true;
+            libraries_.push_back(canonicalPath(file));
         } else if (result.noComponents) {
             // Libraries that components depend on often lie beside them.
             log(Info) << "'" << file << "' holds no components: " << result.error << endlog();
+            others_ += "; " + file + ": " + result.error;
         } else {
             errors_.push_back(file + ": " + result.error);
             broken_ = true;

@@ -34,6 +34,8 @@ private:
 
     ComponentTable& table_;
     std::vector<std::string> errors_;
+    std::vector<std::string> libraries_;  // of components, that are loaded now
+    std::string others_;                  // libraries that hold none, and why
     bool broken_ = false;
 };
 

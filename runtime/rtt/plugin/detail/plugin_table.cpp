@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One library: skip if there → open → has the symbols → name not taken → same target → accepts the process → keep.
+// One library: skip if there → open → has the symbols → same version → name not taken → same target → accepts the process.
 #include "plugin_table.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/rtt-config.h>
+#include <rtt/plugin/version_guard.hpp>
 #include "search_path.hpp"
 
+#include <algorithm>
 #include <exception>
 
 namespace RTT::plugin {
@@ -17,70 +19,129 @@ bool refuse(std::string& error, const std::string& why) {
     return false;
 }
 
-/** Runs the plugin's own start-up code; its exceptions end here. */
-bool acceptsProcess(const LoadedPlugin& plugin, std::string& error) {
-    try {
-        return plugin.load(nullptr) || refuse(error, "plugin '" + plugin.name + "' refused to load into this process");
-    } catch (const std::exception& thrown) {
-        return refuse(error, "plugin '" + plugin.name + "' threw while loading: " + thrown.what());
-    } catch (...) {
-        return refuse(error, "plugin '" + plugin.name + "' threw an unknown exception while loading");
-    }
+bool isSame(const LoadedPlugin& plugin, const std::string& file, const std::string& name) {
+    return plugin.name == name || fileName(plugin.file) == fileName(file) || shortName(plugin.file) == name;
+}
+
+const char* kindOf(const LoadedPlugin& plugin) {
+    if (plugin.kind == Kind::Typekit) return "typekit";
+    return plugin.createService ? "service" : "plugin";
+}
+
+/** "plugin 'name' is built for x, this program for y". */
+std::string misfit(const LoadedPlugin& plugin, const std::string& itsOwn, const char* ours) {
+    return "plugin '" + plugin.name + "' is built for " + itsOwn + ", this program for " + ours;
 }
 
 }  // namespace
 
 bool PluginTable::load(const std::string& file, Kind kind, std::string& error) {
     const std::string path = canonicalPath(file);
-    if (skip(path, shortName(path))) return true;
+    Attempts::iterator attempt;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        attempt = attempts_.insert(
+            attempts_.end(),
+            Attempt{{path, shortName(path), kind, nullptr, nullptr}, std::this_thread::get_id(), nullptr});
+    }
+    bool done = false;
+    try {
+        done = !isFirst(attempt) || open(attempt, error);
+    } catch (const std::exception& thrown) {
+        error = "plugin '" + attempt->plugin.name + "' threw while loading: " + thrown.what();
+    } catch (...) {
+        error = "plugin '" + attempt->plugin.name + "' threw an unknown exception while loading";
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (Attempt& other : attempts_)
+        if (other.awaited == &*attempt) other.awaited = nullptr;
+    attempts_.erase(attempt);
+    ended_.notify_all();
+    return done;
+}
 
-    SharedLibrary library(path, SharedLibrary::Global, error);
+bool PluginTable::open(Attempts::iterator attempt, std::string& error) {
+    LoadedPlugin plugin = attempt->plugin;
+    SharedLibrary library(plugin.file, SharedLibrary::Global, error);
     if (!library) return false;
-    LoadedPlugin plugin{path, shortName(path), kind, library.function<bool(TaskContext*)>("loadRTTPlugin"),
-                        library.function<Service::shared_ptr()>("createService")};
+    plugin.load = library.function<bool(TaskContext*)>("loadRTTPlugin");
+    plugin.createService = library.function<Service::shared_ptr()>("createService");
     if (!plugin.load) return refuse(error, "not a plugin, it does not export loadRTTPlugin");
-    if (auto* name = library.function<std::string()>("getRTTPluginName")) plugin.name = name();
-    if (skip(path, plugin.name)) return true;
-    if (auto* target = library.function<std::string()>("getRTTTargetName"); target && target() != OROCOS_TARGET_NAME)
-        return refuse(error, "plugin '" + plugin.name + "' is built for target " + target() +
-                                 ", this program for " OROCOS_TARGET_NAME);
-    if (!acceptsProcess(plugin, error)) return false;
+    if (const std::string version = library.otherVersion(); !version.empty())
+        return refuse(error, misfit(plugin, version, ORO_BUILT_FOR));
 
+    // From here on code of the plugin runs: what it throws or makes, types and services, needs the library to stay, even if
+    // it refuses in the end.
+    auto* name = library.function<std::string()>("getRTTPluginName");
+    auto* target = library.function<std::string()>("getRTTTargetName");
     library.keep();
-    log(Info) << "loaded "
-              << (kind == Kind::Typekit  ? "typekit"
-                  : plugin.createService ? "service"
-                                         : "plugin")
-              << " '" << plugin.name << "' from " << path << endlog();
+    if (name) plugin.name = name();
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        attempt->plugin = plugin;
+    }
+    if (!isFirst(attempt)) return true;
+    if (target && target() != OROCOS_TARGET_NAME)
+        return refuse(error, misfit(plugin, "target " + target(), OROCOS_TARGET_NAME));
+    if (!plugin.load(nullptr)) return refuse(error, "plugin '" + plugin.name + "' refused to load into this process");
+    log(Info) << "loaded " << kindOf(plugin) << " '" << plugin.name << "' from " << plugin.file << endlog();
     const std::lock_guard<std::mutex> lock(mutex_);
     plugins_.push_back(plugin);
     return true;
 }
 
-bool PluginTable::skip(const std::string& file, const std::string& name) const {
-    std::string first;
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        const LoadedPlugin* other = same(file, name);
-        if (!other) return false;
-        first = other->file;
+/** True if the attempt does not end before the thread goes on: it is the thread's own, or waits for one that is. */
+bool PluginTable::isHeldUpBy(const Attempt& attempt, std::thread::id thread) const {
+    const Attempt* next = &attempt;
+    while (next && next->thread != thread) {
+        // A thread waits in the last of its attempts, for they are nested.
+        const auto isOfSameThread = [&](const Attempt& other) { return other.thread == next->thread; };
+        next = std::find_if(attempts_.rbegin(), attempts_.rend(), isOfSameThread)->awaited;
     }
+    return next != nullptr;
+}
+
+/**
+ * False if a plugin of its name is loaded, or just being loaded by this very thread or by one that waits for it. Waits
+ * for other threads.
+ */
+bool PluginTable::isFirst(Attempts::iterator attempt) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const LoadedPlugin& plugin = attempt->plugin;
+    const auto rival = [&] {
+        return std::find_if(attempts_.begin(), attempt,
+                            [&](const Attempt& other) { return isSame(other.plugin, plugin.file, plugin.name); });
+    };
+    while (rival() != attempt) {
+        if (isHeldUpBy(*rival(), attempt->thread)) return false;
+        attempt->awaited = &*rival();
+        ended_.wait(lock);
+        attempt->awaited = nullptr;
+    }
+    const LoadedPlugin* known = same(plugin.file, plugin.name);
+    if (!known) return true;
+    const std::string first = known->file;
+    lock.unlock();
     // The same file again is routine; another one that is hidden by the first deserves to be seen.
-    log(first == file ? Debug : Info) << "not loading plugin " << file << ": '" << name << "' is already loaded from "
-                                      << first << endlog();
-    return true;
+    log(first == plugin.file ? Debug : Info) << "not loading plugin " << plugin.file << ": '" << plugin.name
+                                             << "' is already loaded from " << first << endlog();
+    return false;
 }
 
 const LoadedPlugin* PluginTable::same(const std::string& file, const std::string& name) const {
     for (const LoadedPlugin& plugin : plugins_)
-        if (plugin.name == name || fileName(plugin.file) == fileName(file) || shortName(plugin.file) == name)
-            return &plugin;
+        if (isSame(plugin, file, name)) return &plugin;
     return nullptr;
 }
 
 bool PluginTable::contains(const std::string& fileOrName) const {
+    const std::string name = shortName(fileOrName);
     const std::lock_guard<std::mutex> lock(mutex_);
-    return same(fileOrName, fileOrName) || same(fileOrName, shortName(fileOrName));
+    const auto isStarting = [&](const Attempt& attempt) {
+        return attempt.thread == std::this_thread::get_id() && isSame(attempt.plugin, fileOrName, name);
+    };
+    return same(fileOrName, fileOrName) || same(fileOrName, name) ||
+           std::any_of(attempts_.begin(), attempts_.end(), isStarting);
 }
 
 bool PluginTable::find(const std::string& name, LoadedPlugin& plugin) const {

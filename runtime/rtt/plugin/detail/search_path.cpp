@@ -89,6 +89,12 @@ std::string canonicalPath(const std::string& path) {
     return error ? path : real.string();
 }
 
+std::string absolutePath(const std::string& path) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    return error ? path : absolute.lexically_normal().string();
+}
+
 std::string fileName(const std::string& path) {
     const std::size_t last = path.find_last_not_of('/');
     if (last == std::string::npos) return path;

@@ -25,6 +25,8 @@ bool isDirectory(const std::string& path);
 bool isFile(const std::string& path);
 /** The path without links, `.` and `..`; unchanged if it does not exist. */
 std::string canonicalPath(const std::string& path);
+/** The path from the root directory on, links as they are. */
+std::string absolutePath(const std::string& path);
 /** The last component of a path, a final '/' ignored. */
 std::string fileName(const std::string& path);
 /** All before the last component of a path; "." if there is nothing. */

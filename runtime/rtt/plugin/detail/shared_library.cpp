@@ -2,12 +2,32 @@
 // Copyright Oroforge contributors
 #include "shared_library.hpp"
 
+#include <rtt/plugin/version_guard.hpp>
+
 #include <dlfcn.h>
 #include <link.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace RTT::plugin {
+namespace {
+
+/** The files of all libraries in the process, in order of loading; the program itself has none. */
+std::vector<std::string> loadedFiles() {
+    std::vector<std::string> files;
+    const auto add = [](dl_phdr_info* info, std::size_t, void* to) {
+        static_cast<std::vector<std::string>*>(to)->emplace_back(info->dlpi_name);
+        return 0;
+    };
+    dl_iterate_phdr(add, &files);
+    return files;
+}
+
+/** How many there were when this library was initialised: the program's own. */
+const std::size_t loadedWithProgram = loadedFiles().size();
+
+}  // namespace
 
 SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& error) {
     // Without a slash the linker would search its own path instead of opening this file.
@@ -34,13 +54,44 @@ SharedLibrary::~SharedLibrary() {
 
 void* SharedLibrary::ownSymbol(const char* name) const {
     void* symbol = dlsym(handle_, name);
+    return symbol && holds(symbol) ? symbol : nullptr;
+}
+
+bool SharedLibrary::holds(const void* address) const {
     Dl_info info;
     link_map* owner = nullptr;
     link_map* self = nullptr;
-    if (!symbol || !dladdr1(symbol, &info, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP) ||
-        dlinfo(handle_, RTLD_DI_LINKMAP, &self) != 0)
-        return nullptr;
-    return owner == self ? symbol : nullptr;
+    return dladdr1(address, &info, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP) &&
+           dlinfo(handle_, RTLD_DI_LINKMAP, &self) == 0 && owner == self;
+}
+
+std::string SharedLibrary::otherVersion() const {
+    auto* builtFor = function<const char*()>("getRTTBuiltFor");
+    const std::string version = builtFor ? builtFor() : ORO_BUILT_FOR;
+    return version == ORO_BUILT_FOR ? std::string() : version;
+}
+
+bool SharedLibrary::isLoaded(const std::string& file) {
+    void* handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    if (handle) dlclose(handle);
+    return handle != nullptr;
+}
+
+std::string SharedLibrary::fileWith(const void* address) {
+    Dl_info info;
+    return dladdr(address, &info) && info.dli_fname ? info.dli_fname : std::string();
+}
+
+std::vector<std::string> SharedLibrary::linkedThatDefine(std::initializer_list<const char*> symbols) {
+    std::vector<std::string> files = loadedFiles();
+    files.resize(std::min(files.size(), loadedWithProgram));
+    const auto lacksAll = [&](const std::string& file) {
+        const SharedLibrary library(file.empty() ? nullptr : dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD));
+        return !library || std::none_of(symbols.begin(), symbols.end(),
+                                        [&](const char* symbol) { return library.ownSymbol(symbol) != nullptr; });
+    };
+    files.erase(std::remove_if(files.begin(), files.end(), lacksAll), files.end());
+    return files;
 }
 
 }  // namespace RTT::plugin

@@ -4,7 +4,9 @@
 #ifndef OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
 #define OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
 
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace RTT::plugin {
 
@@ -30,10 +32,24 @@ public:
         return reinterpret_cast<Function*>(ownSymbol(name));
     }
 
+    /** The function or object at this address belongs to this very library. */
+    bool holds(const void* address) const;
+
+    /** What the library says it was compiled for, if that is not what this program was compiled for; else empty. */
+    std::string otherVersion() const;
+
     /** Leaves the library loaded for the rest of the process. */
     void keep() { handle_ = nullptr; }
 
+    /** True if the process has the file loaded, whoever asked for it. */
+    static bool isLoaded(const std::string& file);
+    /** The file that the function or object at this address was loaded from, as its opener named it; empty if unknown. */
+    static std::string fileWith(const void* address);
+    /** The files of libraries that the program is linked with, so that they were loaded with it, and define a symbol. */
+    static std::vector<std::string> linkedThatDefine(std::initializer_list<const char*> symbols);
+
 private:
+    explicit SharedLibrary(void* handle) : handle_(handle) {}
     void* ownSymbol(const char* name) const;
 
     void* handle_ = nullptr;

@@ -15,7 +15,12 @@ bool loadRTTPlugin(RTT::TaskContext*) {
 #endif
 }
 
-std::string getRTTPluginName() { return "odd" + std::to_string(PLUGIN_KIND); }
+std::string getRTTPluginName() {
+#if PLUGIN_KIND == 4
+    throw std::runtime_error("no name on the box");
+#endif
+    return "odd" + std::to_string(PLUGIN_KIND);
+}
 
 #if PLUGIN_KIND == 3
 std::string getRTTTargetName() { return "xenomai"; }
