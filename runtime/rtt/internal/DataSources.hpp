@@ -5,6 +5,7 @@
 
 #include "AssignCommand.hpp"
 #include "DataSource.hpp"
+#include "Reference.hpp"
 
 namespace RTT {
 namespace internal {
@@ -81,7 +82,7 @@ private:
 
 /** Refers to a variable that the user owns and that must outlive this source. */
 template <typename T>
-class ReferenceDataSource : public AssignableDataSource<T> {
+class ReferenceDataSource : public AssignableDataSource<T>, public Reference {
 public:
     typedef boost::intrusive_ptr<ReferenceDataSource<T>> shared_ptr;
     typedef typename AssignableDataSource<T>::param_t param_t;
@@ -89,9 +90,11 @@ public:
 
     explicit ReferenceDataSource(reference_t ref) : mptr(std::addressof(ref)) {}
 
-    void setReference(base::DataSourceBase::shared_ptr source) {
-        if (source && source->getTypeId() && *source->getTypeId() == typeid(typename DataSource<T>::value_t))
-            if (void* at = source->getRawPointer()) mptr = static_cast<typename DataSource<T>::value_t*>(at);
+    void setReference(void* ref) override { mptr = static_cast<typename DataSource<T>::value_t*>(ref); }
+    bool setReference(base::DataSourceBase::shared_ptr source) override {
+        void* const at = source && this->hasTypeOf(*source) ? source->getRawPointer() : nullptr;
+        if (at) setReference(at);
+        return at != nullptr;
     }
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return *mptr; }

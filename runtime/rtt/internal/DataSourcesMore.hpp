@@ -26,7 +26,7 @@ public:
     AliasDataSource<T>* clone() const override { return new AliasDataSource<T>(alias_.get()); }
     AliasDataSource<T>* copy(CopyMap& cloned) const override { return new AliasDataSource<T>(alias_->copy(cloned)); }
 
-private:
+protected:
     typename DataSource<T>::shared_ptr alias_;
 };
 
@@ -48,41 +48,63 @@ public:
         return new AliasAssignableDataSource<T>(alias_->copy(cloned));
     }
 
-private:
+protected:
     typename AssignableDataSource<T>::shared_ptr alias_;
 };
 
-/** A source that runs an action each time before it is read. Owns the action. */
-template <typename T>
-class ActionAliasDataSource : public DataSource<T> {
+/** Runs an action each time before the source of type `Alias` is read. Owns the action. */
+template <typename T, class Alias>
+class ActionAlias : public Alias {
 public:
-    ActionAliasDataSource(base::ActionInterface* action, DataSource<T>* of) : action_(action), alias_(of) {}
+    template <class Source>
+    ActionAlias(base::ActionInterface* action, Source* of) : Alias(of), action_(action) {}
 
     bool evaluate() const override {
         action_->readArguments();
-        return action_->execute() && alias_->evaluate();
+        return action_->execute() && Alias::evaluate();
     }
     typename DataSource<T>::result_t get() const override {
         action_->readArguments();
         action_->execute();
-        return alias_->get();
+        return Alias::get();
     }
-    typename DataSource<T>::result_t value() const override { return alias_->value(); }
-    typename DataSource<T>::const_reference_t rvalue() const override { return alias_->rvalue(); }
     void reset() override {
-        alias_->reset();
+        this->alias_->reset();
         action_->reset();
     }
+
+protected:
+    std::unique_ptr<base::ActionInterface> action_;
+};
+
+/** A source that runs an action each time before it is read. Owns the action. */
+template <typename T>
+class ActionAliasDataSource : public ActionAlias<T, AliasDataSource<T>> {
+public:
+    ActionAliasDataSource(base::ActionInterface* action, DataSource<T>* of)
+        : ActionAlias<T, AliasDataSource<T>>(action, of) {}
+
     ActionAliasDataSource<T>* clone() const override {
-        return new ActionAliasDataSource<T>(action_->clone(), alias_.get());
+        return new ActionAliasDataSource<T>(this->action_->clone(), this->alias_.get());
     }
     ActionAliasDataSource<T>* copy(CopyMap& cloned) const override {
-        return new ActionAliasDataSource<T>(action_->copy(cloned), alias_->copy(cloned));
+        return new ActionAliasDataSource<T>(this->action_->copy(cloned), this->alias_->copy(cloned));
     }
+};
 
-private:
-    std::unique_ptr<base::ActionInterface> action_;
-    typename DataSource<T>::shared_ptr alias_;
+/** The same with a value that can be changed. */
+template <typename T>
+class ActionAliasAssignableDataSource : public ActionAlias<T, AliasAssignableDataSource<T>> {
+public:
+    ActionAliasAssignableDataSource(base::ActionInterface* action, AssignableDataSource<T>* of)
+        : ActionAlias<T, AliasAssignableDataSource<T>>(action, of) {}
+
+    ActionAliasAssignableDataSource<T>* clone() const override {
+        return new ActionAliasAssignableDataSource<T>(this->action_->clone(), this->alias_.get());
+    }
+    ActionAliasAssignableDataSource<T>* copy(CopyMap& cloned) const override {
+        return new ActionAliasAssignableDataSource<T>(this->action_->copy(cloned), this->alias_->copy(cloned));
+    }
 };
 
 /** A reference that is bound after construction; using it before is a programming error. */

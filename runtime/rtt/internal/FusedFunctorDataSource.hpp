@@ -18,18 +18,39 @@ namespace internal {
 
 namespace detail {
 
+/** What a function takes as one of its arguments. */
+struct ArgumentType {
+    const std::type_info* id;  ///< without reference and const
+    bool isOutput;             ///< the function changes it
+};
+
+/** Arguments of other types, converted where possible; variables that the function changes are left alone. */
+RTT_API std::vector<base::DataSourceBase::shared_ptr> convertedTo(
+    const ArgumentType* types, std::size_t count, const std::vector<base::DataSourceBase::shared_ptr>& list);
+/** True if number and types fit; what the function changes must be assignable. */
+RTT_API bool areArguments(const ArgumentType* types, std::size_t count,
+                          const std::vector<base::DataSourceBase::shared_ptr>& list);
+/**
+ * The arguments, converted where possible. Throws wrong_number_of_args_exception, wrong_types_of_args_exception or
+ * non_lvalue_args_exception if they do not fit.
+ */
+RTT_API std::vector<base::DataSourceBase::shared_ptr> checkedArguments(
+    const ArgumentType* types, std::size_t count, const std::vector<base::DataSourceBase::shared_ptr>& list);
+
 /** The arguments of a call, as addresses of evaluated values. */
 template <class... A>
 class CallArguments {
 public:
     typedef std::vector<base::DataSourceBase::shared_ptr> List;
 
-    explicit CallArguments(const List& list) { std::copy_n(list.begin(), sizeof...(A), sources_.begin()); }
-
-    /** True if number and types fit; arguments taken by non-const reference need assignable sources. */
-    static bool accept(const List& list) {
-        return list.size() == sizeof...(A) && accept(list, std::index_sequence_for<A...>());
+    /** As checkedArguments(). */
+    CallArguments(const List& list) {
+        const List checked = checkedArguments(types.data(), types.size(), list);
+        std::copy(checked.begin(), checked.end(), sources_.begin());
     }
+
+    static bool accept(const List& list) { return areArguments(types.data(), types.size(), list); }
+    static List convert(const List& list) { return convertedTo(types.data(), types.size(), list); }
     /** False if one of them cannot be. */
     bool evaluate() const {
         return std::all_of(sources_.begin(), sources_.end(), [](const auto& source) { return source->evaluate(); });
@@ -40,27 +61,19 @@ public:
         return callWith(f, std::index_sequence_for<A...>());
     }
 
-    List copy(CopyMap& cloned) const {
-        List copies;
-        for (const auto& source : sources_) copies.push_back(source->copy(cloned));
+    CallArguments copy(CopyMap& cloned) const {
+        CallArguments copies(*this);
+        for (auto& source : copies.sources_) source = source->copy(cloned);
         return copies;
     }
-    List list() const { return List(sources_.begin(), sources_.end()); }
 
 private:
     template <class T>
     static constexpr bool isOutput = std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
 
-    template <class T>
-    static bool acceptOne(const base::DataSourceBase::shared_ptr& source) {
-        return source && source->getTypeId() && *source->getTypeId() == typeid(typename remove_cr<T>::type) &&
-               (!isOutput<T> || source->isAssignable());
-    }
-    template <std::size_t... I>
-    static bool accept(const List& list, std::index_sequence<I...>) {
-        (void)list;
-        return (acceptOne<A>(list[I]) && ...);
-    }
+    static constexpr std::array<ArgumentType, sizeof...(A)> types = {
+        {{&typeid(typename remove_cr<A>::type), isOutput<A>}...}};
+
     template <class T>
     static decltype(auto) value(const base::DataSourceBase::shared_ptr& source) {
         using V = typename remove_cr<T>::type;
@@ -90,30 +103,38 @@ class FusedFunctorDataSource<
 public:
     typedef typename DataSource<R>::value_t value_t;
     typedef boost::function<R(A...)> function_type;
+    typedef typename DataSource<R>::const_reference_t const_reference_t;
 
     FusedFunctorDataSource(function_type f, detail::CallArguments<A...> arguments)
         : function_(std::move(f)), arguments_(std::move(arguments)), result_() {}
 
     bool evaluate() const override {
         if (!arguments_.evaluate()) return false;
-        result_ = arguments_.call(function_);
+        if constexpr (std::is_void_v<R>)
+            arguments_.call(function_);
+        else
+            result_ = arguments_.call(function_);
         return true;
     }
     typename DataSource<R>::result_t get() const override {
         evaluate();
-        return result_;
+        return value();
     }
-    typename DataSource<R>::result_t value() const override { return result_; }
-    typename DataSource<R>::const_reference_t rvalue() const override { return result_; }
+    typename DataSource<R>::result_t value() const override {
+        if constexpr (!std::is_void_v<R>) return result_;
+    }
+    const_reference_t rvalue() const override {
+        if constexpr (!std::is_void_v<R>) return result_;
+    }
     FusedFunctorDataSource* clone() const override { return new FusedFunctorDataSource(function_, arguments_); }
     FusedFunctorDataSource* copy(CopyMap& cloned) const override {
-        return new FusedFunctorDataSource(function_, detail::CallArguments<A...>(arguments_.copy(cloned)));
+        return new FusedFunctorDataSource(function_, arguments_.copy(cloned));
     }
 
 private:
     function_type function_;
     detail::CallArguments<A...> arguments_;
-    mutable value_t result_;
+    mutable std::conditional_t<std::is_void_v<R>, char, value_t> result_;
 };
 
 /** The result of a function that returns a reference: the variable it refers to, which can be assigned. */
@@ -146,7 +167,7 @@ public:
     }
     FusedFunctorDataSource* clone() const override { return new FusedFunctorDataSource(function_, arguments_); }
     FusedFunctorDataSource* copy(CopyMap& cloned) const override {
-        return new FusedFunctorDataSource(function_, detail::CallArguments<A...>(arguments_.copy(cloned)));
+        return new FusedFunctorDataSource(function_, arguments_.copy(cloned));
     }
 
 private:
@@ -159,8 +180,9 @@ private:
 
 namespace detail {
 template <class F, class R, class... A>
-base::DataSourceBase* makeFunctorSource(F f, const std::vector<base::DataSourceBase::shared_ptr>& arguments,
+base::DataSourceBase* makeFunctorSource(F f, const std::vector<base::DataSourceBase::shared_ptr>& given,
                                         types::detail::Signature<R(A...)>) {
+    const auto arguments = CallArguments<A...>::convert(given);
     if (!CallArguments<A...>::accept(arguments)) return nullptr;
     return new FusedFunctorDataSource<R(A...)>(std::move(f), CallArguments<A...>(arguments));
 }
@@ -168,7 +190,7 @@ base::DataSourceBase* makeFunctorSource(F f, const std::vector<base::DataSourceB
 
 /**
  * A new source that calls `f`, a function pointer or a function object whose signature can be told, on the
- * arguments; null if their number or types do not fit.
+ * arguments; null if their number or types do not fit. Arguments are converted, but not those that the function changes.
  */
 template <class F>
 base::DataSourceBase* newFunctorDataSource(F f, const std::vector<base::DataSourceBase::shared_ptr>& arguments) {

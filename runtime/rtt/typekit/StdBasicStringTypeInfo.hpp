@@ -18,7 +18,8 @@ public:
         const auto self = boost::dynamic_pointer_cast<StdBasicStringTypeInfo>(this->getSharedPtr());
         TemplateTypeInfo<T, true>::installTypeInfoObject(info);
         info->setMemberFactory(self);
-        // No composition factory: a string is a leaf. Reading takes the whole text, blanks included.
+        // A string is not made of its characters in files: it has no composition factory of a sequence.
+        // Reading takes the whole text, blanks included.
         info->setStreamFactory(boost::shared_ptr<StreamFactory>(new WholeText()));
         return false;
     }

@@ -14,6 +14,8 @@ class BoostArrayTypeInfo : public TemplateTypeInfo<T, has_ostream>, public Seque
 public:
     explicit BoostArrayTypeInfo(std::string name) : TemplateTypeInfo<T, has_ostream>(std::move(name)) {}
 
+    using SequenceTypeInfoBase<T>::composeType;
+    using SequenceTypeInfoBase<T>::decomposeType;
     bool installTypeInfoObject(TypeInfo* info) override {
         TemplateTypeInfo<T, has_ostream>::installTypeInfoObject(info);
         this->installMembers(info, boost::dynamic_pointer_cast<BoostArrayTypeInfo>(this->getSharedPtr()), !has_ostream);

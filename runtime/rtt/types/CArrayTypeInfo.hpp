@@ -15,6 +15,8 @@ class CArrayTypeInfo : public PrimitiveTypeInfo<T, has_ostream>, public Sequence
 public:
     explicit CArrayTypeInfo(std::string name) : PrimitiveTypeInfo<T, has_ostream>(std::move(name)) {}
 
+    using SequenceTypeInfoBase<T>::composeType;
+    using SequenceTypeInfoBase<T>::decomposeType;
     bool installTypeInfoObject(TypeInfo* info) override {
         PrimitiveTypeInfo<T, has_ostream>::installTypeInfoObject(info);
         this->installMembers(info, boost::dynamic_pointer_cast<CArrayTypeInfo>(this->getSharedPtr()), !has_ostream);

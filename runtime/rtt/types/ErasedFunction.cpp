@@ -3,10 +3,12 @@
 #include "ErasedFunction.hpp"
 
 #include <rtt/Attribute.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/base/ActionInterface.hpp>
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
 #include <cstring>
+#include <exception>
 
 namespace RTT {
 namespace types {
@@ -30,7 +32,13 @@ public:
         }
     }
     bool execute() override {
-        return ready_ && function_.call(function_.context.get(), values_.data(), result_->getRawPointer());
+        if (!ready_) return false;
+        try {
+            return function_.call(function_.context.get(), values_.data(), result_->getRawPointer());
+        } catch (const std::exception& reason) {
+            log(Error) << "no value of type " << result_->getTypeName() << ": " << reason.what() << endlog();
+            return false;
+        }
     }
     ActionInterface* clone() const override { return new ComputeAction(function_, arguments_, result_); }
     ActionInterface* copy(std::map<const DataSourceBase*, DataSourceBase*>& cloned) const override {

@@ -16,9 +16,9 @@ namespace types {
 /** Computes `result` (an existing value) from the arguments; false if there is no result, as for 1 / 0. */
 using ComputeFunction = bool (*)(const void* context, const void* const* arguments, void* result);
 
-/** A function of one to three values whose types are known by name only. */
+/** A function of values whose types are known by name only. */
 struct ErasedFunction {
-    static constexpr std::size_t maxArity = 3;
+    static constexpr std::size_t maxArity = 12;
 
     ComputeFunction call = nullptr;
     std::shared_ptr<const void> context;  ///< the function object
@@ -54,7 +54,7 @@ struct ErasedCall {
 
 template <class F, class R, class... A>
 ErasedFunction eraseAs(F f, Signature<R(A...)>) {
-    static_assert(sizeof...(A) <= ErasedFunction::maxArity, "at most three arguments");
+    static_assert(sizeof...(A) <= ErasedFunction::maxArity, "at most twelve arguments");
     ErasedFunction erased;
     erased.call = &ErasedCall<F, R, A...>::call;
     erased.context = std::make_shared<F>(std::move(f));

@@ -14,6 +14,8 @@ class RTT_API GlobalsRepository : public ConfigurationInterface {
 public:
     typedef boost::shared_ptr<GlobalsRepository> shared_ptr;
     static shared_ptr Instance();
+    /** For programs that end with it: nothing happens, the globals are kept until the process ends. */
+    static void Release() {}
 
 private:
     GlobalsRepository() = default;

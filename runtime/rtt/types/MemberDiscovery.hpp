@@ -29,10 +29,10 @@ public:
     explicit DiscoveredMembers(std::size_t objectSize) : objectSize_(objectSize) {}
 
     /** Members outside the object (temporaries of the serialization function) have no fixed place and are left out. */
-    void add(const char* name, std::ptrdiff_t offset, TypeRef type, std::size_t count) {
+    void add(const char* name, std::ptrdiff_t offset, TypeRef type, std::size_t count, TypeRef whole = nullptr) {
         if (offset < 0 || static_cast<std::size_t>(offset) >= objectSize_) return;
         names_.emplace_back(name);
-        members_.push_back({names_.back().c_str(), static_cast<std::size_t>(offset), type, count, "", ""});
+        members_.push_back({names_.back().c_str(), static_cast<std::size_t>(offset), type, count, "", "", whole});
     }
     const Member* table() const { return members_.data(); }
     std::size_t size() const { return members_.size(); }
@@ -43,13 +43,14 @@ private:
     std::vector<Member> members_;
 };
 
-/** Looks like an archive that loads. */
+/** Looks like an archive that loads an Object. */
+template <class Object>
 class NotingArchive {
 public:
     typedef boost::mpl::bool_<true> is_loading;
     typedef boost::mpl::bool_<false> is_saving;
 
-    NotingArchive(DiscoveredMembers& found, const void* object) : found_(found), object_(object) {}
+    NotingArchive(DiscoveredMembers& found, const Object& object) : found_(found), object_(std::addressof(object)) {}
 
     template <class T>
     void register_type(const T* = nullptr) {}
@@ -69,18 +70,20 @@ public:
     NotingArchive& operator<<(const boost::serialization::nvp<T>& pair) {
         return *this & pair;
     }
-    // Values without a name cannot be members.
+    /** A value without a name cannot be a member; of a base class the members are those of the object. */
     template <class T>
-    NotingArchive& operator&(const T&) {
+    NotingArchive& operator&(const T& value) {
+        if constexpr (std::is_base_of_v<T, Object> && !std::is_same_v<T, Object>)
+            boost::serialization::serialize_adl(*this, const_cast<T&>(value), 0u);
         return *this;
     }
     template <class T>
-    NotingArchive& operator>>(const T&) {
-        return *this;
+    NotingArchive& operator>>(const T& value) {
+        return *this & value;
     }
     template <class T>
-    NotingArchive& operator<<(const T&) {
-        return *this;
+    NotingArchive& operator<<(const T& value) {
+        return *this & value;
     }
 
 private:
@@ -99,10 +102,18 @@ private:
     void note(const char* name, const boost::serialization::array_wrapper<E>& wrapper) {
         noteArray(name, wrapper.address(), wrapper.count());
     }
+    template <class E, std::size_t N>
+    void note(const char* name, const boost::array<E, N>& member) {
+        noteArray(name, member.data(), N, &typeRef<boost::array<E, N>>);
+    }
+    template <class E, std::size_t N>
+    void note(const char* name, const std::array<E, N>& member) {
+        noteArray(name, member.data(), N, &typeRef<std::array<E, N>>);
+    }
     template <class E>
-    void noteArray(const char* name, const E* first, std::size_t count) {
+    void noteArray(const char* name, const E* first, std::size_t count, TypeRef whole = nullptr) {
         using Element = std::remove_cv_t<std::remove_all_extents_t<E>>;
-        found_.add(name, offsetOf(first), &typeRef<Element>, count * sizeof(E) / sizeof(Element));
+        found_.add(name, offsetOf(first), &typeRef<Element>, count * sizeof(E) / sizeof(Element), whole);
     }
 
     DiscoveredMembers& found_;
@@ -115,7 +126,7 @@ const DiscoveredMembers* discoverMembers() {
     static const DiscoveredMembers* const members = [] {
         auto* found = new DiscoveredMembers(sizeof(T));
         const auto object = std::make_unique<T>();
-        NotingArchive archive(*found, object.get());
+        NotingArchive<T> archive(*found, *object);
         boost::serialization::serialize_adl(archive, *object, 0u);
         return found;
     }();

@@ -6,6 +6,9 @@
 #include <rtt/base/DataSourceBase.hpp>
 
 namespace RTT {
+namespace internal {
+class Reference;
+}
 namespace types {
 
 /** Gives access to the members of values of one type. Every function has a default that knows no members. */
@@ -22,6 +25,9 @@ public:
     /** The same by a source that gives the name (string) or the index (int). */
     virtual base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                        base::DataSourceBase::shared_ptr id) const;
+    /** Lets `reference` refer to the member; false if there is no such member of the reference's type. */
+    virtual bool getMember(internal::Reference* reference, base::DataSourceBase::shared_ptr item,
+                           const std::string& name) const;
 };
 
 }  // namespace types

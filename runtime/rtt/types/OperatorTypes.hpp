@@ -22,6 +22,18 @@ BinaryOp* newBinaryOperator(const char* op, F function) {
     return new BinaryOp{op, eraseFunction(std::move(function))};
 }
 
+/** The same with three operands; std::ternary_function is a base for such function objects. */
+template <class F>
+TernaryOp* newTernaryOperator(const char* op, F function) {
+    return new TernaryOp{op, eraseFunction(std::move(function))};
+}
+
+/** A part computed by a function of the value. */
+template <class F>
+DotOp* newDotOperator(const char* name, F function) {
+    return new DotOp{name, eraseFunction(std::move(function))};
+}
+
 }  // namespace types
 }  // namespace RTT
 

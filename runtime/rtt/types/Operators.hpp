@@ -23,6 +23,18 @@ struct BinaryOp {
     ErasedFunction function;
 };
 
+/** An operator on three values, such as an assignment to an element. */
+struct TernaryOp {
+    std::string op;
+    ErasedFunction function;
+};
+
+/** A part of a value that is computed from it, reached as `value.name`. */
+struct DotOp {
+    std::string op;
+    ErasedFunction function;
+};
+
 /** One built-in operator in a constant table. */
 struct OperatorRow {
     const char* op;
@@ -35,23 +47,33 @@ class RTT_API OperatorRepository {
 public:
     typedef boost::shared_ptr<OperatorRepository> shared_ptr;
     static shared_ptr Instance();
+    /** For programs that end with it: nothing happens, the operators are kept until the process ends. */
+    static void Release() {}
     ~OperatorRepository();
 
     /** Takes ownership. */
     void add(UnaryOp* op);
     void add(BinaryOp* op);
+    void add(TernaryOp* op);
+    void add(DotOp* op);
     /** The rows must have static storage. */
     void add(const OperatorRow* rows, std::size_t count);
 
     /**
      * The source of the result: the operator of exactly these types, else the first one whose first type fits and to
-     * whose second type the second operand can be converted. Null if there is none. The caller owns it.
+     * whose other types the other operands can be converted; with one operand, the first one to whose type it can be
+     * converted. Null if there is none. The caller owns it.
      */
     base::DataSourceBase* applyUnary(const std::string& op, base::DataSourceBase* operand);
     base::DataSourceBase* applyBinary(const std::string& op, base::DataSourceBase* first, base::DataSourceBase* second);
+    base::DataSourceBase* applyTernary(const std::string& op, base::DataSourceBase* first, base::DataSourceBase* second,
+                                       base::DataSourceBase* third);
+    base::DataSourceBase* applyDot(const std::string& name, base::DataSourceBase* value);
 
 private:
     OperatorRepository();
+    base::DataSourceBase* apply(const std::string& op,
+                                const std::vector<base::DataSourceBase::shared_ptr>& operands) const;
     struct State;
     std::unique_ptr<State> state_;
 };

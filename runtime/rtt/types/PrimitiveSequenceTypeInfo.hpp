@@ -14,6 +14,8 @@ class PrimitiveSequenceTypeInfo : public PrimitiveTypeInfo<T, has_ostream>, publ
 public:
     explicit PrimitiveSequenceTypeInfo(std::string name) : PrimitiveTypeInfo<T, has_ostream>(std::move(name)) {}
 
+    using SequenceTypeInfoBase<T>::composeType;
+    using SequenceTypeInfoBase<T>::decomposeType;
     bool installTypeInfoObject(TypeInfo* info) override {
         PrimitiveTypeInfo<T, has_ostream>::installTypeInfoObject(info);
         this->installMembers(info, boost::dynamic_pointer_cast<PrimitiveSequenceTypeInfo>(this->getSharedPtr()),

@@ -3,6 +3,7 @@
 #ifndef ORO_PRIMITIVE_TYPE_INFO_HPP
 #define ORO_PRIMITIVE_TYPE_INFO_HPP
 
+#include "CompositionHooks.hpp"
 #include "TemplateStreamFactory.hpp"
 #include "TemplateValueFactory.hpp"
 #include "Types.hpp"
@@ -23,13 +24,19 @@ struct StreamBase<T, false> {};
 
 /**
  * Generator for a value type without ports: values, variables, properties, and the text form of operator<< if
- * `use_ostream`. Derived generators install theirs first and then this one's, or the other way round.
+ * `use_ostream`. Derived generators call this one's installTypeInfoObject() and install their own factories after it;
+ * what they override of the factories here, composeTypeImpl() and decomposeTypeImpl() included, is in use without that.
+ * What they do not override of those two stays as the type had it, if it was registered before.
  */
 template <typename T, bool use_ostream = false>
 class PrimitiveTypeInfo : public TypeInfoGenerator,
                           public TemplateValueFactory<T>,
+                          public CompositionByBag<T, CompositionHooks>,
                           public detail::StreamBase<T, use_ostream> {
 public:
+    typedef T UserType;
+    typedef T PropertyType;
+
     explicit PrimitiveTypeInfo(std::string name) : tname(std::move(name)) {}
 
     const std::string& getTypeName() const override { return tname; }
@@ -40,6 +47,7 @@ public:
         info->setOps(&typeOps<T>());
         info->setThunks(&thunks());
         info->setValueFactory(self);
+        detail::installComposition(*info, self);
         if constexpr (use_ostream) info->setStreamFactory(self);
         return false;
     }
@@ -62,5 +70,8 @@ private:
 
 }  // namespace types
 }  // namespace RTT
+
+// Users rely on it for more than this header needs.
+#include <rtt/usual_includes.hpp>
 
 #endif

@@ -5,6 +5,7 @@
 #include <rtt/internal/detail/property_update.hpp>
 #include "PropertyDecomposition.hpp"
 #include "Types.hpp"
+#include <rtt/types/detail/member_update.hpp>
 
 namespace RTT {
 namespace types {
@@ -14,6 +15,12 @@ using base::PropertyBase;
 
 namespace {
 
+/** `source`, or a copy if it cannot be changed: parts of that can, so that they are told from what is computed. */
+DataSourceBase::shared_ptr assignable(const DataSourceBase::shared_ptr& source) {
+    const auto copy = source->isAssignable() ? nullptr : source->getTypeInfo()->buildValue();
+    return copy && copy->update(source.get()) ? copy : source;
+}
+
 /** The members of a value as a bag: what its type makes of it, else one property per member. Null if it has none. */
 DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
     const TypeInfo* type = source->getTypeInfo();
@@ -22,10 +29,20 @@ DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
     const auto names = type->isStreamable() ? std::vector<std::string>() : type->getMemberNames();
     if (names.empty()) return nullptr;
     boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
-    result->set().setType(type->getTypeName());
-    for (const auto& name : names)
-        if (auto member = source->getMember(name))
-            result->set().ownProperty(member->getTypeInfo()->buildProperty(name, "Part", member));
+    PropertyBag& bag = result->set();
+    bag.setType(type->getTypeName());
+    const auto add = [&bag](const std::string& name, const char* description, const DataSourceBase::shared_ptr& part) {
+        return part && bag.ownProperty(part->getTypeInfo()->buildProperty(name, description, part));
+    };
+    const auto whole = assignable(source);
+    for (const auto& name : names) {
+        const auto member = whole->getMember(name);
+        // What is computed, such as the size of a container, is no part of the value.
+        if (member && member->isAssignable()) add(name, "Part", member);
+    }
+    const int count = bag.empty() ? detail::elementCount(whole) : 0;
+    for (int i = 0; i < count; ++i)
+        if (!add("Element" + std::to_string(i), "Sequence Element", detail::elementOf(whole, i))) return nullptr;
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/ElementDataSource.hpp>
+#include "Operators.hpp"
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
 #include <rtt/types/detail/member_update.hpp>
@@ -83,6 +84,7 @@ SourcePtr SequenceMembers::getMember(SourcePtr item, const std::string& name) co
     if (name == "size") return new CountDataSource(item, ops_.size);
     if (name == "capacity") return new CountDataSource(item, ops_.capacity);
     if (isIndexText(name)) return elementAt(item, std::strtoul(name.c_str(), nullptr, 10));
+    if (const SourcePtr computed = operators()->applyDot(name, item.get())) return computed;
     log(Error) << "a sequence has no member " << name << "; it has size, capacity, and elements by index" << endlog();
     return nullptr;
 }

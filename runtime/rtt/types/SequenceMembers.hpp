@@ -21,6 +21,7 @@ public:
 
     bool resize(base::DataSourceBase::shared_ptr value, int size) const override;
     std::vector<std::string> getMemberNames() const override;
+    using MemberFactory::getMember;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                const std::string& name) const override;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,

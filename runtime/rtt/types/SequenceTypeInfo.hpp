@@ -31,6 +31,8 @@ class SequenceTypeInfo : public TemplateTypeInfo<T, has_ostream>, public Sequenc
 public:
     explicit SequenceTypeInfo(std::string name) : TemplateTypeInfo<T, has_ostream>(std::move(name)) {}
 
+    using SequenceTypeInfoBase<T>::composeType;
+    using SequenceTypeInfoBase<T>::decomposeType;
     bool installTypeInfoObject(TypeInfo* info) override {
         TemplateTypeInfo<T, has_ostream>::installTypeInfoObject(info);
         this->installMembers(info, boost::dynamic_pointer_cast<SequenceTypeInfo>(this->getSharedPtr()), !has_ostream);

@@ -9,10 +9,11 @@
 namespace RTT {
 namespace types {
 
-/** Generator for std::vector<double>, registered as "array". */
-class StdVectorTypeInfo : public SequenceTypeInfo<std::vector<double>> {
+/** Generator for std::vector<Element>; that of double is registered as "array". */
+template <class Element = double>
+class StdVectorTypeInfo : public SequenceTypeInfo<std::vector<Element>> {
 public:
-    explicit StdVectorTypeInfo(const std::string& name = "array") : SequenceTypeInfo<std::vector<double>>(name) {}
+    explicit StdVectorTypeInfo(const std::string& name = "array") : SequenceTypeInfo<std::vector<Element>>(name) {}
 };
 
 }  // namespace types

@@ -34,6 +34,12 @@ const SequenceOps& byteOffsetOps() {
     return table;
 }
 
+/** Of an array, that of views on such arrays; an array of fixed size may have a type of its own instead. */
+const TypeInfo* typeOf(const Member& member) {
+    const TypeInfo* type = member.count ? Types()->getArrayType(member.type()) : Types()->getTypeById(member.type());
+    return !type && member.whole ? Types()->getTypeById(member.whole()) : type;
+}
+
 SourcePtr partOf(const SourcePtr& item, const Member& member, const TypeThunks& thunks) {
     char* at = static_cast<char*>(item->getRawPointer());
     return at ? thunks.part(at + member.offset, member.count, item.get()) : nullptr;
@@ -57,16 +63,15 @@ SourcePtr StructMembers::getMember(SourcePtr item, SourcePtr id) const { return 
 
 SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) const {
     if (!item->getTypeId() || *item->getTypeId() != *ops_.id) return nullptr;
-    const char* id = member.type();
-    const TypeInfo* type = member.count ? Types()->getArrayType(id) : Types()->getTypeById(id);
+    const TypeInfo* type = typeOf(member);
     if (!type || !type->getThunks()) {
         log(Error) << "member " << member.name << " of type " << item->getTypeName()
-                   << " is out of reach: its C++ type " << id
+                   << " is out of reach: its C++ type " << member.type()
                    << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
         return nullptr;
     }
     if (item->isAssignable()) return partOf(item, member, *type->getThunks());
-    if (!member.count && type->getThunks()->element) {
+    if (type->getThunks()->element) {
         auto* offset = new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(member.offset));
         return type->getThunks()->element(item.get(), offset, &byteOffsetOps());
     }
@@ -80,9 +85,9 @@ SourcePtr StructMembers::decomposeType(SourcePtr source) const {
     PropertyBag& bag = result->set();
     bag.setType(source->getTypeName());
     for (std::size_t i = 0; i != count_; ++i) {
-        const SourcePtr member = memberOf(source, members_[i]);
-        if (!member || !bag.ownProperty(member->getTypeInfo()->buildProperty(members_[i].name, "Part", member)))
-            return nullptr;
+        // What is out of reach was reported; the others are worth keeping.
+        if (const SourcePtr member = memberOf(source, members_[i]))
+            bag.ownProperty(member->getTypeInfo()->buildProperty(members_[i].name, "Part", member));
     }
     return result;
 }

@@ -22,6 +22,7 @@ public:
         : members_(members), count_(count), ops_(ops), thunks_(thunks) {}
 
     std::vector<std::string> getMemberNames() const override;
+    using MemberFactory::getMember;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                const std::string& name) const override;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,

@@ -29,6 +29,7 @@ struct Member {
     std::size_t count;  ///< 0: not an array
     const char* doc;
     const char* unit;
+    TypeRef whole = nullptr;  ///< of an array that is a class of its own, such as boost::array
 };
 
 struct Enumerator {

@@ -26,12 +26,12 @@ public:
     bool installTypeInfoObject(TypeInfo* info) override {
         TemplateTypeInfo<T, has_ostream>::installTypeInfoObject(info);
         info->setMemberFactory(boost::dynamic_pointer_cast<StructTypeInfo>(this->getSharedPtr()));
-        info->setCompositionFactory(members_);
         if (!has_ostream) info->setStreamFactory(members_);
         return false;
     }
 
     std::vector<std::string> getMemberNames() const override { return members_->getMemberNames(); }
+    using MemberFactory::getMember;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                const std::string& name) const override {
         return members_->getMember(item, name);
@@ -39,6 +39,11 @@ public:
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                base::DataSourceBase::shared_ptr id) const override {
         return members_->getMember(item, id);
+    }
+    /** By decomposeTypeImpl() if a derived generator overrides it, else live members. */
+    base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {
+        const auto own = TemplateTypeInfo<T, has_ostream>::decomposeType(source);
+        return own ? own : members_->decomposeType(source);
     }
 
 private:

@@ -6,6 +6,7 @@
 #include "ErasedFunction.hpp"
 #include "TypeConstructor.hpp"
 #include "Types.hpp"
+#include <boost/function.hpp>
 
 namespace RTT {
 namespace types {
@@ -14,8 +15,27 @@ namespace detail {
 RTT_API TypeConstructor* newErasedConstructor(const ErasedFunction& function, bool automatic);
 }
 
+/** A constructor by a function of that signature; newConstructor() makes one from anything that has a signature. */
+template <class Signature>
+struct TemplateConstructor : public TypeConstructor {
+    explicit TemplateConstructor(boost::function<Signature> function, bool automatic = false)
+        : erased_(detail::newErasedConstructor(detail::eraseAs(std::move(function), detail::Signature<Signature>()),
+                                               automatic)) {}
+
+    base::DataSourceBase::shared_ptr build(
+        const std::vector<base::DataSourceBase::shared_ptr>& arguments) const override {
+        return erased_->build(arguments);
+    }
+    base::DataSourceBase::shared_ptr convert(base::DataSourceBase::shared_ptr argument) const override {
+        return erased_->convert(argument);
+    }
+
+private:
+    boost::shared_ptr<TypeConstructor> erased_;
+};
+
 /**
- * A constructor from a function or function object of up to three values, for TypeInfo::addConstructor().
+ * A constructor from a function or function object of values, for TypeInfo::addConstructor().
  * With one argument it is a conversion, too: silent if `automatic`, else with a warning in the log.
  */
 template <class F>

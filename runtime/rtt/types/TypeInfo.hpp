@@ -7,6 +7,7 @@
 #include <boost/shared_ptr.hpp>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 #include <vector>
 
@@ -22,7 +23,8 @@ class ChannelElementBase;
 }  // namespace base
 namespace internal {
 class ConnFactory;
-}
+class Reference;
+}  // namespace internal
 
 namespace types {
 
@@ -33,6 +35,7 @@ class TypeTransporter;
 class ValueFactory;
 class MemberFactory;
 class CompositionFactory;
+class CompositionHooks;
 class StreamFactory;
 
 typedef boost::shared_ptr<ValueFactory> ValueFactoryPtr;
@@ -40,6 +43,11 @@ typedef boost::shared_ptr<MemberFactory> MemberFactoryPtr;
 typedef boost::shared_ptr<CompositionFactory> CompositionFactoryPtr;
 typedef boost::shared_ptr<StreamFactory> StreamFactoryPtr;
 typedef boost::shared_ptr<internal::ConnFactory> ConnFactoryPtr;
+
+namespace detail {
+/** A factory that asks `hooks`. */
+RTT_API CompositionFactoryPtr compositionBy(const boost::shared_ptr<CompositionHooks>& hooks);
+}  // namespace detail
 
 /**
  * All that is known at run time of one C++ type: its names, how to make values, variables, properties and ports of
@@ -108,13 +116,18 @@ public:
     /** Live part of `item`; null if there is no such member. */
     SourcePtr getMember(SourcePtr item, const std::string& name) const;
     SourcePtr getMember(SourcePtr item, SourcePtr id) const;
+    /** Lets `reference` refer to that member; false if there is none. */
+    bool getMember(internal::Reference* reference, SourcePtr item, const std::string& name) const;
 
     // -- Decomposition --------------------------------------------------------------------------------------
     /** Sets `target`, of this type, from a value of this type, a bag of its members, or another form it knows. */
     bool composeType(SourcePtr source, SourcePtr target) const;
     /** A simpler form of the value: a bag of members, a number, a text; null if it has none. */
     SourcePtr decomposeType(SourcePtr source) const;
+    /** Sets `target` from `source`, converted if needed; false if there is no conversion. */
     bool convertType(SourcePtr source, SourcePtr target) const;
+    /** A compatible value of a more common type, such as an int for a short; `source` itself if there is none. */
+    SourcePtr convertType(SourcePtr source) const;
 
     // -- Ports ----------------------------------------------------------------------------------------------
     base::InputPortInterface* inputPort(const std::string& name) const;
@@ -145,6 +158,12 @@ public:
     void setValueFactory(ValueFactoryPtr factory);
     void setMemberFactory(MemberFactoryPtr factory);
     void setCompositionFactory(CompositionFactoryPtr factory);
+    /** For a generator that is no factory itself: what it overrides of CompositionHooks. */
+    template <class Generator, class = std::enable_if_t<std::is_base_of<CompositionHooks, Generator>::value &&
+                                                        !std::is_convertible<Generator*, CompositionFactory*>::value>>
+    void setCompositionFactory(const boost::shared_ptr<Generator>& self) {
+        setCompositionFactory(detail::compositionBy(self));
+    }
     void setStreamFactory(StreamFactoryPtr factory);
     void setPortFactory(ConnFactoryPtr factory);
     ValueFactoryPtr getValueFactory() const;

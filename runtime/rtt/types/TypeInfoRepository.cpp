@@ -30,6 +30,14 @@ struct TypeInfoRepository::State {
     boost::function<bool(const std::string&)> autoLoader;
     TypeInfo unknown{"unknown_t", &typeid(internal::UnknownType)};
 
+    /** False, and an error in the log, if the name belongs to another type than `info`. */
+    bool isFree(const std::string& name, const TypeInfo* info) const {
+        const TypeInfo* known = find(name);
+        if (!known || known == info) return true;
+        log(Error) << "refusing type " << name << ": the name belongs to another type already, C++ type "
+                   << known->getTypeIdName() << endlog();
+        return false;
+    }
     TypeInfo* find(const std::string& name) const {
         std::lock_guard<std::mutex> lock(mutex);
         auto it = byName.find(name);
@@ -102,17 +110,13 @@ bool TypeInfoRepository::addType(TypeInfoGenerator* generator) {
     if (!info) return false;
     const bool isNew = getTypeById(info->getTypeId()) != info;
     std::unique_ptr<TypeInfo> ownedInfo(isNew ? info : nullptr);
-    const TypeInfo* sameName = state_->find(name);
-    if (sameName && sameName != info) {
-        log(Error) << "refusing type " << name << ": the name belongs to another type already" << endlog();
-        return false;
-    }
-    if (!isNew) {
-        std::lock_guard<std::mutex> lock(state_->mutex);
-        if (info->addAlias(name)) state_->byName.emplace(name, info);
-    }
+    if (isNew ? !state_->isFree(name, info) : !aliasType(name, info)) return false;
     // A generator that installed itself is now owned by the type. Its own reference would keep it alive for ever.
     const bool disposable = generator->installTypeInfoObject(info);
+    if (!isNew && *info->getArrayElement()) {
+        std::lock_guard<std::mutex> lock(state_->mutex);
+        state_->byArrayElement.emplace(info->getArrayElement(), info);
+    }
     if (generator->self_) {
         (void)owned.release();
         const auto keepDuringReset = std::move(generator->self_);
@@ -139,6 +143,13 @@ bool TypeInfoRepository::addType(TypeInfo* info) {
         transports = state_->transports;
     }
     for (auto* transport : transports) transport->registerTransport(info->getTypeName(), info);
+    return true;
+}
+
+bool TypeInfoRepository::aliasType(const std::string& alias, TypeInfo* info) {
+    if (!info || !state_->isFree(alias, info)) return false;
+    std::lock_guard<std::mutex> lock(state_->mutex);
+    if (info->addAlias(alias)) state_->byName.emplace(alias, info);
     return true;
 }
 

@@ -26,6 +26,8 @@ public:
     typedef boost::shared_ptr<TypeInfoRepository> shared_ptr;
 
     static shared_ptr Instance();
+    /** For programs that end with it: nothing happens, the types are kept until the process ends. */
+    static void Release() {}
     ~TypeInfoRepository();
 
     /**
@@ -35,6 +37,8 @@ public:
     bool addType(TypeInfoGenerator* generator);
     /** Takes ownership. */
     bool addType(TypeInfo* info);
+    /** A further name for a registered type; false, and an error in the log, if another type has it. */
+    bool aliasType(const std::string& alias, TypeInfo* info);
 
     /** The type of that name (exact, dotted or alias), asking the auto-loader once for unknown names; or null. */
     TypeInfo* type(const std::string& name) const;

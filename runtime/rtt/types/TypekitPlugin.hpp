@@ -32,4 +32,7 @@ public:
 
 #include "TypekitRepository.hpp"
 
+// Users rely on it for more than this header needs.
+#include <rtt/usual_includes.hpp>
+
 #endif

@@ -27,6 +27,9 @@ public:
     /** From a wrapper with address() and count(), as boost::serialization's make_array() gives. */
     template <class W, class = decltype(std::declval<const W&>().address())>
     explicit carray(const W& wrapper) : data_(const_cast<T*>(wrapper.address())), count_(wrapper.count()) {}
+    /** On the elements of a boost::array or std::array. */
+    template <template <class, std::size_t> class Array, std::size_t N>
+    explicit carray(Array<T, N>& array) noexcept : data_(N ? &array[0] : nullptr), count_(N) {}
 
     /** Refers to another array from now on. */
     void init(value_type* data, std::size_t count) noexcept {
@@ -40,6 +43,13 @@ public:
             return *this;
         }
         for (std::size_t i = 0; i != count_ && i != other.count_; ++i) data_[i] = other.data_[i];
+        return *this;
+    }
+
+    /** Copies the elements of an array, as many as both have. */
+    template <template <class, std::size_t> class Array, std::size_t N>
+    carray& operator=(const Array<T, N>& other) {
+        for (std::size_t i = 0; i != count_ && i != N; ++i) data_[i] = other[i];
         return *this;
     }
 

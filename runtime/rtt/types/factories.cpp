@@ -13,6 +13,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/internal/Reference.hpp>
 #include <sstream>
 
 namespace RTT {
@@ -49,6 +50,12 @@ base::DataSourceBase::shared_ptr MemberFactory::getMember(base::DataSourceBase::
                                                           base::DataSourceBase::shared_ptr id) const {
     const void* name = detail::valueOfType(id, typeid(std::string));
     return name ? getMember(item, *static_cast<const std::string*>(name)) : nullptr;
+}
+
+bool MemberFactory::getMember(internal::Reference* reference, base::DataSourceBase::shared_ptr item,
+                              const std::string& name) const {
+    const auto member = getMember(item, name);
+    return member && reference && reference->setReference(member);
 }
 
 StreamFactory::~StreamFactory() = default;

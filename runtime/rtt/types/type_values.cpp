@@ -9,6 +9,7 @@
 #include <rtt/internal/ConnFactory.hpp>
 #include "CompositionFactory.hpp"
 #include "MemberFactory.hpp"
+#include "Operators.hpp"
 #include "StreamFactory.hpp"
 #include "TypeThunkTable.hpp"
 #include "ValueFactory.hpp"
@@ -53,6 +54,12 @@ bool TypeInfo::convertType(SourcePtr source, SourcePtr target) const {
     return source && target && target->update(convert(source).get());
 }
 
+TypeInfo::SourcePtr TypeInfo::convertType(SourcePtr source) const {
+    const SourcePtr simpler = decomposeType(source);
+    const bool isBag = simpler && simpler->getTypeId() && *simpler->getTypeId() == typeid(PropertyBag);
+    return simpler && !isBag ? simpler : source;
+}
+
 TypeInfo::SourcePtr TypeInfo::buildValue() const {
     if (auto factory = getValueFactory()) return factory->buildValue();
     return callThunk(*this, &TypeThunks::value);
@@ -80,8 +87,12 @@ base::AttributeBase* TypeInfo::buildConstant(std::string name, SourcePtr value) 
 }
 
 base::AttributeBase* TypeInfo::buildVariable(std::string name, int sizehint) const {
-    if (auto factory = getValueFactory()) return factory->buildVariable(name, sizehint);
-    return callThunk(*this, &TypeThunks::variable, name, sizehint);
+    auto factory = getValueFactory();
+    base::AttributeBase* made =
+        factory ? factory->buildVariable(name, sizehint) : callThunk(*this, &TypeThunks::variable, name, sizehint);
+    // Containers get their elements at once; strings are no containers to whoever declares a variable.
+    if (made && sizehint > 0 && !isStreamable()) resize(made->getDataSource(), sizehint);
+    return made;
 }
 
 base::AttributeBase* TypeInfo::buildVariable(std::string name) const { return buildVariable(name, 0); }
@@ -139,13 +150,20 @@ std::vector<std::string> TypeInfo::getMemberNames() const {
 }
 
 TypeInfo::SourcePtr TypeInfo::getMember(SourcePtr item, const std::string& name) const {
+    if (!item) return nullptr;
     auto factory = getMemberFactory();
-    return factory && item ? factory->getMember(item, name) : nullptr;
+    const SourcePtr member = factory ? factory->getMember(item, name) : nullptr;
+    return member ? member : SourcePtr(operators()->applyDot(name, item.get()));
 }
 
 TypeInfo::SourcePtr TypeInfo::getMember(SourcePtr item, SourcePtr id) const {
     auto factory = getMemberFactory();
     return factory && item && id ? factory->getMember(item, id) : nullptr;
+}
+
+bool TypeInfo::getMember(internal::Reference* reference, SourcePtr item, const std::string& name) const {
+    auto factory = getMemberFactory();
+    return factory && item && factory->getMember(reference, item, name);
 }
 
 bool TypeInfo::composeType(SourcePtr source, SourcePtr target) const {

@@ -5,6 +5,8 @@
 
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/FlowStatus.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/PropertyBag.hpp>
 #include <rtt/SendStatus.hpp>
 #include <rtt/os/tlsf/tlsf.h>
 #include <rtt/rt_string.hpp>
@@ -39,7 +41,7 @@ TEST_F(BuiltinTypes, AllAreThere) {
          {"int",         "uint",       "llong",        "ullong",      "double",     "float",       "char",
           "bool",        "void",       "string",       "array",       "FlowStatus", "WriteStatus", "SendStatus",
           "PropertyBag", "ConnPolicy", "BufferPolicy", "TaskContext", "int8",       "uint8",       "int16",
-          "uint16",      "int64",      "uint64",       "rt_string"})
+          "uint16",      "int64",      "uint64",       "rt_string",   "SendHandle"})
         EXPECT_NE(nullptr, type(name)) << name;
 }
 
@@ -73,6 +75,25 @@ TEST_F(BuiltinTypes, StringMembers) {
     EXPECT_EQ("axc", text->get());
     EXPECT_TRUE(type("string")->resize(text, 5));
     EXPECT_EQ(5u, text->rvalue().size());
+}
+
+TEST_F(BuiltinTypes, BagsDoNotChangeStrings) {
+    const auto text = variable("abc");
+    const auto realTime = variable(rt_string("abc"));
+    for (const bool empty : {true, false}) {
+        const auto bag = variable(PropertyBag());
+        if (!empty) bag->set().ownProperty(new Property<std::string>("first", "", "x"));
+        EXPECT_FALSE(type("string")->composeType(bag, text));
+        EXPECT_FALSE(type("rt_string")->composeType(bag, realTime));
+        PropertyBag target, source;
+        auto* property = new Property<std::string>("p", "", "abc");
+        target.ownProperty(property);
+        source.ownProperty(new Property<PropertyBag>("p", "", bag->get()));
+        EXPECT_FALSE(refreshProperties(target, source));
+        EXPECT_EQ("abc", property->get());
+    }
+    EXPECT_EQ("abc", text->get());
+    EXPECT_EQ("abc", realTime->get());
 }
 
 TEST_F(BuiltinTypes, SilentConversions) {
@@ -141,7 +162,9 @@ TEST_F(BuiltinTypes, OperatorsOfNumbers) {
     EXPECT_EQ(1, valueOf<int>(apply(constant(7), "%", constant(3))));
     EXPECT_TRUE(valueOf<bool>(apply(constant(2u), "<", constant(3u))));
     EXPECT_EQ(-4, valueOf<int>(apply("-", constant(4))));
-    EXPECT_EQ(nullptr, apply("-", constant(4u)));
+    EXPECT_EQ(-4, valueOf<int>(apply("-", constant(4u)))) << "of the first type that has it and can be made of it";
+    EXPECT_FALSE(valueOf<bool>(apply("!", constant(5))));
+    EXPECT_EQ(nullptr, apply("-", constant(std::string("4"))));
     EXPECT_EQ(nullptr, apply(constant(1.0), "%", constant(2.0)));
 }
 
@@ -186,8 +209,22 @@ TEST_F(BuiltinTypes, UsersAddOperatorsAndConstructors) {
         return result;
     }));
     EXPECT_EQ(8.0, valueOf<double>(apply(constant(2.0), "**", constant(3))));
-    type("double")->addConstructor(types::newConstructor([](const std::string& text) { return std::stod(text); }));
-    EXPECT_EQ(2.5, valueOf<double>(construct("double", {constant(std::string("2.5"))})));
+    // Types are shared by all tests, so the new conversion is one that nobody asks for.
+    type("WriteStatus")->addConstructor(types::newConstructor([](const std::string&) { return NotConnected; }));
+    EXPECT_EQ(NotConnected, valueOf<WriteStatus>(construct("WriteStatus", {constant(std::string("none"))})));
+}
+
+TEST_F(BuiltinTypes, UsersAddTernaryAndDotOperators) {
+    struct Between : std::ternary_function<double, double, double, bool> {
+        bool operator()(double low, double value, double high) const { return low < value && value < high; }
+    };
+    types::operators()->add(types::newTernaryOperator("<<", Between()));
+    const SourcePtr low = constant(1.0), high = constant(3.0), number = constant(2);
+    const SourcePtr made = types::operators()->applyTernary("<<", low.get(), number.get(), high.get());
+    EXPECT_TRUE(valueOf<bool>(made)) << "the second and third are converted";
+    types::operators()->add(types::newDotOperator("half", [](double value) { return value / 2; }));
+    EXPECT_EQ(1.5, valueOf<double>(high->getMember("half")));
+    EXPECT_EQ(nullptr, high->getMember("third"));
 }
 
 TEST_F(BuiltinTypes, Globals) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <rtt/internal/DataSourceGenerator.hpp>
+#include <rtt/internal/DataSourceCommand.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/FusedFunctorDataSource.hpp>
 #include <rtt/internal/PartDataSource.hpp>
@@ -192,6 +193,39 @@ TEST(FunctorSource, WrongArgumentsGiveNull) {
     SourcePtr constant(new ConstantDataSource<int>(1));
     EXPECT_EQ(nullptr, newFunctorDataSource(
                            +[](int& i) { return i; }, GenerateDataSource()(constant.get())));
+}
+
+TEST(FunctorSource, FunctionsWithoutResultAreCalled) {
+    ValueDataSource<int>::shared_ptr number(new ValueDataSource<int>(1));
+    SourcePtr call(newFunctorDataSource(
+        +[](int& i) { ++i; }, GenerateDataSource()(number.get())));
+    ASSERT_TRUE(call);
+    EXPECT_TRUE(call->evaluate());
+    EXPECT_EQ(2, number->get());
+}
+
+TEST(DataSource, CommandEvaluatesItsSource) {
+    ValueDataSource<int>::shared_ptr number(new ValueDataSource<int>(1));
+    DataSourceCommand count(newFunctorDataSource(
+        +[](int& i) { return ++i < 3; }, GenerateDataSource()(number.get())));
+    count.readArguments();
+    EXPECT_EQ(1, number->get());
+    EXPECT_TRUE(count.execute());
+    EXPECT_FALSE(count.execute()) << "the function says so";
+    EXPECT_EQ(3, number->get());
+}
+
+TEST(DataSource, ActionAliasRunsItsActionFirst) {
+    ValueDataSource<int>::shared_ptr number(new ValueDataSource<int>(1)), copy(new ValueDataSource<int>(0));
+    SourcePtr alias(new ActionAliasAssignableDataSource<int>(new AssignCommand<int>(copy, number), copy.get()));
+    auto* typed = AssignableDataSource<int>::narrow(alias.get());
+    ASSERT_NE(nullptr, typed);
+    EXPECT_EQ(1, typed->get());
+    number->set(5);
+    EXPECT_TRUE(alias->evaluate());
+    EXPECT_EQ(5, typed->value());
+    typed->set(7);
+    EXPECT_EQ(7, copy->get());
 }
 
 TEST(DataSource, ReferencesAreCountedAcrossThreads) {

@@ -29,14 +29,14 @@ std::ostream& operator<<(std::ostream& os, const Tag<N>& tag) {
 }
 
 template <int N>
-using Info = TemplateTypeInfo<Tag<N>, true>;
+using TagInfo = TemplateTypeInfo<Tag<N>, true>;
 
 TypeInfo* find(const std::string& name) { return Types()->type(name); }
 
 }  // namespace
 
 TEST(TypeRegistry, RegisteredTypeIsFoundByNameAndByCppType) {
-    ASSERT_TRUE(Types()->addType(new Info<1>("/registry/One")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<1>("/registry/One")));
     TypeInfo* info = find("/registry/One");
     ASSERT_NE(nullptr, info);
     EXPECT_EQ("/registry/One", info->getTypeName());
@@ -47,15 +47,15 @@ TEST(TypeRegistry, RegisteredTypeIsFoundByNameAndByCppType) {
 }
 
 TEST(TypeRegistry, NamesAreFoundWithDots) {
-    ASSERT_TRUE(Types()->addType(new Info<2>("/registry/box</registry/One>")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<2>("/registry/box</registry/One>")));
     EXPECT_EQ(Types()->getTypeInfo<Tag<2>>(), find("registry.box<registry.One>"));
     EXPECT_EQ("registry.box<registry.One>", Types()->toDot("/registry/box</registry/One>"));
     EXPECT_EQ("int", Types()->toDot("int"));
 }
 
 TEST(TypeRegistry, SecondNameBecomesAnAlias) {
-    ASSERT_TRUE(Types()->addType(new Info<3>("registry_first")));
-    ASSERT_TRUE(Types()->addType(new Info<3>("registry_second")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<3>("registry_first")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<3>("registry_second")));
     TypeInfo* info = find("registry_second");
     EXPECT_EQ(find("registry_first"), info);
     EXPECT_EQ("registry_first", info->getTypeName());
@@ -63,15 +63,27 @@ TEST(TypeRegistry, SecondNameBecomesAnAlias) {
     EXPECT_EQ(2u, info->getTypeNames().size());
 }
 
+TEST(TypeRegistry, AliasesAreAddedByHand) {
+    ASSERT_TRUE(Types()->addType(new TagInfo<20>("registry_named")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<21>("registry_other")));
+    TypeInfo* info = find("registry_named");
+    EXPECT_TRUE(Types()->aliasType("registry_nickname", info));
+    EXPECT_EQ(info, find("registry_nickname"));
+    EXPECT_FALSE(Types()->aliasType("registry_other", info));
+    EXPECT_FALSE(Types()->aliasType("registry_nobody", nullptr));
+    TypeInfoRepository::Release();
+    EXPECT_EQ(info, find("registry_nickname"));
+}
+
 TEST(TypeRegistry, SameNameForTheSameTypeIsNoError) {
-    ASSERT_TRUE(Types()->addType(new Info<4>("registry_again")));
-    EXPECT_TRUE(Types()->addType(new Info<4>("registry_again")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<4>("registry_again")));
+    EXPECT_TRUE(Types()->addType(new TagInfo<4>("registry_again")));
     EXPECT_EQ(1u, find("registry_again")->getTypeNames().size());
 }
 
 TEST(TypeRegistry, NameOfAnotherTypeIsRefused) {
-    ASSERT_TRUE(Types()->addType(new Info<5>("registry_taken")));
-    EXPECT_FALSE(Types()->addType(new Info<6>("registry_taken")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<5>("registry_taken")));
+    EXPECT_FALSE(Types()->addType(new TagInfo<6>("registry_taken")));
     EXPECT_EQ(nullptr, Types()->getTypeInfo<Tag<6>>());
     EXPECT_EQ(find("registry_taken"), Types()->getTypeInfo<Tag<5>>());
 }
@@ -80,7 +92,7 @@ TEST(TypeRegistry, UnknownNamesAskTheAutoLoaderOnce) {
     int asked = 0;
     Types()->setAutoLoader([&asked](const std::string& name) {
         ++asked;
-        return name == "registry_loaded" && Types()->addType(new Info<7>("registry_loaded"));
+        return name == "registry_loaded" && Types()->addType(new TagInfo<7>("registry_loaded"));
     });
     EXPECT_EQ(nullptr, find("registry_nowhere"));
     EXPECT_NE(nullptr, find("registry_loaded"));
@@ -93,12 +105,12 @@ TEST(TypeRegistry, UnknownNamesAskTheAutoLoaderOnce) {
 TEST(TypeRegistry, PropertiesMadeBeforeTheTypekitSeeItsTypes) {
     Property<Tag<8>> property("p", "");
     EXPECT_EQ("unknown_t", property.getType());
-    ASSERT_TRUE(Types()->addType(new Info<8>("registry_late")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<8>("registry_late")));
     EXPECT_EQ("registry_late", property.getType());
 }
 
 TEST(TypeRegistry, TypeMakesValuesVariablesAndProperties) {
-    ASSERT_TRUE(Types()->addType(new Info<9>("registry_maker")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<9>("registry_maker")));
     TypeInfo* info = find("registry_maker");
     base::DataSourceBase::shared_ptr value = info->buildValue();
     ASSERT_NE(nullptr, internal::AssignableDataSource<Tag<9>>::narrow(value.get()));
@@ -182,9 +194,9 @@ struct EmptyTypekit : TypekitPlugin {
 }  // namespace
 
 TEST(TypeRegistry, TransportsAreOfferedEarlierAndLaterTypes) {
-    ASSERT_TRUE(Types()->addType(new Info<12>("registry_before")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<12>("registry_before")));
     ASSERT_TRUE(TypekitRepository::Import(new CountingTransport()));
-    ASSERT_TRUE(Types()->addType(new Info<13>("registry_after")));
+    ASSERT_TRUE(Types()->addType(new TagInfo<13>("registry_after")));
     EXPECT_EQ(1, CountingTransport::offers("registry_before"));
     EXPECT_EQ(1, CountingTransport::offers("registry_after"));
     EXPECT_EQ(1, CountingTransport::offers("unknown_t"));

@@ -3,13 +3,17 @@
 #include "builtin_parts.hpp"
 
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/SendHandleC.hpp>
 #include <rtt/types/PrimitiveTypeInfo.hpp>
 
 namespace RTT {
 namespace types {
 namespace builtin {
 
-void addComponentTypes() { Types()->addType(new PrimitiveTypeInfo<TaskContext*>("TaskContext")); }
+void addComponentTypes() {
+    Types()->addType(new PrimitiveTypeInfo<TaskContext*>("TaskContext"));
+    Types()->addType(new PrimitiveTypeInfo<internal::SendHandleC>("SendHandle"));
+}
 
 }  // namespace builtin
 }  // namespace types

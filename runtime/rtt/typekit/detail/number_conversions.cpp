@@ -15,7 +15,7 @@ void addConversions(const Conversion* rows, std::size_t count) {
         function.call = rows[i].call;
         function.result = rows[i].to;
         function.arity = 1;
-        function.arguments = {rows[i].from, nullptr, nullptr};
+        function.arguments = {rows[i].from};
         Types()
             ->getTypeById(rows[i].to())
             ->addConstructor(types::detail::newErasedConstructor(function, rows[i].automatic));

@@ -13,7 +13,7 @@ namespace builtin {
 void addTexts() {
     Types()->addType(new StdStringTypeInfo());
     Types()->addType(new StdBasicStringTypeInfo<rt_string>("rt_string"));
-    Types()->addType(new StdVectorTypeInfo());
+    Types()->addType(new StdVectorTypeInfo<double>());
 }
 
 }  // namespace builtin

@@ -26,7 +26,7 @@ ErasedFunction conversion(ComputeFunction call, const EnumOps& numbers, TypeRef 
     function.context = std::shared_ptr<const void>(&numbers, [](const void*) {});
     function.result = result;
     function.arity = 1;
-    function.arguments = {argument, nullptr, nullptr};
+    function.arguments = {argument};
     return function;
 }
 }  // namespace

@@ -18,6 +18,11 @@ RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& 
 /** Sets `target` from `source` whatever way there is: assignment, conversion, composition. */
 RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
 
+/** The value of the member "size"; -1 if there is none. */
+int elementCount(const base::DataSourceBase::shared_ptr& source);
+/** The member of that index, or null. */
+base::DataSourceBase::shared_ptr elementOf(const base::DataSourceBase::shared_ptr& source, int index);
+
 }  // namespace detail
 }  // namespace types
 }  // namespace RTT

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// How values become property bags and back, as generators and factories override it.
+#ifndef ORO_COMPOSITION_HOOKS_HPP
+#define ORO_COMPOSITION_HOOKS_HPP
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include "CompositionFactory.hpp"
+#include "StreamFactory.hpp"
+#include "TypeInfo.hpp"
+
+namespace RTT {
+namespace types {
+
+/**
+ * What the generators of values offer to override. Not a CompositionFactory, so that a generator may derive from one
+ * besides: what it overrides then counts for both.
+ */
+class RTT_API CompositionHooks {
+public:
+    virtual ~CompositionHooks();
+
+    /** As in CompositionFactory. */
+    virtual base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const = 0;
+    virtual bool composeType(base::DataSourceBase::shared_ptr source,
+                             base::DataSourceBase::shared_ptr target) const = 0;
+
+    /** What the type had before these hooks: counts for what they do not override. Null if it had nothing. */
+    const CompositionFactoryPtr& formerComposition() const { return former_; }
+    void setFormerComposition(CompositionFactoryPtr former) { former_ = std::move(former); }
+
+private:
+    CompositionFactoryPtr former_;
+};
+
+namespace detail {
+/**
+ * Sets the value at `value`, of C++ type `id`: as `former` does if it can, else the members from the items of those
+ * names, where others keep their value, or the elements of a type that has elements and no text form.
+ */
+RTT_API bool composeMembers(const PropertyBag& source, const std::type_info& id, void* value,
+                            const CompositionFactoryPtr& former);
+/** Lets `type` use the hooks, and the factory it has for what they do not override. */
+RTT_API void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks);
+}  // namespace detail
+
+/** Both functions of `Base` (CompositionHooks or CompositionFactory) by two that know the type T. */
+template <class T, class Base>
+class CompositionByBag : public Base {
+public:
+    typedef typename internal::DataSource<T>::const_reference_t param_t;
+    typedef typename internal::AssignableDataSource<T>::reference_t reference_t;
+
+    base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {
+        const void* value = detail::valueOfType(source, typeid(T));
+        if (!value) return nullptr;
+        boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> bag(new internal::ValueDataSource<PropertyBag>());
+        bag->set().setType(source->getTypeName());
+        return decomposeTypeImpl(*static_cast<const T*>(value), bag->set()) ? bag : nullptr;
+    }
+    bool composeType(base::DataSourceBase::shared_ptr source, base::DataSourceBase::shared_ptr target) const override {
+        const void* bag = detail::valueOfType(source, typeid(PropertyBag));
+        void* value = bag ? detail::storageOfType(target, typeid(T)) : nullptr;
+        if (!value || !composeTypeImpl(*static_cast<const PropertyBag*>(bag), *static_cast<T*>(value))) return false;
+        target->updated();
+        return true;
+    }
+
+    /** Sets `result` from the members in `source`. Default: through the members of the registered type. */
+    virtual bool composeTypeImpl(const PropertyBag& source, reference_t result) const {
+        if constexpr (std::is_base_of_v<CompositionHooks, Base>)
+            return detail::composeMembers(source, typeid(T), std::addressof(result), this->formerComposition());
+        else
+            return detail::composeMembers(source, typeid(T), std::addressof(result), nullptr);
+    }
+    /** Adds the members of `source` to `target`, which must not refer to it. Default: false, there is no special form. */
+    virtual bool decomposeTypeImpl(param_t, PropertyBag&) const { return false; }
+};
+
+}  // namespace types
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The members of sequences, for generators that are derived from it and another one.
+#ifndef ORO_SEQUENCE_TYPE_INFO_BASE_HPP
+#define ORO_SEQUENCE_TYPE_INFO_BASE_HPP
+#include <rtt/types/SequenceTypeInfo.hpp>
+#endif

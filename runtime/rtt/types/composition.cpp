@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Property bags of types whose generators only give access to members.
+#include "CompositionHooks.hpp"
+
+#include <rtt/Logger.hpp>
+#include "CompositionFactory.hpp"
+#include "Types.hpp"
+#include <rtt/types/detail/member_update.hpp>
+
+namespace RTT {
+namespace types {
+
+using base::DataSourceBase;
+using SourcePtr = DataSourceBase::shared_ptr;
+
+CompositionHooks::~CompositionHooks() = default;
+
+namespace detail {
+
+namespace {
+
+class HookedComposition : public CompositionFactory {
+public:
+    explicit HookedComposition(const boost::shared_ptr<CompositionHooks>& hooks) : hooks_(hooks) {}
+
+    SourcePtr decomposeType(SourcePtr source) const override {
+        const SourcePtr own = hooks_->decomposeType(source);
+        const CompositionFactoryPtr& former = hooks_->formerComposition();
+        return own || !former ? own : former->decomposeType(source);
+    }
+    bool composeType(SourcePtr source, SourcePtr target) const override {
+        if (hooks_->composeType(source, target)) return true;
+        // The hooks ask for a bag themselves, unless they are overridden.
+        const CompositionFactoryPtr& former = hooks_->formerComposition();
+        return former && !valueOfType(source, typeid(PropertyBag)) && former->composeType(source, target);
+    }
+    bool asks(const CompositionHooks* hooks) const { return hooks_.get() == hooks; }
+
+private:
+    boost::shared_ptr<CompositionHooks> hooks_;
+};
+
+bool setPart(const SourcePtr& part, const base::PropertyBase& item) {
+    if (updateByAnyMeans(part, item.getDataSource())) return true;
+    log(Error) << "part " << item.getName() << " of type " << part->getTypeName() << " cannot take a value of type "
+               << item.getType() << endlog();
+    return false;
+}
+
+/** By index, for types that have a size and elements instead of members. */
+bool composeElements(const PropertyBag& source, const SourcePtr& target) {
+    const TypeInfo* type = target->getTypeInfo();
+    const int count = static_cast<int>(source.size());
+    if (elementCount(target) != count && !type->resize(target, count)) return false;
+    for (int i = 0; i != count; ++i) {
+        const SourcePtr element = elementOf(target, i);
+        if (!element || !setPart(element, *source.getItem(i))) return false;
+    }
+    target->updated();
+    return true;
+}
+
+}  // namespace
+
+CompositionFactoryPtr compositionBy(const boost::shared_ptr<CompositionHooks>& hooks) {
+    return CompositionFactoryPtr(new HookedComposition(hooks));
+}
+
+void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks) {
+    const CompositionFactoryPtr former = type.getCompositionFactory();
+    // A generator that set itself, as a factory or by these hooks, stays what it is.
+    if (former && dynamic_cast<const CompositionHooks*>(former.get()) == hooks.get()) return;
+    const auto* hooked = dynamic_cast<const HookedComposition*>(former.get());
+    if (hooked && hooked->asks(hooks.get())) return;
+    hooks->setFormerComposition(former);
+    type.setCompositionFactory(compositionBy(hooks));
+}
+
+int elementCount(const SourcePtr& source) {
+    const SourcePtr member = source->getMember("size");  // holds the value that is looked at
+    const void* size = valueOfType(member, typeid(int));
+    return size ? *static_cast<const int*>(size) : -1;
+}
+
+SourcePtr elementOf(const SourcePtr& source, int index) {
+    return source->getMember(SourcePtr(new internal::ConstantDataSource<int>(index)));
+}
+
+bool composeMembers(const PropertyBag& source, const std::type_info& id, void* value,
+                    const CompositionFactoryPtr& former) {
+    const TypeInfo* type = Types()->getTypeById(&id);
+    const SourcePtr target = type ? type->buildReference(value) : nullptr;
+    if (!target) return false;
+    const SourcePtr bag(new internal::ConstReferenceDataSource<PropertyBag>(source));
+    if (former && former->composeType(bag, target)) return true;
+    // Former hooks have tried the members.
+    if (dynamic_cast<const HookedComposition*>(former.get())) return false;
+    bool complete = true, any = false;
+    for (const auto& name : target->getMemberNames()) {
+        const SourcePtr member = target->getMember(name);
+        if (!member || !member->isAssignable()) continue;
+        any = true;
+        const base::PropertyBase* item = source.find(name);
+        if (item) complete = setPart(member, *item) && complete;
+    }
+    // A text has elements, too, but is not made of them.
+    if (!any) return !type->isStreamable() && elementCount(target) >= 0 && composeElements(source, target);
+    target->updated();
+    return complete;
+}
+
+}  // namespace detail
+
+}  // namespace types
+}  // namespace RTT
