@@ -34,6 +34,10 @@ ExecutionEngine::~ExecutionEngine() {
 
 void ExecutionEngine::setExceptionTask() {
     log(Error) << "in " << nameOf(task_) << ": a sent operation threw an exception" << endlog();
+    enterException();
+}
+
+void ExecutionEngine::enterException() {
     if (task_) task_->exception();
 }
 

@@ -71,6 +71,8 @@ public:
     /** Stops executing it; waits until it is not being executed, except in the engine's own thread. True if it was not
         loaded or is removed; false if the queue is full. */
     bool removeFunction(base::ExecutableInterface* function);
+    /** The same, for a function that removes itself in its execute(). */
+    bool removeSelfFunction(base::ExecutableInterface* function) { return removeFunction(function); }
 
     /** Waits until `done()` is true. In the engine's own thread it executes messages meanwhile; blocks. */
     void waitForMessages(const boost::function<bool()>& done);
@@ -90,7 +92,7 @@ public:
     base::TaskCore* getTaskCore() const { return task_; }
     base::TaskCore* getParent() const { return task_; }
 
-    /** Called by an operation that threw in this engine: logs and puts the component into Exception. */
+    /** For messages that threw in this engine: logs and puts the component into Exception. */
     void setExceptionTask();
     /** Called by the component in FatalError: stops the activity for good and disposes of what is queued. */
     void setFatalTask();
@@ -118,6 +120,7 @@ private:
     class Removal;
 
     bool accepts() const;
+    void enterException();
     bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();

@@ -5,9 +5,12 @@
 
 #include <rtt/base/OperationCallerBase.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
+#include <rtt/internal/LocalOperationCaller.hpp>
 #include <rtt/internal/NA.hpp>
+#include <rtt/internal/RemoteOperation.hpp>
 #include <rtt/internal/Signature.hpp>
 
+#include <memory>
 #include <string>
 
 namespace RTT {
@@ -16,15 +19,21 @@ class OperationInterfacePart;
 class Service;
 
 namespace internal {
-/** The operation behind `part`, to be narrowed to its signature; null if there is none in this process. */
-RTT_API base::OperationCallerInterface::shared_ptr localOperation(OperationInterfacePart* part);
+/** What is behind `part`; null if it is remote. */
+RTT_API base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part);
 /** The operation `name` of `service`, or null. */
 RTT_API OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name);
 RTT_API std::string operationName(OperationInterfacePart* part);
 /** `holder.reset(held)`, compiled once for all signatures. */
 RTT_API void hold(base::OperationCallerInterface::shared_ptr& holder, base::OperationCallerInterface* held);
-/** Logs that a caller with another signature was bound to an operation. */
-RTT_API void logWrongSignature(const std::string& name, const char* wanted);
+/** True for what can be held as the implementation of an operation. */
+template <class T>
+constexpr bool isImplementation = std::is_convertible_v<T*, base::DisposableInterface*>;
+/** Holds what a pointer of the standard library holds. */
+template <class T>
+base::DisposableInterface::shared_ptr held(const std::shared_ptr<T>& pointer) {
+    return base::DisposableInterface::shared_ptr(pointer.get(), [pointer](base::DisposableInterface*) {});
+}
 }  // namespace internal
 
 namespace base {
@@ -38,7 +47,7 @@ public:
 
     const std::string& getName() const { return name_; }
     virtual bool ready() const = 0;
-    /** Binds to an operation; null unbinds. False if its signature differs. */
+    /** Binds to an operation; null unbinds. False, and an error, if it cannot be called with this signature. */
     virtual bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) = 0;
     virtual bool setImplementation(DisposableInterface::shared_ptr implementation,
                                    ExecutionEngine* caller = nullptr) = 0;
@@ -56,9 +65,15 @@ protected:
  * their own component's thread: while it waits, the calling component goes on executing what others ask of it.
  *
  * call(): runs the operation in this thread, or waits until its component has; blocks then. Real-time safe if the
- * operation is and runs in this thread. Throws what the operation throws in this thread; std::runtime_error if it threw
- * in another; SendError if its component takes no calls. If not ready(), call() returns a default value.
+ * operation is and runs in this thread. Throws what the operation throws in this thread; std::runtime_error with its text
+ * if it threw in another; SendError if its component takes no calls. If not ready(), call() returns a default value.
  * send(): never waits.
+ *
+ * An operation of another signature, or of another process, is called through data sources: each argument, and the result,
+ * is converted if the type system can; a caller without result ignores the one of the operation. Such a call is slower and
+ * keeps copies of its arguments and result until the next one. It allocates the first time after setCaller(), and while the
+ * caller is in use already; send() and everything a SendHandle does then always allocate. If something cannot be converted,
+ * or the result has no default value, an error names both signatures and the caller is not ready().
  */
 template <class Signature>
 class OperationCaller;
@@ -84,10 +99,30 @@ public:
         : OperationCallerBaseInvoker(name, caller) {
         setImplementationPart(internal::findOperation(service, name), caller);
     }
-    /** From what Service::getLocalOperation() gives. */
-    OperationCaller(base::DisposableInterface::shared_ptr implementation, ExecutionEngine* caller = nullptr) {
+    /** From what Service::getLocalOperation() or Operation::getOperationCaller() gives. */
+    template <class T, std::enable_if_t<internal::isImplementation<T>, int> = 0>
+    OperationCaller(const boost::shared_ptr<T>& implementation, ExecutionEngine* caller = nullptr) {
         setImplementation(implementation, caller);
     }
+    template <class T, std::enable_if_t<internal::isImplementation<T>, int> = 0>
+    OperationCaller(const std::shared_ptr<T>& implementation, ExecutionEngine* caller = nullptr) {
+        setImplementation(internal::held(implementation), caller);
+    }
+    /** A function that nobody registered, called like an operation; in OwnThread it is executed by `owner`. */
+    template <class Function, std::enable_if_t<std::is_invocable_r_v<R, Function&, Args...>, int> = 0>
+    OperationCaller(const std::string& name, Function function, ExecutionEngine* owner = nullptr,
+                    ExecutionEngine* caller = nullptr, ExecutionThread et = ClientThread)
+        : OperationCallerBaseInvoker(name, caller) {
+        auto* const made = new internal::LocalOperationCaller<Signature>();
+        internal::hold(holder_, impl_ = made);
+        made->setCallee(internal::makeCallee<Signature>(std::move(function)));
+        made->setThread(et, owner);
+        made->setCaller(caller);
+    }
+    template <class Member, class Object, std::enable_if_t<std::is_member_function_pointer_v<Member>, int> = 0>
+    OperationCaller(const std::string& name, Member member, Object object, ExecutionEngine* owner = nullptr,
+                    ExecutionEngine* caller = nullptr, ExecutionThread et = ClientThread)
+        : OperationCaller(name, internal::BoundMember<Member, Object>{member, object}, owner, caller, et) {}
     OperationCaller(const OperationCaller& other) : OperationCallerBaseInvoker(other.name_, other.caller_) {
         setImplementation(other.holder_, other.caller_);
     }
@@ -107,39 +142,52 @@ public:
         setImplementationPart(internal::findOperation(service, name_), caller_);
         return *this;
     }
-    OperationCaller& operator=(base::DisposableInterface::shared_ptr implementation) {
+    template <class T, std::enable_if_t<internal::isImplementation<T>, int> = 0>
+    OperationCaller& operator=(const boost::shared_ptr<T>& implementation) {
         setImplementation(implementation, caller_);
         return *this;
     }
+    template <class T, std::enable_if_t<internal::isImplementation<T>, int> = 0>
+    OperationCaller& operator=(const std::shared_ptr<T>& implementation) {
+        setImplementation(internal::held(implementation), caller_);
+        return *this;
+    }
 
-    bool ready() const override { return impl_ && impl_->ready(); }
+    bool ready() const override { return holder_ && holder_->ready(); }
     operator bool() const { return ready(); }
     bool operator!() const { return !ready(); }
 
-    R call(Args... args) const { return ready() ? impl_->call(std::forward<Args>(args)...) : internal::NA<R>::na(); }
+    R call(Args... args) const {
+        return impl_ && impl_->ready() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
+    }
     R operator()(Args... args) const {
-        return ready() ? impl_->call(std::forward<Args>(args)...) : internal::NA<R>::na();
+        return impl_ && impl_->ready() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
     }
     SendHandle<Signature> send(Args... args) const {
-        return ready() ? impl_->send(std::forward<Args>(args)...) : SendHandle<Signature>();
+        return impl_ && impl_->ready() ? impl_->send(std::forward<Args>(args)...) : sendRemote(args...);
     }
 
     bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) override {
-        if (!part) {
-            disconnect();
-            return false;
-        }
-        return setImplementation(internal::localOperation(part), caller);
+        if (caller) caller_ = caller;
+        disconnect();
+        if (!part) return false;
+        const base::DisposableInterface::shared_ptr local = internal::localOperation(part);
+        auto* typed = dynamic_cast<base::OperationCallerBase<Signature>*>(local.get());
+        if (typed) impl_ = typed->cloneI(caller_);
+        internal::hold(holder_, typed ? impl_ : internal::makeRemoteOperation(part, signature(), caller_));
+        return ready();
     }
     bool setImplementation(base::DisposableInterface::shared_ptr implementation,
                            ExecutionEngine* caller = nullptr) override {
         if (caller) caller_ = caller;
         auto* typed = dynamic_cast<base::OperationCallerBase<Signature>*>(implementation.get());
-        if (implementation && !typed) internal::logWrongSignature(name_, typeid(Signature).name());
         impl_ = typed ? typed->cloneI(caller_) : nullptr;
-        internal::hold(holder_, impl_);
+        internal::hold(holder_, typed || !implementation
+                                    ? impl_
+                                    : internal::copyRemoteOperation(*implementation, signature(), caller_, name_));
         return ready();
     }
+    /** Null also for an operation of another signature or of another process, though ready(). */
     const OperationCallerBasePtr getOperationCallerImpl() const { return OperationCallerBasePtr(holder_, impl_); }
     void disconnect() override {
         impl_ = nullptr;
@@ -147,12 +195,39 @@ public:
     }
     void setCaller(ExecutionEngine* caller) override {
         caller_ = caller;
-        if (impl_) impl_->setCaller(caller);
+        if (holder_) holder_->setCaller(caller);
     }
 
 private:
+    static const internal::CallerSignature& signature() { return internal::CallerSignatureOf<Signature>::signature; }
+    // Also for a caller that is not ready: the result is the default value then.
+    [[gnu::noinline]] R callRemote(std::remove_reference_t<Args>&... args) const {
+        void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))..., nullptr};
+        if constexpr (std::is_void_v<R> || std::is_reference_v<R>) {
+            internal::callRemoteOperation(holder_, all, nullptr);
+            return internal::NA<R>::na();
+        } else {
+            internal::ValueOf<R> result = internal::NA<internal::ValueOf<R>>::na();
+            internal::callRemoteOperation(holder_, all, std::addressof(result));
+            return result;
+        }
+    }
+    SendHandle<Signature> sendRemote(const std::remove_reference_t<Args>&... args) const {
+        typedef internal::CallValues<Signature> Call;
+        if (!ready()) return SendHandle<Signature>();
+        const typename Call::shared_ptr call(new Call(nullptr, args...));
+        void* result = nullptr;
+        if constexpr (!std::is_void_v<R> && !std::is_reference_v<R>) {
+            call->result.take(&internal::NA<R>::na);
+            result = const_cast<void*>(call->result.address());
+        }
+        return internal::sendRemoteOperation(holder_, *call.get(), sizeof...(Args), result)
+                   ? SendHandle<Signature>(call)
+                   : SendHandle<Signature>();
+    }
+
     base::OperationCallerInterface::shared_ptr holder_;
-    base::OperationCallerBase<Signature>* impl_ = nullptr;  // what holder_ holds
+    base::OperationCallerBase<Signature>* impl_ = nullptr;  // what holder_ holds; null if that has another signature
 };
 
 }  // namespace RTT

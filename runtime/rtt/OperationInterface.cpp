@@ -10,6 +10,8 @@ namespace RTT {
 
 OperationInterfacePart::~OperationInterfacePart() = default;
 
+base::DisposableInterface::shared_ptr OperationInterfacePart::getLocalOperation() const { return nullptr; }
+
 Handle OperationInterfacePart::produceSignal(base::ActionInterface*, const Args&, ExecutionEngine*) const {
     throw no_asynchronous_operation_exception("operation '" + getName() + "' is no signal");
 }

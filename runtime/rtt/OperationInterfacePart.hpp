@@ -3,6 +3,7 @@
 #ifndef ORO_OPERATION_INTERFACE_PART_HPP
 #define ORO_OPERATION_INTERFACE_PART_HPP
 
+#include <rtt/FactoryExceptions.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 
@@ -77,7 +78,7 @@ public:
      */
     virtual Handle produceSignal(base::ActionInterface* action, const Args& args, ExecutionEngine* subscriber) const;
     /** The operation itself, to be narrowed to OperationCallerBase<Signature>; null if it is remote. */
-    virtual base::OperationCallerInterface::shared_ptr getLocalOperation() const { return nullptr; }
+    virtual base::DisposableInterface::shared_ptr getLocalOperation() const;
     /** False for operations that can only be called. */
     virtual bool isSynchronous() const { return false; }
 

@@ -23,7 +23,7 @@ class SendHandle;
 template <class R, class... Args>
 class SendHandle<R(Args...)> {
 public:
-    typedef internal::TypedCall<R(Args...)> Call;
+    typedef internal::CallValues<R(Args...)> Call;
 
     SendHandle() = default;
     /** Null: an operation that was not accepted. */

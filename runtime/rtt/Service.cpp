@@ -21,17 +21,24 @@ Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner)
     return made;
 }
 
-Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterface(this), name_(name), owner_(owner) {}
+Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterface(this), name_(name) {
+    knowOwner(owner);
+}
 
 Service::~Service() { clear(); }
 
 void Service::setOwner(TaskContext* owner) {
-    owner_ = owner;
+    knowOwner(owner);
     for (auto& entry : implementations_) entry.second->setThread(entry.second->getThread(), getOwnerExecutionEngine());
     for (auto& entry : services_) entry.second->setOwner(owner);
 }
 
-ExecutionEngine* Service::getOwnerExecutionEngine() const { return owner_ ? owner_->engine() : nullptr; }
+void Service::knowOwner(TaskContext* owner) {
+    owner_ = owner;
+    owner_gate_ = owner ? owner->engine()->gate() : nullptr;
+}
+
+ExecutionEngine* Service::getOwnerExecutionEngine() const { return getOwner() ? owner_->engine() : nullptr; }
 
 void Service::setParent(shared_ptr parent) {
     if (parent.get() != holder_) holder_ = nullptr;
@@ -77,10 +84,10 @@ bool Service::addService(shared_ptr service) {
         return false;
     }
     services_[service->getName()] = service;
-    if (service->owner_ != owner_) service->leaveComponent();
+    if (service->getOwner() != getOwner()) service->leaveComponent();
     service->setParent(provides());
     service->holder_ = this;
-    service->setOwner(owner_);
+    service->setOwner(getOwner());
     return true;
 }
 
@@ -97,7 +104,7 @@ void Service::removeService(const std::string& name) {
 
 // Before the owner is another: writers of samples ask for it.
 void Service::leaveComponent() {
-    if (owner_) silencePorts();
+    if (getOwner()) silencePorts();
     for (auto& entry : services_) entry.second->leaveComponent();
 }
 
@@ -116,7 +123,7 @@ OperationInterfacePart* Service::getOperation(const std::string& name) {
     return found;
 }
 
-base::OperationCallerInterface::shared_ptr Service::getLocalOperation(const std::string& name) {
+base::DisposableInterface::shared_ptr Service::getLocalOperation(const std::string& name) {
     OperationInterfacePart* found = getPart(name);
     return found ? found->getLocalOperation() : nullptr;
 }

@@ -66,7 +66,8 @@ public:
     const std::string& doc() const { return doc_; }
     void doc(const std::string& text) { doc_ = text; }
 
-    TaskContext* getOwner() const { return owner_; }
+    /** Null too if it was destroyed. */
+    TaskContext* getOwner() const { return owner_gate_ && owner_gate_->closed() ? nullptr : owner_; }
     /** For the component: its services do not outlive it as its services. */
     void setOwner(TaskContext* owner);
     ExecutionEngine* getOwnerExecutionEngine() const;
@@ -90,7 +91,7 @@ public:
 
     /** Null, and a warning, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name);
-    base::OperationCallerInterface::shared_ptr getLocalOperation(const std::string& name);
+    base::DisposableInterface::shared_ptr getLocalOperation(const std::string& name);
     void removeOperation(const std::string& name);
     /** For local operations; callers made before are not affected. */
     bool setOperationThread(const std::string& name, ExecutionThread et);
@@ -175,6 +176,7 @@ private:
     void adopt(base::OperationBase* operation, internal::CalleeBase* function, ExecutionThread et, bool callOnly);
     bool registerOperation(base::OperationBase& operation, bool callOnly);
     void leaveComponent();
+    void knowOwner(TaskContext* owner);
 
     typedef std::map<std::string, shared_ptr> Services;
     Services services_;
@@ -183,10 +185,17 @@ private:
     std::map<std::string, base::OperationCallerInterface::shared_ptr> implementations_;
     std::string name_, doc_;
     TaskContext* owner_;
+    boost::intrusive_ptr<const internal::EngineGate>
+        owner_gate_;             // of its engine: a service that was never added is not told
     Service* holder_ = nullptr;  // has this in services_; a parent may have no owner yet, in its constructor
     boost::weak_ptr<Service> parent_;
 };
 
+typedef boost::shared_ptr<Service> ServicePtr;
+
 }  // namespace RTT
+
+// Users rely on it for more than this header needs.
+#include <rtt/usual_includes.hpp>
 
 #endif

@@ -83,10 +83,21 @@ bool ServiceRequester::connectTo(Service::shared_ptr service) {
         if (entry.second->ready() || !service->hasOperation(entry.first)) continue;
         entry.second->setImplementationPart(service->getOperation(entry.first), owner_ ? owner_->engine() : nullptr);
     }
-    if (!ready()) return false;
-    log(Info) << "service '" << service->getName() << "' offers all operations that '" << name_ << "' requires"
-              << endlog();
-    return true;
+    const std::string missing = missingOperations();
+    if (missing.empty())
+        log(Info) << "service '" << service->getName() << "' offers all operations that '" << name_ << "' requires"
+                  << endlog();
+    else
+        log(Info) << "service '" << service->getName() << "' does not offer what '" << name_
+                  << "' requires: " << missing << endlog();
+    return missing.empty();
+}
+
+std::string ServiceRequester::missingOperations() const {
+    std::string names;
+    for (const auto& entry : callers_)
+        if (!entry.second->ready()) names += (names.empty() ? "" : ", ") + entry.first;
+    return names;
 }
 
 bool ServiceRequester::ready() const {

@@ -19,6 +19,7 @@ namespace RTT {
 class RTT_API ServiceRequester : public boost::enable_shared_from_this<ServiceRequester> {
 public:
     typedef boost::shared_ptr<ServiceRequester> shared_ptr;
+    typedef boost::shared_ptr<const ServiceRequester> shared_constptr;
     typedef std::vector<std::string> RequesterNames;
     typedef std::vector<std::string> OperationCallerNames;
 
@@ -51,8 +52,11 @@ public:
     bool requiresService(const std::string& name) const;
     RequesterNames getRequesterNames() const;
 
-    /** Binds each caller that is not ready to the operation of its name. True if all are ready then. */
+    /** Binds each caller that is not ready to the operation of its name. True if all are ready then; an Info line names those
+        that the service lacks. */
     virtual bool connectTo(Service::shared_ptr service);
+    /** Names of the callers that are not ready, in alphabetical order and separated by commas. */
+    std::string missingOperations() const;
     /** All callers are ready. */
     bool ready() const;
     void disconnect();
@@ -65,6 +69,8 @@ private:
     std::string name_;
     TaskContext* owner_;
 };
+
+typedef boost::shared_ptr<ServiceRequester> ServiceRequesterPtr;
 
 }  // namespace RTT
 

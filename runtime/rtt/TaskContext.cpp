@@ -184,11 +184,14 @@ bool TaskContext::connectServices(TaskContext* peer) {
         for (const std::string& name : root->getRequesterNames()) {
             const ServiceRequester::shared_ptr requester = root->requires_(name);
             if (requester->ready()) continue;
-            if (pair[1]->provides()->hasService(name))
-                success &= requester->connectTo(pair[1]->provides(name));
-            else
+            if (!pair[1]->provides()->hasService(name)) {
                 log(Debug) << pair[1]->getName() << " has no service '" << name << "' for " << pair[0]->getName()
                            << endlog();
+            } else if (!requester->connectTo(pair[1]->provides(name))) {
+                log(Error) << "service '" << name << "' of " << pair[1]->getName() << " does not offer all that "
+                           << pair[0]->getName() << " requires of it: " << requester->missingOperations() << endlog();
+                success = false;
+            }
         }
     }
     return success;

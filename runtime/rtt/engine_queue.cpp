@@ -116,15 +116,15 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
 // The thread of a component goes on executing its messages: the function may be waiting for one of them.
 void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) {
     const auto finished = [&] { return removal.state() != Removal::Waiting; };
-    // Looks from time to time, because an activity that is not active tells nobody.
-    while (!waiting.engine()->waitForMessages(finished, soon(20))) {
+    // Looks at once, and then from time to time, because an activity that is stopped meanwhile tells nobody.
+    do {
         const EngineGate::Visit visit(*gate_);
         const bool executed = visit.activity() && visit.activity()->isActive();
         if (!executed && mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal})) {
             removal.finish(Removal::Disposed);
             return;
         }
-    }
+    } while (!waiting.engine()->waitForMessages(finished, soon(20)));
 }
 
 void ExecutionEngine::takeOut(base::ExecutableInterface* function) {

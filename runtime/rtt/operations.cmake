@@ -27,10 +27,13 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationCallerC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationPart.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/PortCallbacks.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/RemoteOperation.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SendHandleC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SentCall.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/ServiceLoader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SignalBase.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/WaitPoint.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/detail/action_slot.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/call_handles.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/call_handles.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/part_send.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/remote_values.cpp)

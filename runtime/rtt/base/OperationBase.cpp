@@ -24,6 +24,7 @@ void OperationBase::setThread(ExecutionThread et) { implementation_->setThread(e
 void OperationBase::setFunction(internal::CalleeBase* function, ExecutionThread et, ExecutionEngine* owner) {
     if (function) {
         function->listenLike(implementation_->callee());
+        function->belongsTo(description_);
         implementation_->setCallee(function);
     }
     implementation_->setThread(et, owner ? owner : implementation_->getOwner());

@@ -42,6 +42,7 @@ public:
     void setThread(ExecutionThread et);
 
     const OperationCallerInterface::shared_ptr& implementation() const { return implementation_; }
+    DisposableInterface::shared_ptr getImplementation() const { return implementation_; }
     const internal::OperationTable& table() const { return *table_; }
     /** A new description of this for generic callers. With `callOnly` it cannot be sent. The caller owns it. */
     OperationInterfacePart* makePart(bool callOnly) const;

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/Callee.hpp>
 
+#include <rtt/base/OperationBase.hpp>
 #include <rtt/internal/SignalBase.hpp>
 
 namespace RTT {
@@ -21,6 +22,17 @@ void CalleeBase::listen(std::shared_ptr<SignalBase> signal) {
 
 void CalleeBase::listenLike(const CalleeBase* other) {
     if (other && other->signal_ && !signal_) listen(other->signal_);
+}
+
+void CalleeBase::belongsTo(std::shared_ptr<const base::OperationDescription> operation) {
+    operation_ = std::move(operation);
+}
+
+std::string CalleeBase::operationName() const { return operation_ ? operation_->name : std::string(); }
+
+std::string describe(const CalleeBase* callee) {
+    const std::string name = callee ? callee->operationName() : std::string();
+    return name.empty() ? "an operation" : "operation '" + name + "'";
 }
 
 void CalleeBase::emit(const SignalBase& signal, void* const* arguments) { signal.emitErased(arguments); }

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace boost {
@@ -18,6 +19,9 @@ class function;
 }
 
 namespace RTT {
+namespace base {
+struct OperationDescription;
+}
 namespace internal {
 
 class SignalBase;
@@ -37,6 +41,10 @@ public:
     /** Takes over the signal of the callee that this one replaces, if that has one. */
     void listenLike(const CalleeBase* other);
     const std::shared_ptr<SignalBase>& signal() const { return signal_; }
+    /** The operation that this is the function of; before it is called. */
+    void belongsTo(std::shared_ptr<const base::OperationDescription> operation);
+    /** Empty if it is of none. */
+    std::string operationName() const;
 
 protected:
     const SignalBase* listeners() const { return listeners_.load(std::memory_order_acquire); }
@@ -47,7 +55,11 @@ private:
     mutable std::atomic<int> references_{0};
     std::atomic<const SignalBase*> listeners_{nullptr};
     std::shared_ptr<SignalBase> signal_;
+    std::shared_ptr<const base::OperationDescription> operation_;
 };
+
+/** "operation 'name'", for messages; `callee` may be null. */
+RTT_API std::string describe(const CalleeBase* callee);
 
 inline void intrusive_ptr_add_ref(const CalleeBase* callee) { callee->ref(); }
 inline void intrusive_ptr_release(const CalleeBase* callee) { callee->deref(); }

@@ -147,7 +147,10 @@ Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& a
 OperationPart* OperationPart::reimplemented(const base::OperationBase& by) const {
     if (*by.table().sentType != *table_->sentType) return nullptr;
     const Caller& implementation = by.implementation();
-    if (implementation->callee() && caller_->callee()) implementation->callee()->listenLike(caller_->callee());
+    if (CalleeBase* const function = implementation->callee()) {
+        function->listenLike(caller_->callee());
+        function->belongsTo(description_);
+    }
     return new OperationPart(description_, implementation, by.table(), call_only_);
 }
 

@@ -29,7 +29,7 @@ public:
     unsigned collectArity() const override;
     const types::TypeInfo* getCollectType(unsigned index) const override;
     bool isSynchronous() const override { return call_only_; }
-    base::OperationCallerInterface::shared_ptr getLocalOperation() const override { return caller_; }
+    base::DisposableInterface::shared_ptr getLocalOperation() const override { return caller_; }
 
     Source produce(const Args& args, ExecutionEngine* caller) const override;
     Source produceSend(const Args& args, ExecutionEngine* caller) const override;

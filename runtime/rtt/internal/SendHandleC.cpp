@@ -21,6 +21,12 @@ OperationInterfacePart::Args withHandle(const SendHandleC::Source& handle,
 
 DataSource<bool>::shared_ptr constant(bool value) { return new ConstantDataSource<bool>(value); }
 
+/** The source that collects. Throws what is wrong with the arguments. */
+SendHandleC::Source collecting(const SendHandleC& handle, const OperationInterfacePart::Args& variables, bool wait) {
+    if (!handle.getSendHandleDataSource() || !handle.getOrp()) throw invalid_handle_exception();
+    return handle.getOrp()->produceCollect(withHandle(handle.getSendHandleDataSource(), variables), constant(wait));
+}
+
 }  // namespace
 
 SendHandleC::SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name)
@@ -44,10 +50,7 @@ SendHandleC& SendHandleC::arg(base::AttributeBase* attribute) {
     return arg(attribute ? attribute->getDataSource() : Source());
 }
 
-void SendHandleC::check() const {
-    if (!handle_ || !part_) throw invalid_handle_exception();
-    part_->produceCollect(withHandle(handle_, arguments_), constant(false));
-}
+void SendHandleC::check() const { collecting(*this, arguments_, false); }
 
 bool SendHandleC::ready() const {
     try {
@@ -59,15 +62,14 @@ bool SendHandleC::ready() const {
 }
 
 SendStatus SendHandleC::fetch(bool wait) {
-    Source collecting;
+    Source collect;
     try {
-        check();
-        collecting = part_->produceCollect(withHandle(handle_, arguments_), constant(wait));
+        collect = collecting(*this, arguments_, wait);
     } catch (const std::exception& e) {
         log(Error) << "operation '" << name_ << "' cannot be collected: " << e.what() << endlog();
         return SendFailure;
     }
-    auto* status = DataSource<SendStatus>::narrow(collecting.get());
+    auto* status = DataSource<SendStatus>::narrow(collect.get());
     return status ? status->get() : SendFailure;
 }
 

@@ -21,6 +21,10 @@ namespace internal {
 
 SentCall::SentCall(CalleeBase* callee) : callee_(callee) {}
 SentCall::~SentCall() = default;
+RemoteCollect::~RemoteCollect() = default;
+
+void SentCall::run() {}
+void SentCall::collectFrom(std::unique_ptr<RemoteCollect> remote) { remote_ = std::move(remote); }
 
 // It is the thread that waits, so what counts is the engine it executes: it may be executing an operation of the caller
 // for a third component, which others then call.
@@ -39,19 +43,30 @@ void SentCall::finish(State state) {
 }
 
 void SentCall::executeAndDispose() {
-    State state = Done;
     try {
         run();
     } catch (const std::exception& e) {
-        log(Error) << "an operation threw: " << e.what() << endlog();
-        state = Threw;
+        return threw(e.what());
     } catch (...) {
-        log(Error) << "an operation threw something that is no std::exception" << endlog();
-        state = Threw;
+        return threw("something that is no std::exception");
+    }
+    finish(Done);
+}
+
+void SentCall::threw(const char* what) {
+    try {
+        const base::TaskCore* const task = executor_ ? executor_->getTaskCore() : nullptr;
+        error_ = std::make_unique<std::string>(
+            describe(callee()) + " threw in " +
+            (task ? "component '" + task->base::TaskCore::getName() + "'" : std::string("the GlobalEngine")) + ": " +
+            what);
+        log(Error) << *error_ << endlog();
+    } catch (const std::exception&) {
+        // No memory for the text. That it threw, the caller has to learn all the same.
     }
     // The component is in its new state before the caller learns of it.
-    if (state == Threw && executor_) executor_->setExceptionTask();
-    finish(state);
+    if (executor_) executor_->enterException();
+    finish(Threw);
 }
 
 void SentCall::dispose() { finish(Disposed); }
@@ -67,9 +82,11 @@ SendStatus SentCall::status() const {
 }
 
 SendStatus SentCall::collect() {
+    if (remote_) return remote_->collect(true);
     if (state() == Waiting) {
         if (!waiting_) {
-            log(Error) << "an operation is collected by somebody who is no component: set the caller's engine "
+            log(Error) << describe(callee())
+                       << " is collected by somebody who is no component: set the caller's engine "
                           "(this->engine() in a component, GlobalEngine::Instance() elsewhere)"
                        << endlog();
             return CollectFailure;
@@ -101,15 +118,15 @@ void SentCall::park() {
     }
 }
 
-SendStatus SentCall::collectIfDone() const {
+SendStatus SentCall::collectIfDone() {
+    if (remote_) return remote_->collect(false);
     checkError();
     return status();
 }
 
 void SentCall::checkError() const {
     if (state() == Threw)
-        throw std::runtime_error(
-            "the operation did not complete: it threw an exception, which its component has logged");
+        throw std::runtime_error(error_ ? error_->c_str() : "an operation threw in its component's thread");
 }
 
 void SentCall::deref() {
@@ -179,12 +196,16 @@ void warnIfInactive(const internal::EngineGate& gate) {
 void OperationCallerInterface::enqueueAndWait(internal::SentCall& call) const {
     if (!caller_)
         throw SendError(CollectFailure,
-                        "an operation that is executed in its component's thread was called without a caller: "
-                        "set the caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
+                        internal::describe(callee()) +
+                            ", which is executed in its component's thread, was called without a caller: set the "
+                            "caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
+    // This may be gone afterwards: the caller is bound to something else by a message that is executed while it waits.
+    const boost::intrusive_ptr<const internal::EngineGate> owner = owner_;
+    const boost::intrusive_ptr<internal::CalleeBase> function = callee_;
     const bool accepted = enqueue(call);
-    if (accepted && call.state() == internal::SentCall::Waiting) warnIfInactive(*owner_);
+    if (accepted && call.state() == internal::SentCall::Waiting) warnIfInactive(*owner);
     if (!accepted || call.collect() == SendFailure)
-        throw SendError(SendFailure, "an operation was not executed: " + whyRefused(*owner_));
+        throw SendError(SendFailure, internal::describe(function.get()) + " was not executed: " + whyRefused(*owner));
 }
 
 }  // namespace base

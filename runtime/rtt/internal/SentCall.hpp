@@ -13,13 +13,23 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
+#include <string>
 
 namespace RTT {
 class ExecutionEngine;
 namespace internal {
 
 class EngineGate;
+
+/** Where a call is collected that was not queued here. */
+class RTT_API RemoteCollect {
+public:
+    virtual ~RemoteCollect();
+    /** Fills in the result and the arguments when the operation is done. Throws what the operation throws. */
+    virtual SendStatus collect(bool wait) = 0;
+};
 
 /** One call on its way through the queue of an engine, and its result afterwards. Referred to by the queue and by the
     handles of the caller. Memory comes from CallPool. */
@@ -42,13 +52,16 @@ public:
     /** The engine of the component that collects, null if none, and the one that executes. */
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
+    /** This call is executed by somebody else. */
+    void collectFrom(std::unique_ptr<RemoteCollect> remote);
+
     /** What collecting gives now. */
     SendStatus status() const;
     /** Waits for the end, in the thread of the caller. Throws as checkError() does. */
     SendStatus collect();
     /** The same without waiting. */
-    SendStatus collectIfDone() const;
-    /** Throws std::runtime_error if the operation threw. */
+    SendStatus collectIfDone();
+    /** Throws std::runtime_error, with the text of what the operation threw, if it threw. */
     void checkError() const;
 
     /** Where the result lies; null if there is none. */
@@ -68,18 +81,21 @@ public:
 
 protected:
     /** Runs the function and keeps its result. */
-    virtual void run() = 0;
+    virtual void run();
     CalleeBase* callee() const { return callee_.get(); }
 
 private:
     static constexpr std::uint32_t kParked = 0x80000000u;  // in state_: a thread sleeps on it
     void finish(State state);
+    void threw(const char* what);
     void park();
 
     std::atomic<int> references_{0};
     std::atomic<std::uint32_t> state_{Waiting};
     const boost::intrusive_ptr<CalleeBase> callee_;
     ExecutionEngine* executor_ = nullptr;
+    std::unique_ptr<std::string> error_;  // set before the state says so
+    std::unique_ptr<RemoteCollect> remote_;
     boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
 };
 

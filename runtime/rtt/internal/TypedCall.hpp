@@ -88,13 +88,14 @@ T& argumentAt(Argument<I, T>& argument) {
 }
 
 template <class Signature>
-class TypedCall;
+class CallValues;
+/** A call with copies of its arguments and room for its result, which somebody else executes. */
 template <class R, class... Args>
-class TypedCall<R(Args...)> final : public SentCall {
+class CallValues<R(Args...)> : public SentCall {
 public:
-    typedef boost::intrusive_ptr<TypedCall> shared_ptr;
+    typedef boost::intrusive_ptr<CallValues> shared_ptr;
 
-    explicit TypedCall(CalleeBase* callee, const std::remove_reference_t<Args>&... args)
+    explicit CallValues(CalleeBase* callee, const std::remove_reference_t<Args>&... args)
         : SentCall(callee), arguments(args...) {}
     const void* resultAddress() const override { return result.address(); }
     void* argumentAddress(unsigned index) override { return addressAt(index, std::index_sequence_for<Args...>()); }
@@ -103,19 +104,30 @@ public:
     ResultStore<R> result;
 
 private:
-    void run() override { runWith(std::index_sequence_for<Args...>()); }
-    template <std::size_t... I>
-    void runWith(std::index_sequence<I...>) {
-        // Arguments by value are moved: only those by reference are looked at again.
-        result.take([this]() -> R {
-            return (*static_cast<Callee<R(Args...)>*>(this->callee()))(
-                static_cast<Args&&>(argumentAt<I>(arguments))...);
-        });
-    }
     template <std::size_t... I>
     void* addressAt(unsigned index, std::index_sequence<I...>) {
         void* const all[] = {std::addressof(argumentAt<I>(arguments))..., nullptr};
         return all[index];
+    }
+};
+
+template <class Signature>
+class TypedCall;
+template <class R, class... Args>
+class TypedCall<R(Args...)> final : public CallValues<R(Args...)> {
+public:
+    typedef boost::intrusive_ptr<TypedCall> shared_ptr;
+    using CallValues<R(Args...)>::CallValues;
+
+private:
+    void run() override { runWith(std::index_sequence_for<Args...>()); }
+    template <std::size_t... I>
+    void runWith(std::index_sequence<I...>) {
+        // Arguments by value are moved: only those by reference are looked at again.
+        this->result.take([this]() -> R {
+            return (*static_cast<Callee<R(Args...)>*>(this->callee()))(
+                static_cast<Args&&>(argumentAt<I>(this->arguments))...);
+        });
     }
 };
 

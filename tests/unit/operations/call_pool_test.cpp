@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/internal/CallPool.hpp>
+#include "probe.hpp"
 
-#include <gtest/gtest.h>
+#include <rtt/internal/CallPool.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
 
 #include <cstring>
-#include <thread>
-#include <vector>
+#include <memory>
 
-using RTT::internal::CallPool;
+using namespace RTT;
+using namespace RTT::internal;
+using oroforge::test::makeManual;
+using oroforge::test::Probe;
 
 namespace {
 
@@ -20,6 +23,30 @@ TEST(CallPool, GivesBlocksOfItsOwnUntilTheyAreUsedUpThenOfTheHeap) {
     void* again = CallPool::take(100);
     EXPECT_TRUE(CallPool::owns(again));
     CallPool::give(again);
+}
+
+TEST(CallPool, MoreCallsThanItHasAreExecutedAllTheSame) {
+    constexpr std::size_t kCalls = CallPool::kSmall + CallPool::kLarge + 60;
+    std::vector<std::unique_ptr<Probe>> servers;
+    std::vector<SendHandle<int(int)>> handles;
+    while (handles.size() != kCalls) {
+        if (handles.size() % 100 == 0) {
+            servers.push_back(std::make_unique<Probe>());
+            makeManual(*servers.back());
+            servers.back()->addOperation(
+                "twice", [](int n) { return 2 * n; }, OwnThread);
+        }
+        OperationCaller<int(int)> twice(servers.back()->getOperation("twice"), GlobalEngine::Instance());
+        handles.push_back(twice.send(static_cast<int>(handles.size())));
+        ASSERT_TRUE(handles.back().ready());
+    }
+    EXPECT_FALSE(CallPool::owns(handles.back().call().get()));
+    for (const auto& server : servers) ASSERT_TRUE(server->update());
+    for (std::size_t i = 0; i != kCalls; ++i) {
+        int result = -1;
+        EXPECT_EQ(handles[i].collect(result), SendSuccess);
+        EXPECT_EQ(result, 2 * static_cast<int>(i));
+    }
 }
 
 TEST(CallPool, LargeCallsComeFromTheHeap) {

@@ -34,6 +34,44 @@ TEST(Implementation, IsHeldAsAMessageByOlderCode) {
     EXPECT_EQ(typed(1), 2);
 }
 
+TEST(Implementation, IsTakenFromAnyKindOfPointer) {
+    Operation<int(int)> op("op", [](int n) { return n + 1; });
+    Probe c;
+    c.addOperation(op);
+    const auto local = op.getOperationCaller();
+    const base::OperationCallerBase<int(int)>::shared_ptr typed = local;
+    const std::shared_ptr<base::DisposableInterface> standard(local.get(), [local](base::DisposableInterface*) {});
+    OperationCaller<int(int)> a(local), b = typed, d(standard, c.engine()), e(op.getImplementation()),
+                                        f("op", c.provides());
+    OperationCaller<int(int)> g("op"), h("op"), i("op"), k("op", c.engine());
+    g = local;
+    h = standard;
+    i = c.provides();
+    k = c.getOperation("op");
+    for (const OperationCaller<int(int)>& each : {a, b, d, e, f, g, h, i, k}) {
+        EXPECT_TRUE(each.ready());
+        EXPECT_EQ(each(1), 2);
+    }
+    EXPECT_EQ(a.getOperationCallerImpl()->call(4), 5);
+}
+
+TEST(Implementation, MayBeAFunctionThatNobodyRegistered) {
+    struct Adder {
+        int base;
+        int add(int n) const { return base + n; }
+    } adder{10};
+    OperationCaller<int(int)> free("free", [](int n) { return n + 1; }), member("member", &Adder::add, &adder);
+    EXPECT_EQ(free.getName(), "free");
+    EXPECT_EQ(free(1), 2);
+    EXPECT_EQ(member(1), 11);
+    Probe c;
+    OperationCaller<bool()> own(
+        "own", [&c] { return c.engine()->isStepping(); }, c.engine(), GlobalEngine::Instance(), OwnThread);
+    EXPECT_TRUE(own());
+    EXPECT_FALSE((OperationCaller<int(int)>("none", boost::function<int(int)>()).ready()));
+    EXPECT_FALSE((OperationCaller<int(int)>("none", nullptr).ready())) << "no engine";
+}
+
 TEST(Implementation, OfAnotherKindIsRefused) {
     struct Message : base::DisposableInterface {
         void executeAndDispose() override {}

@@ -70,6 +70,25 @@ TEST(ServiceTree, ServiceIsNotAddedToItself) {
     EXPECT_FALSE(service->getParent());
 }
 
+TEST(ServiceTree, ServiceThatWasNeverAddedForgetsADestroyedOwner) {
+    struct Alone : Service {
+        explicit Alone(TaskContext* owner) : Service("alone", owner) { addEventPort("in", port); }
+        InputPort<int> port;
+    };
+    boost::shared_ptr<Alone> alone;
+    {
+        Probe c("c");
+        alone = boost::make_shared<Alone>(&c);
+        EXPECT_EQ(alone->getOwner(), &c);
+        EXPECT_EQ(alone->getOwnerExecutionEngine(), c.engine());
+    }
+    EXPECT_EQ(alone->getOwner(), nullptr);
+    EXPECT_EQ(alone->getOwnerExecutionEngine(), nullptr);
+    Probe other("other");
+    EXPECT_TRUE(other.provides()->addService(alone));
+    EXPECT_EQ(alone->port.getFullName(), "other.alone.in");
+}
+
 TEST(ServiceTree, ParentCanBeSetByHand) {
     const auto parent = boost::make_shared<Service>("parent"), sub = boost::make_shared<Service>("sub");
     sub->setParent(parent);

@@ -100,7 +100,10 @@ TEST_F(StandardInterface, OperationsHaveTheirSignaturesAndAreExecutedByTheirCall
             arguments.push_back(argument.type);
         EXPECT_EQ(arguments, row.arguments) << row.name;
         EXPECT_FALSE(operations.getDescription(row.name).empty()) << row.name;
-        EXPECT_EQ(c.provides()->getLocalOperation(row.name)->getThread(), ClientThread) << row.name;
+        const auto local =
+            boost::dynamic_pointer_cast<base::OperationCallerInterface>(c.provides()->getLocalOperation(row.name));
+        ASSERT_TRUE(local) << row.name;
+        EXPECT_EQ(local->getThread(), ClientThread) << row.name;
     }
     EXPECT_EQ(operations.getArgumentList("loadService").front().name, "service_name");
 }

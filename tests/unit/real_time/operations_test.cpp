@@ -66,6 +66,27 @@ TEST_F(RealTimeOperations, CallsInTheThreadOfTheCaller) {
     EXPECT_EQ(count, 100u);
 }
 
+TEST_F(RealTimeOperations, CallsWithAnotherSignature) {
+    OperationCaller<double(const double&, double)> add(server.getOperation("add"), global);
+    OperationCaller<void(double, double)> ignoring(server.getOperation("add"), global);
+    double sum = add(1, 2);
+    ignoring(1, 2);
+    expectRealTime([&] {
+        sum = add(3, 4) + add.call(5, 6);
+        ignoring(3, 4);
+    });
+    EXPECT_EQ(sum, 18);
+}
+
+TEST_F(RealTimeOperations, AskingWhetherARequesterIsReady) {
+    OperationCaller<void()> missing("an_operation_of_a_long_name_that_nobody_offers");
+    const auto requester = server.requires_("driver");
+    ASSERT_TRUE(requester->addOperationCaller(missing));
+    bool ready = true;
+    expectRealTime([&] { ready = requester->ready(); });
+    EXPECT_FALSE(ready);
+}
+
 TEST_F(RealTimeOperations, SendingExecutingAndCollecting) {
     makeManual();
     OperationCaller<double(double)> own(server.getOperation("own"), global);

@@ -17,16 +17,18 @@ SendStatus CollectSource::get() const {
     // The handle of another operation has other results than those the variables were made for.
     if (!call || typeid(*call) != *table_->sentType) return status_ = SendFailure;
     status_ = !blocking_ || blocking_->get() ? call->collect() : call->collectIfDone();
-    if (status_ == SendSuccess && !variables_.empty()) fill(*call);
+    if (status_ == SendSuccess && !variables_.empty() && !fill(*call)) status_ = CollectFailure;
     return status_;
 }
 
-void CollectSource::fill(SentCall& call) const {
+bool CollectSource::fill(SentCall& call) const {
     auto variable = variables_.begin();
-    if (const void* result = call.resultAddress()) (*variable++)->assignValue(result);
+    bool all = true;
+    if (const void* result = call.resultAddress()) all = (*variable++)->assignValue(result);
     for (unsigned i = 0; i != table_->arity; ++i)
-        if (table_->types[i + 1].isOutput()) (*variable++)->assignValue(call.argumentAddress(i));
+        if (table_->types[i + 1].isOutput()) all = (*variable++)->assignValue(call.argumentAddress(i)) && all;
     for (const auto& filled : variables_) filled->updated();
+    return all;
 }
 
 CollectSource* CollectSource::copy(CopyMap& cloned) const {

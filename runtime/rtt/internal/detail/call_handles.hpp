@@ -31,7 +31,8 @@ private:
     mutable SentCall::shared_ptr sent_;
 };
 
-/** Collects with each evaluation, and fills variables on success; the value is the status. */
+/** Collects with each evaluation, and fills variables on success; the value is the status: CollectFailure if a variable
+    cannot be assigned. */
 class CollectSource final : public DataSource<SendStatus> {
 public:
     typedef DataSource<SentCall::shared_ptr>::shared_ptr Handle;
@@ -47,7 +48,7 @@ public:
     CollectSource* copy(CopyMap& cloned) const override;
 
 private:
-    void fill(SentCall& call) const;
+    bool fill(SentCall& call) const;
 
     const OperationTable* table_;
     Handle handle_;

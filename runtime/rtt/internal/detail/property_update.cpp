@@ -5,7 +5,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/types/Types.hpp>
 #include <rtt/types/detail/member_update.hpp>
-#include <map>
+#include <exception>
 #include <memory>
 
 namespace RTT {
@@ -18,35 +18,43 @@ namespace {
 
 bool isPlainBagType(const std::string& type) { return type.empty() || type == "PropertyBag" || type == "type_less"; }
 
-/** Pairs properties of equal names in the order in which they appear. */
-class Pairing {
-public:
-    PropertyBase* next(const PropertyBag& in, const std::string& name) {
-        std::size_t& from = next_[name];
-        for (std::size_t i = from; i != in.size(); ++i) {
-            if (in.getItem(i)->getName() != name) continue;
-            from = i + 1;
-            return in.getItem(i);
-        }
-        from = in.size();
-        return nullptr;
-    }
+/** The way from the outermost bag to a property, for messages. */
+struct Trail {
+    const Trail* outer;
+    const PropertyBase& property;
+    std::size_t index = 0;  // stands for a name
 
-private:
-    std::map<std::string, std::size_t> next_;
+    std::string path() const {
+        return (outer ? outer->path() + '.' : std::string()) +
+               (property.getName().empty() ? std::to_string(index) : property.getName());
+    }
+    Trail within(const PropertyBase& inner, std::size_t at) const { return {this, inner, at}; }
 };
 
-bool refreshItems(PropertyBag& target, const PropertyBag& source, const BagUpdate& how) {
+std::string pathOf(const Trail* outer, const PropertyBase& property) { return Trail{outer, property}.path(); }
+
+/** Sets the value whatever way there is. A conversion or composition that throws has failed. */
+bool setValue(const base::DataSourceBase::shared_ptr& target, const base::DataSourceBase::shared_ptr& source) {
+    try {
+        return types::detail::updateByAnyMeans(target, source);
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+bool updateAt(PropertyBase& target, const PropertyBase& source, const BagUpdate& how, const Trail* outer);
+
+bool refreshItems(PropertyBag& target, const PropertyBag& source, const BagUpdate& how, const Trail* outer) {
     bool good = true;
-    Pairing pairing;
+    NamePairing pairing(source);
     for (std::size_t i = 0; i != target.size(); ++i) {
         PropertyBase* item = target.getItem(i);
         const std::string& name = item->getName();
-        const PropertyBase* from = name.empty() ? source.getItem(i) : pairing.next(source, name);
+        const PropertyBase* from = source.getItem(name.empty() ? i : pairing.next(name));
         if (from) {
-            good = updateOne(*item, *from, how) && good;
+            good = updateAt(*item, *from, how, outer) && good;
         } else if (how.needAll) {
-            how.report(nullptr, "property '" + name + "' of type " + item->getType() + " is missing");
+            how.report(nullptr, "property '" + pathOf(outer, *item) + "' of type " + item->getType() + " is missing");
             good = false;
         }
     }
@@ -54,13 +62,10 @@ bool refreshItems(PropertyBag& target, const PropertyBag& source, const BagUpdat
 }
 
 /** True if a bag of type `name` may become a value of the target's type. */
-bool mayBecome(const std::string& name, const PropertyBase& target, std::string& why) {
+bool mayBecome(const std::string& name, const PropertyBase& target) {
     if (isPlainBagType(name) || name == "Sequence") return true;
     const types::TypeInfo* type = types::Types()->type(name);
-    if (type && type == target.getTypeInfo()) return true;
-    why = "property '" + target.getName() + "' of type " + target.getType() + " cannot take a value of type " + name;
-    if (!type) why += ", which no typekit knows";
-    return false;
+    return type && type == target.getTypeInfo();
 }
 
 /** A copy of the item; bags that name a type become a value of that type. Null, and a report, if that fails. */
@@ -74,7 +79,7 @@ PropertyBase* newItem(const PropertyBase& item, const BagUpdate& how) {
     }
     const types::TypeInfo* type = types::Types()->type(bag->getType());
     PropertyBase* made = type ? type->buildProperty(item.getName(), item.getDescription()) : nullptr;
-    if (made && types::detail::updateByAnyMeans(made->getDataSource(), item.getDataSource())) return made;
+    if (made && setValue(made->getDataSource(), item.getDataSource())) return made;
     delete made;
     how.report(&item, "property '" + item.getName() + "' cannot be made: type " + bag->getType() +
                           (type ? " cannot be composed from these members" : " is not known to any typekit"));
@@ -82,15 +87,80 @@ PropertyBase* newItem(const PropertyBase& item, const BagUpdate& how) {
 }
 
 bool addMissingItems(PropertyBag& target, const PropertyBag& source, const BagUpdate& how) {
-    Pairing pairing;
+    NamePairing pairing(target);
     bool good = true;
     const std::size_t had = target.size();
     for (std::size_t i = 0; i != source.size(); ++i) {
         const PropertyBase* item = source.getItem(i);
-        const bool known = item->getName().empty() ? i < had : pairing.next(target, item->getName()) != nullptr;
-        if (!known) good = target.ownProperty(newItem(*item, how)) && good;
+        const std::size_t known = item->getName().empty() ? i : pairing.next(item->getName());
+        if (known >= had) good = target.ownProperty(newItem(*item, how)) && good;
     }
     return good;
+}
+
+bool updateBagAt(PropertyBag& target, const PropertyBag& source, const BagUpdate& how, const Trail* outer) {
+    const bool good = refreshItems(target, source, how, outer);
+    return (!how.addMissing || addMissingItems(target, source, how)) && good;
+}
+
+/** Finds those of the members given that do not fit `type`, and reports them; false if all of them fit. */
+bool reportMembers(const types::TypeInfo& type, const PropertyBag& members, const BagUpdate& how, const Trail& trail) {
+    // On a value of its own, of which every member may be tried.
+    const auto value = type.buildValue();
+    if (!value) return false;
+    type.resize(value, static_cast<int>(members.size()));
+    bool reported = false;
+    for (std::size_t i = 0; i != members.size(); ++i) {
+        const PropertyBase& item = *members.getItem(i);
+        auto member = item.getName().empty() ? nullptr : value->getMember(item.getName());
+        if (!member) member = value->getMember(std::to_string(i));
+        if (!member) continue;
+        const Trail here = trail.within(item, i);
+        const PropertyBag* bag = bagOf(item);
+        if (bag && reportMembers(*member->getTypeInfo(), *bag, how, here)) {
+            reported = true;
+        } else if (!setValue(member, item.getDataSource())) {
+            reported = true;
+            how.report(&item, "property '" + here.path() + "' of type " + member->getTypeName() +
+                                  (bag ? " cannot be filled from the members given"
+                                       : " cannot take a value of type " + item.getType()));
+        }
+    }
+    return reported;
+}
+
+void reportMismatch(const PropertyBase& target, const PropertyBase& source, const BagUpdate& how, const Trail& trail) {
+    const PropertyBag* bag = bagOf(source);
+    const std::string start = "property '" + trail.path() + "' of type " + target.getType();
+    if (!bag) {
+        how.report(&source, start + " cannot take a value of type " + source.getType());
+    } else if (!mayBecome(bag->getType(), target)) {
+        how.report(&source, start + " cannot take a value of type " + bag->getType() +
+                                (types::Types()->type(bag->getType()) ? "" : ", which no typekit knows"));
+    } else if (!target.getTypeInfo() || !reportMembers(*target.getTypeInfo(), *bag, how, trail)) {
+        how.report(&source, start + " cannot be filled from the members given");
+    }
+}
+
+bool updateAt(PropertyBase& target, const PropertyBase& source, const BagUpdate& how, const Trail* outer) {
+    if (how.fillDescriptions && target.getDescription().empty()) target.setDescription(source.getDescription());
+    const Trail trail{outer, target};
+    PropertyBag* targetBag = bagOf(target);
+    const PropertyBag* sourceBag = bagOf(source);
+    if (targetBag && sourceBag) {
+        if (!isPlainBagType(targetBag->getType()) && targetBag->getType() != sourceBag->getType()) {
+            how.report(&source, "property bag '" + trail.path() + "' of type " + targetBag->getType() +
+                                    " cannot be filled from one of type " + sourceBag->getType());
+            return false;
+        }
+        const bool good = updateBagAt(*targetBag, *sourceBag, how, &trail);
+        target.getDataSource()->updated();
+        return good;
+    }
+    const bool allowed = !sourceBag || mayBecome(sourceBag->getType(), target);
+    if (allowed && setValue(target.getDataSource(), source.getDataSource())) return true;
+    reportMismatch(target, source, how, trail);
+    return false;
 }
 
 }  // namespace
@@ -109,35 +179,29 @@ PropertyBag* bagOf(const PropertyBase& property) {
     return static_cast<PropertyBag*>(source->getRawPointer());
 }
 
+NamePairing::NamePairing(const PropertyBag& bag) : followers_(bag.size()) {
+    heads_.reserve(bag.size());
+    for (std::size_t i = bag.size(); i-- != 0;) {
+        const auto added = heads_.emplace(bag.getItem(i)->getName(), i);
+        followers_[i] = added.second ? bag.size() : added.first->second;
+        added.first->second = i;
+    }
+}
+
+std::size_t NamePairing::next(const std::string& name) {
+    const auto found = heads_.find(name);
+    if (found == heads_.end() || found->second == followers_.size()) return followers_.size();
+    const std::size_t index = found->second;
+    found->second = followers_[index];
+    return index;
+}
+
 bool updateBag(PropertyBag& target, const PropertyBag& source, const BagUpdate& how) {
-    const bool good = refreshItems(target, source, how);
-    return (!how.addMissing || addMissingItems(target, source, how)) && good;
+    return updateBagAt(target, source, how, nullptr);
 }
 
 bool updateOne(PropertyBase& target, const PropertyBase& source, const BagUpdate& how) {
-    if (how.fillDescriptions && target.getDescription().empty()) target.setDescription(source.getDescription());
-    PropertyBag* targetBag = bagOf(target);
-    const PropertyBag* sourceBag = bagOf(source);
-    if (targetBag && sourceBag) {
-        if (!isPlainBagType(targetBag->getType()) && targetBag->getType() != sourceBag->getType()) {
-            how.report(&source, "property bag '" + target.getName() + "' of type " + targetBag->getType() +
-                                    " cannot be filled from one of type " + sourceBag->getType());
-            return false;
-        }
-        const bool good = updateBag(*targetBag, *sourceBag, how);
-        target.getDataSource()->updated();
-        return good;
-    }
-    std::string why;
-    if (sourceBag && !mayBecome(sourceBag->getType(), target, why)) {
-        how.report(&source, why);
-        return false;
-    }
-    if (types::detail::updateByAnyMeans(target.getDataSource(), source.getDataSource())) return true;
-    how.report(&source, "property '" + target.getName() + "' of type " + target.getType() +
-                            (sourceBag ? " cannot be filled from the members given"
-                                       : " cannot take a value of type " + source.getType()));
-    return false;
+    return updateAt(target, source, how, nullptr);
 }
 
 }  // namespace detail

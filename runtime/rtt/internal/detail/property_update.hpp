@@ -5,6 +5,8 @@
 
 #include <rtt/PropertyBag.hpp>
 #include <functional>
+#include <string_view>
+#include <unordered_map>
 
 namespace RTT {
 namespace internal {
@@ -17,6 +19,19 @@ struct BagUpdate {
     bool fillDescriptions = false;  ///< take over descriptions where the target has none
     /** Called for each error; `where` is the property of the source, or null if that is what is missing. */
     std::function<void(const base::PropertyBase* where, const std::string& text)> report;
+};
+
+/** Finds properties by name, those of equal names in the order in which they appear. */
+class RTT_API NamePairing {
+public:
+    /** Uses the names in `bag` while it lives. */
+    explicit NamePairing(const PropertyBag& bag);
+    /** Index of the next property of that name in the bag as it was; beyond its end if there is none left. */
+    std::size_t next(const std::string& name);
+
+private:
+    std::unordered_map<std::string_view, std::size_t> heads_;
+    std::vector<std::size_t> followers_;
 };
 
 /** Writes the text to the log, as an error. */
