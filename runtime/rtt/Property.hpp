@@ -5,6 +5,7 @@
 
 #include <rtt/base/PropertyBase.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <iosfwd>
 
 namespace RTT {
 
@@ -27,8 +28,9 @@ RTT_API const std::string& descriptionOf(const base::PropertyBase* property);
 template <typename T>
 class Property : public base::PropertyBase {
 public:
-    typedef T DataSourceType;
-    typedef internal::AssignableDataSource<T> SourceType;
+    typedef T value_t;
+    typedef internal::AssignableDataSource<T> DataSourceType;
+    typedef DataSourceType SourceType;
     typedef typename SourceType::param_t param_t;
     typedef typename SourceType::reference_t reference_t;
     typedef typename SourceType::const_reference_t const_reference_t;
@@ -124,6 +126,19 @@ public:
 protected:
     typename SourceType::shared_ptr _value;
 };
+
+template <typename T>
+std::ostream& operator<<(std::ostream& os, const Property<T>& property) {
+    return os << property.rvalue();
+}
+
+/** Sets the property if a value can be read. */
+template <typename T>
+std::istream& operator>>(std::istream& is, Property<T>& property) {
+    T value{};
+    if (is >> value) property.set(value);
+    return is;
+}
 
 }  // namespace RTT
 

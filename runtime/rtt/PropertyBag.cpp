@@ -6,6 +6,7 @@
 #include <rtt/base/PropertyIntrospection.hpp>
 #include <rtt/types/detail/member_update.hpp>
 #include <algorithm>
+#include <functional>
 #include <ostream>
 
 namespace RTT {
@@ -17,6 +18,7 @@ PropertyBag::PropertyBag() : type("PropertyBag") {}
 PropertyBag::PropertyBag(const std::string& t) : type(t) {}
 
 PropertyBag::PropertyBag(const PropertyBag& other) : type(other.type) {
+    mproperties.reserve(other.size());
     for (auto* property : other.mproperties) {
         if (other.ownsProperty(property))
             ownProperty(property->clone());
@@ -29,7 +31,7 @@ PropertyBag& PropertyBag::operator=(const PropertyBag& other) {
     if (&other == this) return *this;
     PropertyBag copied(other);
     mproperties.swap(copied.mproperties);
-    mowned.swap(copied.mowned);
+    mowned_props.swap(copied.mowned_props);
     type.swap(copied.type);
     return *this;
 }
@@ -44,31 +46,35 @@ bool PropertyBag::addProperty(PropertyBase& property) {
 
 bool PropertyBag::ownProperty(PropertyBase* property) {
     if (!property || !property->ready()) return false;
-    const bool known = std::find(mproperties.begin(), mproperties.end(), property) != mproperties.end();
+    const auto at = std::lower_bound(mowned_props.begin(), mowned_props.end(), property, std::less<>());
+    if (at != mowned_props.end() && *at == property) return true;
+    // If all are owned, none of them can be this one.
+    const bool known = mowned_props.size() != mproperties.size() &&
+                       std::find(mproperties.begin(), mproperties.end(), property) != mproperties.end();
     if (!known) mproperties.push_back(property);
-    if (!ownsProperty(property)) mowned.push_back(property);
+    mowned_props.insert(at, property);
     return true;
 }
 
 bool PropertyBag::ownsProperty(const PropertyBase* property) const {
-    return std::find(mowned.begin(), mowned.end(), property) != mowned.end();
+    return std::binary_search(mowned_props.begin(), mowned_props.end(), property, std::less<>());
 }
 
 bool PropertyBag::removeProperty(PropertyBase* property) {
-    const auto at = std::find(mproperties.begin(), mproperties.end(), property);
-    if (at == mproperties.end()) return false;
-    mproperties.erase(at);
-    const auto owned = std::find(mowned.begin(), mowned.end(), property);
-    if (owned != mowned.end()) {
-        mowned.erase(owned);
-        delete property;
-    }
+    // From the end, because what was added last is removed first most often.
+    const auto found = std::find(mproperties.rbegin(), mproperties.rend(), property);
+    if (found == mproperties.rend()) return false;
+    mproperties.erase(std::next(found).base());
+    if (!ownsProperty(property)) return true;
+    mowned_props.erase(std::lower_bound(mowned_props.begin(), mowned_props.end(), property, std::less<>()));
+    mproperties.erase(std::remove(mproperties.begin(), mproperties.end(), property), mproperties.end());
+    delete property;
     return true;
 }
 
 void PropertyBag::clear() {
     Properties owned;
-    owned.swap(mowned);
+    owned.swap(mowned_props);
     mproperties.clear();
     for (auto* property : owned) delete property;
 }
@@ -101,7 +107,8 @@ void PropertyBag::identify(base::PropertyIntrospection* visitor) const {
 }
 
 PropertyBag& PropertyBag::operator<<=(const PropertyBag& source) {
-    for (auto* property : Properties(source.mproperties)) {
+    if (&source == this) return *this;
+    for (auto* property : source.mproperties) {
         if (auto* mine = find(property->getName())) removeProperty(mine);
         add(property);
     }

@@ -44,11 +44,11 @@ public:
     bool ownsProperty(const base::PropertyBase* property) const;
     /** Removes this property, and deletes it if owned; false if it is not here. */
     bool removeProperty(base::PropertyBase* property);
-    void remove(base::PropertyBase* property) { removeProperty(property); }
+    bool remove(base::PropertyBase* property) { return removeProperty(property); }
     /** Removes all. */
     void clear();
 
-    /** The first property of that name, or null. */
+    /** The first property of that name, or null. Compares names one by one. */
     base::PropertyBase* find(const std::string& name) const;
     base::PropertyBase* getProperty(const std::string& name) const { return find(name); }
     /** The same as a property of type T; null if it has another type. */
@@ -84,9 +84,10 @@ public:
     /** Adds the properties of `source`, replacing those of the same name. */
     PropertyBag& operator<<=(const PropertyBag& source);
 
-private:
+protected:
     Properties mproperties;
-    Properties mowned;
+    /** Those to delete with the bag, by address. */
+    Properties mowned_props;
     std::string type;
 };
 

@@ -13,6 +13,8 @@ class RTT_API AttributeBase {
 public:
     AttributeBase() = default;
     explicit AttributeBase(const std::string& name) : mname(name) {}
+    AttributeBase(const AttributeBase&) = default;
+    AttributeBase& operator=(const AttributeBase&) = default;
     virtual ~AttributeBase();
 
     /** True if there is a value behind the name. */

@@ -29,6 +29,7 @@ public:
     void keepLastWrittenValue(bool keep);
     /** Remembers the value of the next write() only. */
     void keepNextWrittenValue(bool keep);
+    bool keepsNextWrittenValue() const { return keep_next_.load(std::memory_order_relaxed); }
     bool keepsLastWrittenValue() const { return keep_last_.load(std::memory_order_relaxed); }
     /** True if a value was written and is kept. Real-time safe. */
     bool hasLastWrittenValue() const { return has_last_.load(std::memory_order_acquire); }

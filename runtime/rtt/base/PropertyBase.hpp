@@ -48,6 +48,9 @@ public:
     virtual bool update(const PropertyBase* other);
     virtual bool refresh(const PropertyBase* other);
     virtual bool copy(const PropertyBase* other);
+    bool update(const PropertyBase& other) { return update(&other); }
+    bool refresh(const PropertyBase& other) { return refresh(&other); }
+    bool copy(const PropertyBase& other) { return copy(&other); }
     /** The same as actions, for programs; null if the types do not fit. The caller owns them. */
     virtual ActionInterface* updateCommand(const PropertyBase* other);
     virtual ActionInterface* refreshCommand(const PropertyBase* other);

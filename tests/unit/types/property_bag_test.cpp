@@ -118,6 +118,53 @@ TEST_F(Bag, EqualNamesArePairedInOrder) {
     for (int i = 0; i != 3; ++i) EXPECT_EQ(10 * (i + 1), Property<int>(target.getItem(i)).get());
 }
 
+TEST_F(Bag, EachOfManyEqualNamesIsAdded) {
+    PropertyBag target, source;
+    target.ownProperty(new Property<int>("same", "", 1));
+    for (int i : {10, 20, 30, 40}) source.ownProperty(new Property<int>("same", "", i));
+    EXPECT_TRUE(updateProperties(target, source));
+    ASSERT_EQ(4u, target.size());
+    for (int i = 0; i != 4; ++i) EXPECT_EQ(10 * (i + 1), Property<int>(target.getItem(i)).get());
+}
+
+TEST_F(Bag, OwningTwiceOrAfterReferringKeepsOneEntry) {
+    auto* property = new Property<int>("x", "", 1);
+    EXPECT_TRUE(bag.add(property));
+    EXPECT_FALSE(bag.ownsProperty(property));
+    EXPECT_TRUE(bag.ownProperty(property));
+    EXPECT_TRUE(bag.ownProperty(property));
+    EXPECT_TRUE(bag.ownsProperty(property));
+    EXPECT_EQ((Names{"a", "b", "x"}), bag.list());
+    EXPECT_TRUE(bag.remove(property));
+    EXPECT_FALSE(bag.ownProperty(nullptr));
+    EXPECT_EQ(2u, bag.size());
+}
+
+TEST_F(Bag, AnOwnedPropertyThatIsThereTwiceLeavesNothingBehind) {
+    auto* property = bag.find("a");
+    EXPECT_TRUE(bag.add(property));
+    EXPECT_EQ((Names{"a", "b", "a"}), bag.list());
+    EXPECT_TRUE(bag.removeProperty(property));
+    EXPECT_EQ((Names{"b"}), bag.list());
+}
+
+TEST_F(Bag, OperatorReplacesByName) {
+    PropertyBag source;
+    source.ownProperty(new Property<double>("a", "", 0.5));
+    source.ownProperty(new Property<int>("new", "", 1));
+    bag <<= source;
+    EXPECT_EQ((Names{"b", "a", "new"}), bag.list());
+    EXPECT_NE(nullptr, bag.getPropertyType<double>("a"));
+    EXPECT_FALSE(bag.ownsProperty(bag.find("a")));
+}
+
+TEST_F(Bag, ValuesThatCannotBeConvertedAreLeftAlone) {
+    PropertyBag source;
+    storeProperty(source, "b", new Property<std::string>("c", "", "text"));
+    EXPECT_FALSE(refreshProperties(bag, source));
+    EXPECT_EQ(2.5, inner().getPropertyType<double>("c")->get());
+}
+
 TEST_F(Bag, UnnamedItemsAreMatchedByIndex) {
     PropertyBag target, source;
     for (int i : {1, 2}) target.ownProperty(new Property<int>("", "", i));

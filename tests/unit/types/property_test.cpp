@@ -6,6 +6,7 @@
 #include <rtt/Property.hpp>
 #include <rtt/base/PropertyIntrospection.hpp>
 
+#include <boost/make_shared.hpp>
 #include <memory>
 #include <sstream>
 
@@ -74,6 +75,77 @@ TEST(Property, UpdateRefreshAndCopyDiffer) {
     Property<std::string> text("x", "", "y");
     EXPECT_FALSE(target.update(&text));
     EXPECT_EQ(2, target.get());
+}
+
+TEST(Property, UpdatesTakePropertiesByReferenceToo) {
+    Property<int> target("t", "", 1), source("s", "from s", 2);
+    EXPECT_TRUE(target.refresh(source));
+    EXPECT_EQ(2, target.get());
+    EXPECT_TRUE(target.update(source));
+    EXPECT_TRUE(target.copy(source));
+    EXPECT_EQ("s", target.getName());
+    target <<= Property<int>("x", "", 9);
+    EXPECT_EQ(9, target.get());
+}
+
+TEST(Property, StreamsItsValue) {
+    Property<std::string> text("t", "", "word");
+    Property<int> number("n", "", 1);
+    std::ostringstream out;
+    out << text << ' ' << number;
+    EXPECT_EQ("word 1", out.str());
+    std::istringstream in("other 5 x");
+    in >> text >> number;
+    EXPECT_EQ("other", text.get());
+    EXPECT_EQ(5, number.get());
+    in >> number;
+    EXPECT_TRUE(in.fail());
+    EXPECT_EQ(5, number.get());
+}
+
+TEST(Property, ComposesFromAPropertyOfBag) {
+    PropertyBag bag;
+    Property<PropertyBag> row("row", "");
+    row.value().ownProperty(new Property<int>("x", "", 1));
+    bag.ownProperty(row.clone());
+    Property<PropertyBag> found = bag.getProperty("row");
+    ASSERT_TRUE(found.ready());
+    Property<PropertyBag> target("target");
+    EXPECT_TRUE(target.compose(found));
+    EXPECT_EQ(1u, target.get().size());
+    Property<double> none = bag.getProperty("no such");
+    EXPECT_FALSE(none.ready());
+    EXPECT_FALSE(Property<int>("n").compose(found)) << "an int has no members";
+}
+
+namespace {
+/** As users derive from the classes. */
+class Gain : public Property<double> {
+public:
+    explicit Gain(const std::string& name) : Property<double>(name, "a gain", 2) {}
+    double twice() const { return 2 * this->_value->get(); }
+};
+class Gains : public PropertyBag {
+public:
+    Gains() : PropertyBag("Gains") { this->addProperty(gain); }
+    std::size_t count() const { return this->mproperties.size(); }
+    Gain gain{"gain"};
+};
+}  // namespace
+
+TEST(Property, ClassesMayBeDerived) {
+    Gains gains;
+    gains.gain.set(3);
+    EXPECT_EQ(6, gains.gain.twice());
+    EXPECT_EQ(1u, gains.count());
+    EXPECT_EQ(3, gains.getPropertyType<double>("gain")->get());
+    std::vector<boost::shared_ptr<Property<double>>> several{boost::make_shared<Gain>("a")};
+    std::vector<Property<double>> values(2, Property<double>("b", "", 1));
+    values[1] = 5;
+    values.emplace_back("c", "", 6);
+    EXPECT_EQ(1, values[0].get());
+    EXPECT_EQ(5, values[1].get());
+    EXPECT_EQ(2, several[0]->get());
 }
 
 TEST(Property, CommandsUpdateWhenExecuted) {
