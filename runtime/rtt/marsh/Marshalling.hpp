@@ -21,25 +21,46 @@ public:
           updateProperties("updateProperties"),
           writeProperties("writeProperties"),
           writeProperty("writeProperty"),
-          updateFile("updateFile") {
-        addOperationCaller(loadProperties);
-        addOperationCaller(storeProperties);
-        addOperationCaller(readProperties);
-        addOperationCaller(readProperty);
-        addOperationCaller(updateProperties);
-        addOperationCaller(writeProperties);
-        addOperationCaller(writeProperty);
-        addOperationCaller(updateFile);
+          updateFile("updateFile"),
+          loadServiceProperties("loadServiceProperties"),
+          storeServiceProperties("storeServiceProperties"),
+          readServiceProperties("readServiceProperties"),
+          updateServiceProperties("updateServiceProperties"),
+          writeServiceProperties("writeServiceProperties"),
+          updateServiceFile("updateServiceFile"),
+          readServiceProperty("readServiceProperty"),
+          writeServiceProperty("writeServiceProperty") {
+        for (auto* caller :
+             {&loadProperties, &storeProperties, &readProperties, &updateProperties, &writeProperties, &updateFile})
+            addOperationCaller(*caller);
+        for (auto* caller :
+             {&readProperty, &writeProperty, &loadServiceProperties, &storeServiceProperties, &readServiceProperties,
+              &updateServiceProperties, &writeServiceProperties, &updateServiceFile})
+            addOperationCaller(*caller);
+        for (auto* caller : {&readServiceProperty, &writeServiceProperty}) addOperationCaller(*caller);
     }
 
-    OperationCaller<bool(const std::string&)> loadProperties;
-    OperationCaller<bool(const std::string&)> storeProperties;
-    OperationCaller<bool(const std::string&)> readProperties;
-    OperationCaller<bool(const std::string&, const std::string&)> readProperty;
-    OperationCaller<bool(const std::string&)> updateProperties;
-    OperationCaller<bool(const std::string&)> writeProperties;
-    OperationCaller<bool(const std::string&, const std::string&)> writeProperty;
-    OperationCaller<bool(const std::string&)> updateFile;
+    typedef OperationCaller<bool(const std::string&)> OfFile;
+    typedef OperationCaller<bool(const std::string&, const std::string&)> OfFileAndName;
+    typedef OperationCaller<bool(const std::string&, const std::string&, const std::string&)> OfFileNameAndService;
+
+    OfFile loadProperties;
+    OfFile storeProperties;
+    OfFile readProperties;
+    OfFileAndName readProperty;
+    OfFile updateProperties;
+    OfFile writeProperties;
+    OfFileAndName writeProperty;
+    OfFile updateFile;
+    // The last argument is the name of a service of the component.
+    OfFileAndName loadServiceProperties;
+    OfFileAndName storeServiceProperties;
+    OfFileAndName readServiceProperties;
+    OfFileAndName updateServiceProperties;
+    OfFileAndName writeServiceProperties;
+    OfFileAndName updateServiceFile;
+    OfFileNameAndService readServiceProperty;
+    OfFileNameAndService writeServiceProperty;
 };
 
 }  // namespace RTT

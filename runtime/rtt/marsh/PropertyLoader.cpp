@@ -4,6 +4,7 @@
 
 #include <rtt/marsh/detail/property_file.hpp>
 
+#include <rtt/Logger.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 
@@ -12,45 +13,54 @@ namespace marsh {
 
 namespace {
 
-/** Runs `action(sink)` and writes what the sink got to the log. */
+/** Runs `action(sink)` and writes what the sink got to the log, or `done`. */
 template <class Action>
-bool logged(Action action) {
+bool logged(const std::string& done, Action action) {
     diag::Sink sink;
     const bool good = action(sink);
     logDiagnostics(sink);
+    if (good) log(Info) << done << endlog();
     return good;
 }
+
+std::string loaded(const std::string& service, const std::string& file) {
+    return "properties of service '" + service + "' were read from '" + file + "'";
+}
+
+std::string saved(const std::string& file) { return "wrote " + file; }
 
 }  // namespace
 
 PropertyLoader::PropertyLoader(TaskContext* target) : PropertyLoader(target->provides().get()) {}
 
-PropertyLoader::PropertyLoader(Service* target) : bag_(target->properties()) {}
+PropertyLoader::PropertyLoader(Service* target) : bag_(target->properties()), name_(target->getName()) {}
 
 bool PropertyLoader::load(const std::string& file) const {
-    return logged([&](diag::Sink& sink) { return loadFromFile(*bag_, file, LoadMode::load, sink); });
+    return logged(loaded(name_, file),
+                  [&](diag::Sink& sink) { return loadFromFile(*bag_, file, LoadMode::load, sink); });
 }
 
 bool PropertyLoader::configure(const std::string& file, bool strict) const {
     const LoadMode mode = strict ? LoadMode::strictRefresh : LoadMode::refresh;
-    return logged([&](diag::Sink& sink) { return loadFromFile(*bag_, file, mode, sink); });
+    return logged(loaded(name_, file), [&](diag::Sink& sink) { return loadFromFile(*bag_, file, mode, sink); });
 }
 
 bool PropertyLoader::configure(const std::string& file, const std::string& name) const {
-    return logged([&](diag::Sink& sink) { return loadOneFromFile(*bag_, file, name, sink); });
+    return logged(loaded(name_, file), [&](diag::Sink& sink) { return loadOneFromFile(*bag_, file, name, sink); });
 }
 
 bool PropertyLoader::store(const std::string& file) const {
-    return logged([&](diag::Sink& sink) { return saveToFile(*bag_, file, SaveMode::store, sink); });
+    return logged(saved(file), [&](diag::Sink& sink) { return saveToFile(*bag_, file, SaveMode::store, sink); });
 }
 
 bool PropertyLoader::save(const std::string& file, bool all) const {
-    return logged(
-        [&](diag::Sink& sink) { return saveToFile(*bag_, file, all ? SaveMode::merge : SaveMode::update, sink); });
+    return logged(saved(file), [&](diag::Sink& sink) {
+        return saveToFile(*bag_, file, all ? SaveMode::merge : SaveMode::update, sink);
+    });
 }
 
 bool PropertyLoader::save(const std::string& file, const std::string& name) const {
-    return logged([&](diag::Sink& sink) { return saveOneToFile(*bag_, file, name, sink); });
+    return logged(saved(file), [&](diag::Sink& sink) { return saveOneToFile(*bag_, file, name, sink); });
 }
 
 }  // namespace marsh

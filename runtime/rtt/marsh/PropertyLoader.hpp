@@ -30,6 +30,8 @@ public:
     bool configure(const std::string& file, bool strict = true) const;
     /** Takes over one property by its path. */
     bool configure(const std::string& file, const std::string& name) const;
+    // A literal would rather become the bool than a string.
+    bool configure(const std::string& file, const char* name) const { return configure(file, std::string(name)); }
 
     /** Makes the file anew from all properties. */
     bool store(const std::string& file) const;
@@ -37,9 +39,11 @@ public:
     bool save(const std::string& file, bool all) const;
     /** Changes or adds one property by its path. */
     bool save(const std::string& file, const std::string& name) const;
+    bool save(const std::string& file, const char* name) const { return save(file, std::string(name)); }
 
 private:
     PropertyBag* bag_;
+    std::string name_;
 };
 
 }  // namespace marsh

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "PropertyMarshaller.hpp"
 
+#include "CPFMarshaller.hpp"
 #include "PropertyDemarshaller.hpp"
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>
@@ -11,6 +12,10 @@ namespace marsh {
 
 MarshallInterface::~MarshallInterface() = default;
 DemarshallInterface::~DemarshallInterface() = default;
+
+std::string detail::cpfElement(base::PropertyBase& property) { return cpfItem(property, 2); }
+
+std::string detail::cpfDocument(const std::string& elements) { return cpfFrame(elements); }
 
 PropertyMarshaller::PropertyMarshaller(const std::string& filename) : filename_(filename) {}
 

@@ -1,73 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Property files: reading, writing, and the ways between a file and a component's properties (spec 6.3, 6.4).
-#include "builtin_typekit.hpp"
-#include "sample_types.hpp"
+#include "cpf_fixture.hpp"
 
-#include <rtt/Property.hpp>
-#include <rtt/PropertyBag.hpp>
 #include <rtt/marsh/PropertyDemarshaller.hpp>
 #include <rtt/marsh/PropertyMarshaller.hpp>
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
 
-#include <diag/print.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <unistd.h>
-
 using namespace RTT;
 using namespace RTT::marsh;
 using namespace types_test;
-
-namespace {
-
-class Cpf : public WithBuiltinTypes {
-protected:
-    static void SetUpTestSuite() {
-        WithBuiltinTypes::SetUpTestSuite();
-        sample::addTypes();
-    }
-    void SetUp() override {
-        folder = std::filesystem::temp_directory_path() / ("cpf_test_" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder);
-        file = (folder / "test.cpf").string();
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
-    void put(const std::string& body) const {
-        std::ofstream(file) << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n"
-                               "<properties>\n"
-                            << body << "\n</properties>\n";
-    }
-    std::string get() const {
-        std::ostringstream text;
-        text << std::ifstream(file).rdbuf();
-        return text.str();
-    }
-    /** The diagnostics, without the folder. */
-    std::string said() const {
-        std::string all;
-        for (const auto& diagnostic : sink.sorted()) all += diag::toString(diagnostic) + "\n";
-        for (auto at = all.find(folder.string()); at != std::string::npos; at = all.find(folder.string()))
-            all.erase(at, folder.string().size() + 1);
-        return all;
-    }
-
-    std::filesystem::path folder;
-    std::string file;
-    diag::Sink sink;
-    PropertyBag bag;
-};
-
-std::string simple(const std::string& type, const std::string& value) {
-    return "<simple name=\"p\" type=\"" + type + "\"><value>" + value + "</value></simple>";
-}
-
-}  // namespace
 
 TEST_F(Cpf, ReadsEverySimpleType) {
     put("<simple name=\"b\" type=\"boolean\"><value>true</value></simple>"
@@ -224,6 +168,43 @@ TEST_F(Cpf, FailedLoadRestoresEverything) {
     EXPECT_EQ(1, bag.getPropertyType<int>("p")->get());
     EXPECT_EQ(1, x);
     EXPECT_EQ(nullptr, bag.find("new"));
+}
+
+TEST_F(Cpf, MismatchesAreReportedWithPathAndPlace) {
+    put("<struct name=\"s\" type=\"PropertyBag\">\n"
+        "  <struct name=\"t\" type=\"sample.Tank\">\n"
+        "    <simple name=\"id\" type=\"string\"><value>x</value></simple>\n"
+        "    <struct name=\"position\" type=\"sample.Point\">\n"
+        "      <simple name=\"y\" type=\"string\"><value>x</value></simple></struct>\n"
+        "    <struct name=\"path\" type=\"PropertyBag\"><struct type=\"sample.Point\"/>\n"
+        "      <simple type=\"double\"><value>1</value></simple></struct>\n"
+        "  </struct>\n"
+        "  <simple name=\"q\" type=\"string\"><value>x</value></simple></struct>");
+    storeProperty(bag, "s", new Property<sample::Tank>("t", ""));
+    storeProperty(bag, "s", new Property<double>("q", "", 1));
+    EXPECT_FALSE(loadFromFile(bag, file, LoadMode::refresh, sink));
+    EXPECT_EQ(
+        "test.cpf:6:5: error: [CPF020] property 's.t.id' of type int cannot take a value of type string\n"
+        "test.cpf:8:7: error: [CPF020] property 's.t.position.y' of type double cannot take a value of type string\n"
+        "test.cpf:10:7: error: [CPF020] property 's.t.path.1' of type /sample/Point cannot take a value of type "
+        "double\n"
+        "test.cpf:12:3: error: [CPF020] property 's.q' of type double cannot take a value of type string\n",
+        said());
+}
+
+TEST_F(Cpf, DescriptionsAreRestoredToo) {
+    put(simple("string", "x") +
+        "<simple name=\"q\" type=\"long\"><description>d</description><value>5</value></simple>");
+    bag.ownProperty(new Property<int>("q", "", 1));
+    bag.ownProperty(new Property<int>("p", "", 1));
+    EXPECT_FALSE(loadFromFile(bag, file, LoadMode::load, sink));
+    EXPECT_EQ("", bag.find("q")->getDescription());
+    EXPECT_EQ(1, bag.getPropertyType<int>("q")->get());
+}
+
+TEST_F(Cpf, DtdIsNotLookedFor) {
+    putText("<!DOCTYPE properties SYSTEM \"http://nowhere.invalid/no.dtd\"><properties/>");
+    EXPECT_TRUE(readFile(file, bag, sink)) << said();
 }
 
 TEST_F(Cpf, UnknownStructTypeIsAnError) {

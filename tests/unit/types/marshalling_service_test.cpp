@@ -98,4 +98,35 @@ TEST_F(MarshallingOfAComponent, RequesterCallsTheService) {
     gain = 0;
     EXPECT_TRUE(marshalling.readProperties(file));
     EXPECT_EQ(7, gain);
+    ASSERT_TRUE(marshalling.storeServiceProperties(file, "inner"));
+    depth = 0;
+    EXPECT_TRUE(marshalling.readServiceProperty("depth", file, "inner"));
+    EXPECT_EQ(3, depth);
+}
+
+TEST_F(MarshallingOfAComponent, EveryServiceOperationWorksOnTheService) {
+    for (const char* operation : {"storeServiceProperties", "writeServiceProperties", "updateServiceFile",
+                                  "loadServiceProperties", "readServiceProperties", "updateServiceProperties"}) {
+        EXPECT_TRUE(call(operation, file, "inner")) << operation;
+        EXPECT_FALSE(call(operation, file, "no_such_service")) << operation;
+    }
+    OperationCaller<bool(const std::string&, const std::string&, const std::string&)> one(
+        component.provides("marshalling")->getOperation("writeServiceProperty"));
+    depth = 8;
+    EXPECT_TRUE(one("depth", file, "inner"));
+    depth = 0;
+    EXPECT_TRUE(call("updateServiceProperties", file, "inner"));
+    EXPECT_EQ(8, depth);
+    EXPECT_FALSE(one("gain", file, "inner"));
+}
+
+TEST_F(MarshallingOfAComponent, FailedLoadsChangeNothing) {
+    std::ofstream(file) << "<properties><simple name=\"new\" type=\"long\"><value>4</value></simple>"
+                           "<simple name=\"gain\" type=\"string\"><value>x</value></simple></properties>";
+    for (const char* operation : {"readProperties", "updateProperties", "loadProperties"}) {
+        EXPECT_FALSE(call(operation)) << operation;
+        EXPECT_EQ(1.5, gain);
+        EXPECT_EQ(nullptr, component.properties()->find("new"));
+    }
+    EXPECT_FALSE(call("readProperty", "gain", file));
 }

@@ -5,12 +5,7 @@
 #include "cpf_values.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/types/Types.hpp>
-
 #include <diag/print.hpp>
-#include <xml/document.hpp>
-
-#include <algorithm>
 
 namespace RTT {
 namespace marsh {
@@ -59,7 +54,7 @@ private:
         } else if (!read.property) {
             sink_.error(value->textWhere, "CPF006",
                         "property '" + name + "' of type " + type->value + " cannot be '" + value->text +
-                            "'; expected " + read.expected);
+                            "'; expected " + read.expected + (read.outOfRange ? " in the range of this type" : ""));
         } else {
             if (read.trailingText)
                 sink_.warning(value->textWhere, "CPF007", "text after the number in '" + value->text + "' is ignored");
@@ -78,10 +73,7 @@ private:
     /** Files give all kinds of types here; only one that really is a sequence counts. */
     static std::string sequenceType(const xml::Element& element) {
         const std::string name = element.attributeOr("type", "");
-        const types::TypeInfo* type = name.empty() ? nullptr : types::Types()->type(name);
-        const auto members = type ? type->getMemberNames() : std::vector<std::string>();
-        const bool isSequence = std::find(members.begin(), members.end(), "capacity") != members.end();
-        return isSequence && name != "string" ? name : "Sequence";
+        return isSequenceType(name) ? name : "Sequence";
     }
 
     void readUnknown(const xml::Element& element, PropertyBag& into) {
@@ -94,15 +86,6 @@ private:
     Places* places_;
 };
 
-bool readDocument(const std::optional<xml::Document>& document, PropertyBag& into, diag::Sink& sink, Places* places) {
-    if (!document) return false;
-    if (document->root().name != "properties") {
-        sink.error(document->root().where, "CPF001", "found <" + document->root().name + ">, expected <properties>");
-        return false;
-    }
-    return readBag(document->root(), into, sink, places);
-}
-
 }  // namespace
 
 bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places) {
@@ -111,12 +94,20 @@ bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Pl
     return sink.errorCount() == before;
 }
 
-bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places) {
-    return readDocument(xml::Document::parseFile(file, sink), into, sink, places);
+std::optional<xml::Document> readText(const std::string& text, const std::string& name, PropertyBag& into,
+                                      diag::Sink& sink, Places* places) {
+    auto document = xml::Document::parseText(text, name, sink, xml::Blanks::condensed);
+    if (!document) return std::nullopt;
+    if (document->root().name != "properties") {
+        sink.error(document->root().where, "CPF001", "found <" + document->root().name + ">, expected <properties>");
+        return std::nullopt;
+    }
+    return readBag(document->root(), into, sink, places) ? std::move(document) : std::nullopt;
 }
 
-bool readText(const std::string& text, const std::string& name, PropertyBag& into, diag::Sink& sink, Places* places) {
-    return readDocument(xml::Document::parseText(text, name, sink), into, sink, places);
+bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places) {
+    const auto text = xml::readText(file, sink);
+    return text && readText(*text, file, into, sink, places);
 }
 
 void logDiagnostics(const diag::Sink& sink) {

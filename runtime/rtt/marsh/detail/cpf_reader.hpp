@@ -7,8 +7,9 @@
 #include <rtt/PropertyBag.hpp>
 
 #include <diag/sink.hpp>
-#include <xml/element.hpp>
+#include <xml/document.hpp>
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -29,8 +30,9 @@ RTT_API bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& 
 
 /** The same for a file, whose root must be <properties>. */
 RTT_API bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
-RTT_API bool readText(const std::string& text, const std::string& name, PropertyBag& into, diag::Sink& sink,
-                      Places* places = nullptr);
+/** The same for its text; `name` stands for the file in diagnostics. Nothing if there was an error. */
+RTT_API std::optional<xml::Document> readText(const std::string& text, const std::string& name, PropertyBag& into,
+                                              diag::Sink& sink, Places* places = nullptr);
 
 /** Writes what the sink has to the log, one line each. */
 RTT_API void logDiagnostics(const diag::Sink& sink);

@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include "cpf_values.hpp"
 
+#include <rtt/types/Types.hpp>
+
+#include <algorithm>
 #include <charconv>
 #include <type_traits>
 
@@ -35,16 +38,45 @@ void readChar(SimpleValue& result, const Text& text) {
 
 void readString(SimpleValue& result, const Text& text) { make(result, text, text.value); }
 
+/** A number that is too small for T is the nearest that T has. */
+template <class T>
+bool roundsToNothing(const char* begin, const char* end, T& value) {
+    long double wide = 0;
+    if (std::from_chars(begin, end, wide).ec != std::errc() || wide > 1 || wide < -1) return false;
+    value = static_cast<T>(wide);
+    return true;
+}
+
+/** Also hexadecimal, as the C library reads numbers. `begin` is behind the sign of a positive number. */
+template <class T>
+std::from_chars_result parseReal(const char* begin, const char* end, T& value) {
+    const bool negative = begin != end && *begin == '-';
+    const char* digits = begin + negative;
+    if (end - digits > 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')) {
+        const auto read = std::from_chars(digits + 2, end, value, std::chars_format::hex);
+        if (negative) value = -value;
+        return read;
+    }
+    auto read = std::from_chars(begin, end, value);
+    if (read.ec == std::errc::result_out_of_range && roundsToNothing(begin, end, value)) read.ec = std::errc();
+    return read;
+}
+
 /** Independent of the locale; files of the original may have text behind the number, which it ignored. */
 template <class T>
 void readNumber(SimpleValue& result, const Text& text) {
-    result.expected = std::is_floating_point<T>::value ? "a number" : "a whole number";
-    const char* begin = text.value.c_str();
+    constexpr bool isReal = std::is_floating_point<T>::value;
+    result.expected = isReal ? "a number" : "a whole number";
+    const char* begin = text.value.data();
     const char* end = begin + text.value.size();
-    if (begin != end && *begin == '+') ++begin;
+    if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
     T value{};
-    const auto read = std::from_chars(begin, end, value);
-    if (read.ec == std::errc::result_out_of_range) result.expected += " in the range of this type";
+    std::from_chars_result read{};
+    if constexpr (isReal)
+        read = parseReal(begin, end, value);
+    else
+        read = std::from_chars(begin, end, value);
+    result.outOfRange = read.ec == std::errc::result_out_of_range;
     if (read.ec != std::errc()) return;
     result.trailingText = read.ptr != end;
     make(result, text, value);
@@ -120,6 +152,12 @@ SimpleValue readSimple(const std::string& type, const std::string& name, const s
     }
     result.knownType = false;
     return result;
+}
+
+bool isSequenceType(const std::string& name) {
+    const types::TypeInfo* type = name.empty() || name == "string" ? nullptr : types::Types()->type(name);
+    const auto members = type ? type->getMemberNames() : std::vector<std::string>();
+    return std::find(members.begin(), members.end(), "capacity") != members.end();
 }
 
 bool writeSimple(const base::PropertyBase& property, std::string& type, std::string& text) {

@@ -15,7 +15,8 @@ struct SimpleValue {
     base::PropertyBase* property = nullptr;  ///< new; null if the text is not such a value
     bool knownType = true;
     bool trailingText = false;  ///< a number was followed by something else
-    std::string expected;       ///< what such a value looks like
+    bool outOfRange = false;    ///< it is a number that the type does not have
+    const char* expected = "";  ///< what such a value looks like
 };
 
 /** A new property of the type that `type` names in property files. */
@@ -24,6 +25,9 @@ SimpleValue readSimple(const std::string& type, const std::string& name, const s
 
 /** Sets `type` and `text` to what stands for the value in a property file; false if its type has no such form. */
 bool writeSimple(const base::PropertyBase& property, std::string& type, std::string& text);
+
+/** True if `name` is a type whose values are sequences of any length. */
+bool isSequenceType(const std::string& name);
 
 }  // namespace marsh
 }  // namespace RTT

@@ -3,6 +3,7 @@
 #include "cpf_writer.hpp"
 
 #include "cpf_values.hpp"
+#include "replace_file.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
@@ -10,9 +11,6 @@
 
 #include <xml/escape.hpp>
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace RTT {
@@ -35,7 +33,6 @@ public:
         for (auto* property : bag) write(*property, indent);
     }
 
-private:
     void write(base::PropertyBase& property, std::size_t indent) {
         std::string type, value;
         if (writeSimple(property, type, value)) return writeSimpleElement(property, type, value, indent);
@@ -47,6 +44,7 @@ private:
                    << " has no form in property files" << endlog();
     }
 
+private:
     /** Types such as enums whose simpler form is a single value. */
     bool writeAsSimpler(const base::PropertyBase& property, std::size_t indent) {
         const auto source = property.getDataSource();
@@ -63,17 +61,17 @@ private:
     void openTag(const char* tag, const base::PropertyBase& property, const std::string& type, std::size_t indent) {
         text_.append(indent, ' ').append("<").append(tag);
         if (!property.getName().empty())
-            text_.append(" name=\"").append(xml::escapeAttribute(property.getName())) += '"';
-        text_.append(" type=\"").append(xml::escapeAttribute(type)).append("\">");
+            text_.append(" name=\"").append(xml::escapeExactly(property.getName(), true)) += '"';
+        text_.append(" type=\"").append(xml::escapeExactly(type, true)).append("\">");
     }
     void writeDescription(const base::PropertyBase& property) {
-        text_.append("<description>").append(xml::escapeText(property.getDescription())).append("</description>");
+        text_.append("<description>").append(xml::escapeExactly(property.getDescription())).append("</description>");
     }
     void writeSimpleElement(const base::PropertyBase& property, const std::string& type, const std::string& value,
                             std::size_t indent) {
         openTag("simple", property, type, indent);
         if (!property.getDescription().empty()) writeDescription(property);
-        text_.append("<value>").append(xml::escapeText(value)).append("</value></simple>\n");
+        text_.append("<value>").append(xml::escapeExactly(value)).append("</value></simple>\n");
     }
     void writeStruct(const base::PropertyBase& property, const PropertyBag& bag, std::size_t indent) {
         openTag("struct", property, bag.getType(), indent);
@@ -92,29 +90,27 @@ private:
 
 }  // namespace
 
+std::string cpfFrame(const std::string& items) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n" +
+           items + "</properties>\n";
+}
+
 std::string cpfText(const PropertyBag& bag) {
-    std::string text =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE properties SYSTEM \"cpf.dtd\">\n<properties>\n";
-    Writer(text).writeItems(bag, 2);
-    return text += "</properties>\n";
+    std::string items;
+    Writer(items).writeItems(bag, 2);
+    return cpfFrame(items);
+}
+
+std::string cpfItem(base::PropertyBase& property, std::size_t indent) {
+    std::string text;
+    Writer(text).write(property, indent);
+    return text;
 }
 
 bool writeFile(const std::string& file, const std::string& text) {
-    namespace fs = std::filesystem;
-    std::error_code ignored, failed;
-    const bool special = fs::exists(file, ignored) && !fs::is_regular_file(file, ignored);
-    // The final path, so that a symbolic link stays one.
-    fs::path target = fs::is_symlink(file, ignored) ? fs::canonical(file, ignored) : fs::path(file);
-    if (target.empty()) target = file;
-    const std::string written = special ? target.string() : target.string() + ".new";
-    std::ofstream out(written, std::ios::binary | std::ios::trunc);
-    out << text;
-    out.close();
-    if (out && !special) fs::rename(written, target, failed);
-    if (out && !failed) return true;
-    if (!special) std::remove(written.c_str());
-    log(Error) << "cannot write file " << file << endlog();
-    return false;
+    const std::error_code failed = replaceFile(file, text);
+    if (failed) log(Error) << "cannot write file " << file << ": " << failed.message() << endlog();
+    return !failed;
 }
 
 }  // namespace marsh

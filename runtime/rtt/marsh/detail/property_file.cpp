@@ -2,7 +2,9 @@
 // Copyright Oroforge contributors
 #include "property_file.hpp"
 
+#include "cpf_edit.hpp"
 #include "cpf_writer.hpp"
+#include "replace_file.hpp"
 
 #include <rtt/internal/detail/property_update.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
@@ -39,6 +41,7 @@ void restore(PropertyBag& bag, const PropertyBag& saved) {
     while (bag.size() > saved.size()) bag.removeProperty(bag.getItem(bag.size() - 1));
     for (std::size_t i = 0; i != bag.size(); ++i) {
         const PropertyBase* from = saved.getItem(i);
+        bag.getItem(i)->setDescription(from->getDescription());
         PropertyBag* inner = bagOf(*bag.getItem(i));
         const PropertyBag* savedInner = bagOf(*from);
         if (inner && savedInner)
@@ -57,35 +60,23 @@ BagUpdate reporting(const std::string& file, const Places& places, diag::Sink& s
     return how;
 }
 
-/** The file's items in their order, each replaced by that of `bag`; what is new behind them if `addNew`. */
-void mergeInto(PropertyBag& file, const PropertyBag& bag, bool addNew) {
-    PropertyBag merged(file.getType());
-    for (const auto* item : file) {
-        const PropertyBase* mine = bag.find(item->getName());
-        const PropertyBag* theirBag = bagOf(*item);
-        const PropertyBag* myBag = mine ? bagOf(*mine) : nullptr;
-        if (!theirBag || !myBag || myBag->getType() != "PropertyBag") {
-            merged.ownProperty((mine ? mine : item)->clone());
-            continue;
-        }
-        auto* inner = new Property<PropertyBag>(item->getName(), mine->getDescription(), *theirBag);
-        merged.ownProperty(inner);
-        mergeInto(inner->value(), *myBag, addNew);
-    }
-    for (const auto* item : bag)
-        if (addNew && !file.find(item->getName())) merged.ownProperty(item->clone());
-    file = merged;
-}
-
 bool exists(const std::string& file) {
     std::error_code ignored;
     return std::filesystem::exists(file, ignored);
 }
 
-bool write(const std::string& file, const PropertyBag& bag, diag::Sink& sink) {
-    if (writeFile(file, cpfText(bag))) return true;
-    sink.error({file, 0, 0}, "CPF030", "cannot write the file");
-    return false;
+bool write(const std::string& file, const std::string& text, diag::Sink& sink) {
+    const std::error_code failed = replaceFile(file, text);
+    if (failed) sink.error({file, 0, 0}, "CPF030", "cannot write the file: " + failed.message());
+    return !failed;
+}
+
+/** Puts the values of `simple` into a file that exists. */
+bool edit(const std::string& file, const PropertyBag& simple, bool addNew, diag::Sink& sink) {
+    PropertyBag read;
+    const auto text = xml::readText(file, sink);
+    const auto document = text ? readText(*text, file, read, sink) : std::nullopt;
+    return document && write(file, editedCpf(*text, document->root(), simple, addNew), sink);
 }
 
 }  // namespace
@@ -124,11 +115,8 @@ bool loadOneFromFile(PropertyBag& bag, const std::string& file, const std::strin
 bool saveToFile(const PropertyBag& bag, const std::string& file, SaveMode mode, diag::Sink& sink) {
     PropertyBag simple;
     types::decomposePropertyBag(bag, simple);
-    if (mode == SaveMode::store || !exists(file)) return write(file, simple, sink);
-    PropertyBag read;
-    if (!readFile(file, read, sink)) return false;
-    mergeInto(read, simple, mode == SaveMode::merge);
-    return write(file, read, sink);
+    if (mode == SaveMode::store || !exists(file)) return write(file, cpfText(simple), sink);
+    return edit(file, simple, mode == SaveMode::merge, sink);
 }
 
 bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink) {
@@ -137,13 +125,11 @@ bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::s
         sink.error({}, "CPF022", "there is no property '" + path + "' to write");
         return false;
     }
-    PropertyBag only, simple, read;
-    const auto dot = path.rfind('.');
+    PropertyBag only, simple;
+    const auto dot = bag.find(path) ? std::string::npos : path.rfind('.');
     storeProperty(only, dot == std::string::npos ? "" : path.substr(0, dot), one->clone());
     types::decomposePropertyBag(only, simple);
-    if (exists(file) && !readFile(file, read, sink)) return false;
-    mergeInto(read, simple, true);
-    return write(file, read, sink);
+    return exists(file) ? edit(file, simple, true, sink) : write(file, cpfText(simple), sink);
 }
 
 }  // namespace marsh
