@@ -8,4 +8,7 @@
 #include <rtt/OutputPort.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 
+// Users rely on it for more than this header needs.
+#include <rtt/usual_includes.hpp>
+
 #endif

@@ -45,9 +45,10 @@ int runCatching(int argc, char** argv, int (*body)(int, char**)) {
 }  // namespace
 
 int __os_run_main(int argc, char** argv, int (*body)(int, char**)) {
-    __os_init(argc, argv);
-    int result = -1;
-    {
+    int result = __os_init(argc, argv);
+    if (result != 0) {
+        std::fprintf(stderr, "the runtime does not start: a start function returned %d\n", result);
+    } else {
         RTT::Logger::In in(std::string(argc > 0 ? argv[0] : "") + "::main()");
         result = takeNoCatch(argc, argv) ? body(argc, argv) : runCatching(argc, argv, body);
     }

@@ -13,16 +13,16 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Runs `body` between __os_init() and __os_exit(); returns its result, −1 if it threw. */
+/** Runs `body` between __os_init() and __os_exit(); returns its result, −1 if it threw, what __os_init() says if that fails. */
 RTT_API int __os_run_main(int argc, char** argv, int (*body)(int, char**));
 #ifdef __cplusplus
 }
 #endif
 
 // Continues the `int` that precedes the macro: declaration of the body, main(), definition of the body.
-#define ORO_main(...)                                                                          \
-    oro_main_body(int, char**);                                                                \
-    int main(int argc, char** argv) { return __os_run_main(argc, argv, &oro_main_body); }      \
-    int oro_main_body(__VA_ARGS__)
+#define ORO_main(...)                                                                     \
+    ORO_main_impl(int, char**);                                                           \
+    int main(int argc, char** argv) { return __os_run_main(argc, argv, &ORO_main_impl); } \
+    int ORO_main_impl(__VA_ARGS__)
 
 #endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What users are told of the arguments of an operation.
+#ifndef ORO_ARGUMENT_DESCRIPTION_HPP
+#define ORO_ARGUMENT_DESCRIPTION_HPP
+#include <rtt/OperationInterfacePart.hpp>
+#endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Where this activity was before version 2.
+#ifndef ORO_SLAVE_ACTIVITY_FORWARD_HPP
+#define ORO_SLAVE_ACTIVITY_FORWARD_HPP
+#include <rtt/extras/SlaveActivity.hpp>
+#endif
