@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // deployer-<target>: deploys the files of the command line and runs them until a signal comes.
 #include "deployer_options.hpp"
+#include "real_time_memory.hpp"
 
 #include "../deployment/signals.hpp"
 
@@ -66,6 +67,11 @@ int run(int argc, char** argv) {
     // Threads do not survive a fork: this comes before the runtime starts.
     if (options.daemon && fork() != 0) _exit(0);
 
+    if (options.realTimeMemory != 0) error = OCL::deploy::setRealTimeMemoryAside(options.realTimeMemory);
+    if (!error.empty()) {
+        std::cerr << argv[0] << ": error: " << error << "\n";
+        return kFailure;
+    }
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     std::vector<char*> words = OCL::deploy::wordsForRuntime(argc, argv);
@@ -80,6 +86,7 @@ int run(int argc, char** argv) {
         RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
     }
     __os_exit();
+    if (options.realTimeMemory != 0) OCL::deploy::reportRealTimeMemory();
     return status;
 }
 

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "deployer_options.hpp"
 
+#include "real_time_memory.hpp"
+
 #include <rtt/Logger.hpp>
 
 #include <boost/program_options.hpp>
@@ -25,9 +27,12 @@ po::options_description visibleOptions() {
         "log-level,l", po::value<std::string>(),
         "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL")(
         "no-consolelog", "write the log to its file only")(
-        "check", "load and configure the XML files, start nothing, clean up and end")(
-        "daemon,d", "run in the background")("DeployerName", po::value<std::vector<std::string>>()->composing(),
-                                             "name of the deployer; the option's name may be left out");
+        "check", "load and configure the XML files, start nothing, clean up and end")("daemon,d",
+                                                                                      "run in the background")(
+        "rtalloc-mem-size", po::value<std::string>(),
+        "size of the pool of real-time memory, with k, m or g for units; default: 512k")(
+        "DeployerName", po::value<std::vector<std::string>>()->composing(),
+        "name of the deployer; the option's name may be left out");
     return options;
 }
 
@@ -71,7 +76,12 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     options.consoleLog = !values.count("no-consolelog");
     options.check = values.count("check") != 0;
     options.daemon = values.count("daemon") != 0 && !options.check;
-    if (!values.count("log-level")) return true;
+    if (values.count("rtalloc-mem-size")) {
+        const std::string size = values["rtalloc-mem-size"].as<std::string>();
+        options.realTimeMemory = parseMemorySize(size);
+        if (options.realTimeMemory == 0) error = "no size of real-time memory: '" + size + "'";
+    }
+    if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
     options.logLevel = logLevelOf(level);
     if (options.logLevel < 0) error = "unknown log level '" + level + "'";

@@ -4,6 +4,7 @@
 #ifndef OROFORGE_DEPLOYER_OPTIONS_HPP
 #define OROFORGE_DEPLOYER_OPTIONS_HPP
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Options {
     bool consoleLog = true;
     bool check = false;
     bool daemon = false;
+    std::size_t realTimeMemory = 0;  // bytes; 0: not given
 };
 
 /** Reads the command line. False, with the reason, if it cannot be understood. */

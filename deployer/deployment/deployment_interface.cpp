@@ -151,6 +151,10 @@ void addWiringOperations(Self& deployer) {
         .doc("Connects the services two components require and provide")
         .arg("One", "Component")
         .arg("Two", "Component");
+    deployer.addOperation("connectOperations", twoTexts(&Self::connectOperations), &deployer, ClientThread)
+        .doc("Connects an operation that a component requires to one that is provided")
+        .arg("Requested", "component.service.operation")
+        .arg("Provided", "component.service.operation");
 }
 
 void addActivityOperations(Self& deployer) {

@@ -121,6 +121,9 @@ public:
     bool stream(const std::string& port, RTT::ConnPolicy policy);
     bool createStream(const std::string& component, const std::string& port, RTT::ConnPolicy policy);
     bool connectServices(const std::string& one, const std::string& two);
+    /** Connects an operation that a component requires, `component[.service...].operation`, to one that another provides. False
+        if it is connected already. */
+    bool connectOperations(const std::string& requested, const std::string& provided);
 
     // --- activities: periods in seconds; the component must not run -------------------------------------------------
     bool setActivity(const std::string& name, double period, int priority, int scheduler);

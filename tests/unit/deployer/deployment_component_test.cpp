@@ -107,6 +107,29 @@ TEST_F(Deployment, PortsAreConnectedByPath) {
     EXPECT_FALSE(deployer_->connectTwoPorts("c", "text", "p", "numbers"));
 }
 
+TEST_F(Deployment, OperationsAreConnectedByPath) {
+    ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    RTT::OperationCaller<bool()> running("running"), nested("nested");
+    peer("c")->requires_()->addOperationCaller(running);
+    peer("c")->requires_("a")->requires_("b")->addOperationCaller(nested);
+    peer("p")->provides("x")->provides("y")->addOperation("active", [] { return true; });
+    EXPECT_TRUE(deployer_->connectOperations("c.running", "p.isRunning"));
+    EXPECT_FALSE(running());
+    EXPECT_FALSE(deployer_->connectOperations("c.running", "p.isActive")) << "is connected already";
+    EXPECT_FALSE(running());
+    EXPECT_TRUE(deployer_->connectOperations("c.a.b.nested", "p.x.y.active"));
+    EXPECT_TRUE(nested());
+    nested.disconnect();
+    for (const char* requested : {"c", "none.nested", "c.none", "c.a.nested", "c.a.b.c.nested"})
+        EXPECT_FALSE(deployer_->connectOperations(requested, "p.isActive")) << requested;
+    for (const char* provided : {"p", "none.isActive", "p.none", "p.none.isActive", "p.setPeriod"})
+        EXPECT_FALSE(deployer_->connectOperations("c.a.b.nested", provided)) << provided;
+    EXPECT_FALSE(nested.ready());
+    EXPECT_FALSE(peer("c")->requires_()->requiresService("none")) << "nothing is made on the way";
+    EXPECT_TRUE(deployer_->getOperation("connectOperations"));
+}
+
 TEST_F(Deployment, PeersAreAddedAndAliased) {
     ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
     ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));

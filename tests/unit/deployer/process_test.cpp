@@ -191,4 +191,30 @@ TEST_F(DeployerProgram, WrapperAddsTheComponentPathOfTheWorkspace) {
     EXPECT_EQ(0, accepted.status) << accepted.err;
 }
 
+TEST_F(DeployerProgram, SizeOfRealTimeMemoryIsTakenFromTheOption) {
+    const Outcome outcome = run(command({"--check", "--rtalloc-mem-size", "1.5m"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("bytes free of 1572864\n"));
+    EXPECT_THAT(outcome.out, HasSubstr(" at most"));
+    EXPECT_THAT(run(command({"--check"})).out, Not(HasSubstr("Real-time memory")));
+}
+
+TEST_F(DeployerProgram, UnusableSizeOfRealTimeMemoryIsAnError) {
+    for (const std::string size : {"0", "k", "1kk", "much", "nan"}) {
+        const Outcome outcome = run(command({"--check", "--rtalloc-mem-size", size}));
+        EXPECT_EQ(255, outcome.status) << size;
+        EXPECT_THAT(outcome.err, HasSubstr("no size of real-time memory: '" + size + "'"));
+    }
+    const Outcome tooFew = run(command({"--check", "--rtalloc-mem-size", "100"}));
+    EXPECT_EQ(255, tooFew.status);
+    EXPECT_THAT(tooFew.err, HasSubstr("100 bytes are too few for real-time memory"));
+    Command unlimited = command({"--check", "--rtalloc-mem-size", "900000g"});
+    // A sanitizer's malloc ends the program otherwise.
+    for (const std::string tool : {"ASAN_OPTIONS", "TSAN_OPTIONS"})
+        unlimited.environment[tool] = "allocator_may_return_null=1";
+    const Outcome tooMany = run(unlimited);
+    EXPECT_EQ(255, tooMany.status);
+    EXPECT_THAT(tooMany.err, HasSubstr("the system does not give 966367641600000 bytes for real-time memory"));
+}
+
 }  // namespace

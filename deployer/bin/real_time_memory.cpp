@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "real_time_memory.hpp"
+
+#include <rtt/os/tlsf/tlsf.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+namespace OCL::deploy {
+
+std::size_t parseMemorySize(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    static const std::string kUnits = "kmg";
+    double unit = 1;
+    if (*end != '\0') {
+        const std::size_t power = kUnits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(*end))));
+        if (power == std::string::npos || end[1] != '\0') return 0;
+        unit = static_cast<double>(std::size_t(1024) << (10 * power));
+    }
+    const double bytes = number * unit;
+    // Not a number fails as well.
+    return bytes >= 1 && bytes < 1e15 ? static_cast<std::size_t>(bytes) : 0;
+}
+
+std::string setRealTimeMemoryAside(std::size_t size) {
+    void* const memory = std::malloc(size);
+    if (!memory) return "the system does not give " + std::to_string(size) + " bytes for real-time memory";
+    std::memset(memory, 0, size);  // now, so that no real-time thread waits for a page
+    const std::size_t free = init_memory_pool(size, memory);
+    if (free == 0) {
+        std::free(memory);
+        return std::to_string(size) + " bytes are too few for real-time memory";
+    }
+    std::cout << "Real-time memory: " << free << " bytes free of " << size << std::endl;
+    return {};
+}
+
+void reportRealTimeMemory() {
+    std::cout << "Real-time memory: " << get_used_size_mp() << " bytes in use at the end, " << get_max_size_mp()
+              << " at most, of these " << get_overhead_size_mp() << " for bookkeeping" << std::endl;
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// One operation that a component requires is connected to one that another component provides.
+#include "deployment_state.hpp"
+#include "lookup.hpp"
+
+#include <rtt/Logger.hpp>
+#include <rtt/ServiceRequester.hpp>
+
+#include <algorithm>
+
+namespace OCL {
+
+namespace {
+
+/** `component[.service…].operation` */
+struct OperationPath {
+    std::string component, services, operation;
+
+    explicit OperationPath(const std::string& path) : component(path.substr(0, path.find('.'))) {
+        if (component.size() == path.size()) return;
+        const auto parts = deploy::splitPath(path.substr(component.size() + 1));
+        services = parts.first;
+        operation = parts.second;
+    }
+};
+
+bool refuse(const std::string& why) {
+    RTT::log(RTT::Error) << "could not connect operations: " << why << RTT::endlog();
+    return false;
+}
+
+/** Requesters are not made; null, with the reason, if the path leads to none. */
+RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, const OperationPath& path,
+                                                  std::string& error) {
+    RTT::ServiceRequester::shared_ptr requester = component.requires_();
+    for (std::size_t begin = 0; begin < path.services.size();) {
+        const std::size_t end = std::min(path.services.find('.', begin), path.services.size());
+        const std::string name = path.services.substr(begin, end - begin);
+        if (!requester->requiresService(name)) {
+            error = "component '" + path.component + "' requires no service '" + name + "'";
+            return nullptr;
+        }
+        requester = requester->requires_(name);
+        begin = end + 1;
+    }
+    RTT::base::OperationCallerBaseInvoker* const caller = requester->getOperationCaller(path.operation);
+    if (!caller)
+        error = "component '" + path.component + "' requires no operation '" + path.operation + "'" +
+                (path.services.empty() ? "" : " of service '" + path.services + "'");
+    return caller;
+}
+
+}  // namespace
+
+bool DeploymentComponent::connectOperations(const std::string& requested, const std::string& provided) {
+    const OperationPath from(requested), to(provided);
+    RTT::TaskContext* const client = deploy::findComponent(impl_->session, from.component, "connect operations");
+    RTT::TaskContext* const server = deploy::findComponent(impl_->session, to.component, "connect operations");
+    if (!client || !server) return false;
+    std::string error;
+    RTT::base::OperationCallerBaseInvoker* const caller = findCaller(*client, from, error);
+    if (!caller) return refuse(error);
+    if (caller->ready()) return refuse("'" + requested + "' is connected already");
+    const RTT::Service::shared_ptr service = deploy::findService(*server, to.services, error);
+    if (!service) return refuse(error);
+    if (!service->hasOperation(to.operation))
+        return refuse("component '" + to.component + "' provides no operation '" + to.operation + "'" +
+                      (to.services.empty() ? "" : " in service '" + to.services + "'"));
+    return caller->setImplementationPart(service->getOperation(to.operation), client->engine());
+}
+
+}  // namespace OCL
