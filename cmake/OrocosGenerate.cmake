@@ -244,6 +244,8 @@ function(_oro_typegen)
   set(sources ${outputs})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   _oro_add_target(typekit ${target} ${sources})
+  # Nearly all that loading it costs is looking up the type information of its classes. Types are told apart by name.
+  set_property(TARGET ${target} APPEND PROPERTY LINK_OPTIONS -Wl,-Bsymbolic)
   set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES $<BUILD_INTERFACE:${include_dirs}>)
   add_library(${target}-${OROCOS_TARGET} ALIAS ${target})
   cmake_language(EVAL CODE

@@ -6,6 +6,7 @@
 #   include(${OROCOS-RTT_USE_FILE_PATH}/UseOROCOS-RTT.cmake)
 #
 #   orocos_component(name src…)      component library          lib/orocos/<target>/<project>
+#   orocos_component(name STATIC src…)   components of the programs that link the library   lib
 #   orocos_typekit(name src…)        hand-written typekit       …/types
 #   orocos_plugin / orocos_service   plugin                     …/plugins
 #   orocos_library(name src…)        ordinary shared library    lib
@@ -16,6 +17,7 @@
 #   orocos_install_headers(…) orocos_generate_package(…) orocos_uninstall_target()
 #   orocos_find_package(pkg …) orocos_use_package(pkg …)
 #   orocos_add_include_directories(target …) orocos_add_compile_flags(target …)
+#   orocos_link_whole(target …)      as STATIC, for static libraries made by add_library()
 #   orocos_add_link_flags(target …) orocos_set_install_rpath(target …)
 #
 # Policies are fixed here, so that the macros behave the same whatever version the package asks for.

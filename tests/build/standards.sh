@@ -13,6 +13,7 @@ find_package(OROCOS-RTT REQUIRED)
 include(${OROCOS-RTT_USE_FILE_PATH}/UseOROCOS-RTT.cmake)
 TXT
 printf '#if __cplusplus < WANTED\n#error "too old a standard"\n#endif\n' > check.cpp
+cp check.cpp source.cpp
 way() { # name wanted text
   mkdir "$1"
   printf '%s\n' "$3" > "$1/CMakeLists.txt"
@@ -38,6 +39,31 @@ way target_options 201703L 'orocos_library(target_options ../check.cpp)
 target_compile_options(target_options PRIVATE -std=gnu++11)'
 way macro 201703L 'orocos_executable(macro ../check.cpp ../main.cpp)
 orocos_add_compile_flags(macro -std=c++11)'
+way required 201703L 'set(CMAKE_CXX_STANDARD 14)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+orocos_library(required ../check.cpp)'
+way first_flag 201703L 'set(CMAKE_CXX_FLAGS "--std=c++11 ${CMAKE_CXX_FLAGS}")
+orocos_component(first_flag ../check.cpp)'
+way many_words 201703L 'add_definitions(-DSOME "-std=c++0x -Wall")
+orocos_service(many_words ../check.cpp)'
+way conditional 201703L 'add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-std=c++14>)
+orocos_typekit(conditional ../check.cpp)'
+way target_standard 201703L 'orocos_library(target_standard ../check.cpp)
+set_target_properties(target_standard PROPERTIES CXX_STANDARD 11)'
+way features 201703L 'orocos_library(features ../check.cpp)
+target_compile_features(features PRIVATE cxx_std_11)'
+way source 201703L 'orocos_library(source ../source.cpp)
+set_source_files_properties(../source.cpp PROPERTIES COMPILE_FLAGS "-std=c++11 -Wall")'
+way linked 201703L 'add_library(old_one INTERFACE)
+target_compile_options(old_one INTERFACE -std=c++11)
+orocos_library(linked ../check.cpp)
+target_link_libraries(linked old_one)'
+way configured 201703L 'add_definitions(-std=c++11)
+add_executable(configured ../check.cpp ../main.cpp)
+orocos_configure_executable(configured)'
+way static 201703L 'add_compile_options(-std=c++11)
+orocos_component(static STATIC ../check.cpp)'
 way newer 202002L 'add_definitions(-std=c++20)
 orocos_library(newer ../check.cpp)'
 way newer_variable 202002L 'set(CMAKE_CXX_STANDARD 20)

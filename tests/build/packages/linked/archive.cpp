@@ -1,0 +1,2 @@
+#include "simple.hpp"
+LINKED_COMPONENT(Archived)

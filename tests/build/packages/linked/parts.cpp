@@ -1,0 +1,1 @@
+int linkedPart() { return 1; }

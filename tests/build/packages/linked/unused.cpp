@@ -1,0 +1,2 @@
+int functionThatNobodyHas();
+int linkedUnused() { return functionThatNobodyHas(); }
