@@ -31,9 +31,13 @@ void loadPlugin(const char* file) {
     ASSERT_TRUE(load(nullptr));
 }
 
-template <class T> SourcePtr variable(T value) { return new internal::ValueDataSource<T>(value); }
+template <class T>
+SourcePtr variable(T value) {
+    return new internal::ValueDataSource<T>(value);
+}
 
-template <class T> T valueOf(const SourcePtr& source) {
+template <class T>
+T valueOf(const SourcePtr& source) {
     auto* typed = internal::DataSource<T>::narrow(source.get());
     EXPECT_NE(nullptr, typed);
     return typed ? typed->get() : T();
@@ -42,14 +46,14 @@ template <class T> T valueOf(const SourcePtr& source) {
 class HandwrittenTypekit : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
-        loadPlugin(BUILTIN_TYPEKIT);
-        loadPlugin(ALGEBRA_TYPEKIT);
+        loadPlugin(RTT_TYPEKIT_FILE);
+        loadPlugin(TYPEKIT_FILE);
     }
     types::TypeInfo* type(const char* name) { return types::Types()->type(name); }
     SourcePtr make(std::vector<SourcePtr> arguments) { return type("algebra_vector")->construct(arguments); }
 };
 
-}
+}  // namespace
 
 TEST_F(HandwrittenTypekit, ConstructorsOfAllStyles) {
     EXPECT_EQ("0 0", make({variable(2)})->toString());

@@ -57,14 +57,16 @@ struct VectorTypeInfo : public types::TemplateTypeInfo<Vector, true>,
     }
 
     bool resize(base::DataSourceBase::shared_ptr arg, int size) const override {
-        internal::AssignableDataSource<Vector>::shared_ptr asarg = internal::AssignableDataSource<Vector>::narrow(arg.get());
+        internal::AssignableDataSource<Vector>::shared_ptr asarg =
+            internal::AssignableDataSource<Vector>::narrow(arg.get());
         if (!asarg) return false;
         asarg->set().resize(size);
         asarg->updated();
         return true;
     }
     std::vector<std::string> getMemberNames() const override { return {"size", "capacity"}; }
-    base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item, const std::string& name) const override {
+    base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
+                                               const std::string& name) const override {
         if (name == "size" || name == "capacity")
             return internal::newFunctorDataSource(&getSize, internal::GenerateDataSource()(item.get()));
         return base::DataSourceBase::shared_ptr();
@@ -75,7 +77,8 @@ struct VectorTypeInfo : public types::TemplateTypeInfo<Vector, true>,
         if (id_name) return getMember(item, id_name->get());
         internal::DataSource<int>::shared_ptr id_indx =
             internal::DataSource<int>::narrow(internal::DataSourceTypeInfo<int>::getTypeInfo()->convert(id).get());
-        if (id_indx) return internal::newFunctorDataSource(&getItem, internal::GenerateDataSource()(item.get(), id_indx.get()));
+        if (id_indx)
+            return internal::newFunctorDataSource(&getItem, internal::GenerateDataSource()(item.get(), id_indx.get()));
         return base::DataSourceBase::shared_ptr();
     }
 
@@ -99,7 +102,7 @@ struct VectorTypeInfo : public types::TemplateTypeInfo<Vector, true>,
 
 // The constructors, in the three styles that there are.
 struct vector_index_value_constructor {
-    typedef Vector (Signature)(int, double);
+    typedef Vector(Signature)(int, double);
     Vector operator()(int size, double value) const {
         Vector v(size);
         for (int i = 0; i != size; ++i) v(i) = value;
@@ -125,7 +128,9 @@ public:
         return true;
     }
     bool loadConstructors() override {
-        RTT::types::Types()->type("algebra_vector")->addConstructor(types::newConstructor(vector_index_value_constructor()));
+        RTT::types::Types()
+            ->type("algebra_vector")
+            ->addConstructor(types::newConstructor(vector_index_value_constructor()));
         RTT::types::Types()->type("algebra_vector")->addConstructor(types::newConstructor(&vectorOfSize, false));
         RTT::types::Types()->type("algebra_vector")->addConstructor(types::newConstructor(vector_from_array()));
         return true;
@@ -142,23 +147,23 @@ public:
     std::string getName() override { return "algebra-typekit"; }
 };
 
-} // namespace algebra
+}  // namespace algebra
 
 ORO_TYPEKIT_PLUGIN(algebra::AlgebraTypekit)
 
-#define INSTANTIATE(TYPE)                                            \
-    template struct RTT::internal::DataSourceTypeInfo<TYPE>;         \
-    template class RTT::internal::DataSource<TYPE>;                  \
-    template class RTT::internal::AssignableDataSource<TYPE>;        \
-    template class RTT::internal::AssignCommand<TYPE>;               \
-    template class RTT::internal::ValueDataSource<TYPE>;             \
-    template class RTT::internal::ConstantDataSource<TYPE>;          \
-    template class RTT::internal::ReferenceDataSource<TYPE>;         \
-    template class RTT::base::ChannelElement<TYPE>;                  \
-    template class RTT::OutputPort<TYPE>;                            \
-    template class RTT::InputPort<TYPE>;                             \
-    template class RTT::Property<TYPE>;                              \
-    template class RTT::Attribute<TYPE>;                             \
+#define INSTANTIATE(TYPE)                                     \
+    template struct RTT::internal::DataSourceTypeInfo<TYPE>;  \
+    template class RTT::internal::DataSource<TYPE>;           \
+    template class RTT::internal::AssignableDataSource<TYPE>; \
+    template class RTT::internal::AssignCommand<TYPE>;        \
+    template class RTT::internal::ValueDataSource<TYPE>;      \
+    template class RTT::internal::ConstantDataSource<TYPE>;   \
+    template class RTT::internal::ReferenceDataSource<TYPE>;  \
+    template class RTT::base::ChannelElement<TYPE>;           \
+    template class RTT::OutputPort<TYPE>;                     \
+    template class RTT::InputPort<TYPE>;                      \
+    template class RTT::Property<TYPE>;                       \
+    template class RTT::Attribute<TYPE>;                      \
     template class RTT::Constant<TYPE>;
 
 INSTANTIATE(algebra::Vector)

@@ -44,15 +44,18 @@ struct Joint {
     Vector torque;
 };
 
-} // namespace algebra
+}  // namespace algebra
 
-namespace boost { namespace serialization {
-template <class Archive> void serialize(Archive& ar, algebra::Joint& joint, unsigned int) {
-    ar & make_nvp("name", joint.name);
-    ar & make_nvp("position", joint.position);
-    ar & make_nvp("limits", make_array(joint.limits, 2));
-    ar & make_nvp("torque", joint.torque);
+namespace boost {
+namespace serialization {
+template <class Archive>
+void serialize(Archive& ar, algebra::Joint& joint, unsigned int) {
+    ar& make_nvp("name", joint.name);
+    ar& make_nvp("position", joint.position);
+    ar& make_nvp("limits", make_array(joint.limits, 2));
+    ar& make_nvp("torque", joint.torque);
 }
-}}
+}  // namespace serialization
+}  // namespace boost
 
 #endif
