@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // Between threads: two components that answer each other's samples, and how late a periodic activity wakes up. The floors
 // do the same with nothing but the system calls.
+#include "futex_floor.hpp"
 #include "pairs.hpp"
 
 #include <rtt/Activity.hpp>
@@ -9,48 +10,25 @@
 #include <rtt/TaskContext.hpp>
 
 #include <atomic>
-#include <climits>
 #include <cstdint>
 #include <ctime>
-#include <linux/futex.h>
 #include <pthread.h>
 #include <sched.h>
 #include <string>
-#include <sys/syscall.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
 
 using namespace RTT;
+using bench::futexPingPong;
+using bench::futexSet;
+using bench::futexWait;
+using bench::kRoundTrips;
+using bench::Placement;
 
 namespace {
 
-void futexWait(const std::atomic<std::uint32_t>& word, std::uint32_t while_) {
-    while (word.load(std::memory_order_acquire) == while_)
-        syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, while_, nullptr, nullptr, 0);
-}
-void futexSet(std::atomic<std::uint32_t>& word, std::uint32_t value) {
-    word.store(value, std::memory_order_release);
-    syscall(SYS_futex, &word, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
-}
-
 // --- round trip ---
-
-constexpr int kRoundTrips = 2000;
-
-/** CPUs of the two threads, as masks; 0 leaves it to the scheduler. */
-struct Placement {
-    unsigned first, second;
-};
-
-void place(unsigned mask) {
-    if (mask == 0) return;
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    for (unsigned cpu = 0; cpu < 32; ++cpu)
-        if (mask & (1u << cpu)) CPU_SET(cpu, &set);
-    pthread_setaffinity_np(pthread_self(), sizeof set, &set);
-}
 
 /** Answers each sample; as the one that serves, only until the rally is over. */
 class Player : public TaskContext {
@@ -90,31 +68,6 @@ private:
     double end_ = 0;
     std::atomic<std::uint32_t> over_{0};
 };
-
-double futexPingPong(Placement where) {
-    std::atomic<std::uint32_t> turn{0};
-    std::thread other([&] {
-        place(where.second);
-        for (int i = 0; i < kRoundTrips; ++i) {
-            futexWait(turn, 0);
-            futexSet(turn, 0);
-        }
-    });
-    double elapsed = 0;
-    std::thread server([&] {
-        place(where.first);
-        usleep(2000);  // until the other one waits
-        elapsed = bench::timed(CLOCK_MONOTONIC, [&] {
-            for (int i = 0; i < kRoundTrips; ++i) {
-                futexSet(turn, 1);
-                futexWait(turn, 1);
-            }
-        });
-    });
-    server.join();
-    other.join();
-    return elapsed / kRoundTrips;
-}
 
 void roundTrip(benchmark::State& state, Placement where) {
     if (where.second > 1 && std::thread::hardware_concurrency() < 2) return state.SkipWithError("needs two CPUs");

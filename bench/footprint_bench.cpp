@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Memory of components, time and memory of connections.
+#include "child.hpp"
 #include "pairs.hpp"
 
 #include <rtt/Port.hpp>
@@ -11,8 +12,6 @@
 #include <malloc.h>
 #include <memory>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 using namespace RTT;
@@ -34,30 +33,10 @@ double residentBytes() {
 /** Bytes on the heap, with what malloc adds. */
 double heapBytes() { return static_cast<double>(mallinfo2().uordblks + mallinfo2().hblkhd); }
 
-/** What `measure()` returns in a child process, whose memory nobody else has used before. */
-template <class Measure>
-double inChild(Measure measure) {
-    int ends[2];
-    double result = 0;
-    if (pipe(ends) != 0) return 0;
-    const pid_t child = fork();
-    if (child == 0) {
-        malloc_trim(0);
-        result = measure();
-        const bool sent = write(ends[1], &result, sizeof result) == sizeof result;
-        _exit(sent ? 0 : 1);
-    }
-    close(ends[1]);
-    if (child < 0 || read(ends[0], &result, sizeof result) != sizeof result) result = 0;
-    close(ends[0]);
-    if (child > 0) waitpid(child, nullptr, 0);
-    return result;
-}
-
 constexpr int kComponents = 1000;
 
 double bytesPerComponent(bool ownThread) {
-    return inChild([ownThread] {
+    return bench::inChild([ownThread] {
         std::vector<std::unique_ptr<TaskContext>> components;
         components.reserve(kComponents);
         double before = 0;

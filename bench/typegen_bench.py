@@ -3,7 +3,8 @@
 # Copyright Oroforge contributors
 """Measures typegen on generated headers with 1, 50 and 200 structs: into an empty folder, and with nothing changed.
 
-Called with the build folder; prints the JSON of Google Benchmark, or a table with --table.
+Called with the build folder; prints the JSON of Google Benchmark, or a table with --table. With --header N it prints the
+header with N structs instead, from which typekit_import_bench is built.
 """
 import argparse
 import json
@@ -81,9 +82,15 @@ def measure(typegen):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/release")
+    parser.add_argument("build", type=pathlib.Path, nargs="?", help="build folder, for example build/release")
+    parser.add_argument("--header", type=int, metavar="N", help="print a header with N structs")
     parser.add_argument("--table", action="store_true", help="a table instead of JSON")
     options = parser.parse_args()
+    if options.header:
+        print(header_text(options.header), end="")
+        return
+    if not options.build:
+        parser.error("the build folder is missing")
     typegen = options.build / "bin" / "typegen"
     if not typegen.exists():
         sys.exit(f"typegen_bench: error: no program {typegen}; build it first")

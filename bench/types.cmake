@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Loading a large typekit: typegen makes it of the header that typegen_bench.py measures typegen with.
+if(OROFORGE_BUILD_TOOLS)
+  set(dir ${PROJECT_BINARY_DIR}/bench/measured)
+  set(sources ${dir}/Plugin.cpp ${dir}/types_0.cpp ${dir}/types_1.cpp ${dir}/types_2.cpp ${dir}/types_3.cpp)
+  add_custom_command(OUTPUT ${sources}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/typegen_bench.py --header 200 > ${dir}/measured.hpp
+    COMMAND typegen -o ${dir} measured ${dir}/measured.hpp
+    DEPENDS typegen typegen_bench.py
+    VERBATIM)
+  add_library(measured-typekit MODULE EXCLUDE_FROM_ALL ${sources})
+  target_include_directories(measured-typekit PRIVATE ${dir})
+  target_link_libraries(measured-typekit PRIVATE orocos-rtt)
+  target_link_options(measured-typekit PRIVATE -Wl,-Bsymbolic)  # as orocos_typegen_headers() does
+  set_target_properties(measured-typekit PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${dir}/types)
+  oroforge_add_bench(typekit_import_bench SOURCES typekit_import_bench.cpp LIBS orocos-rtt
+    DEFINITIONS RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>" MEASURED_TYPEKIT_FILE="$<TARGET_FILE:measured-typekit>"
+    DEPENDS rtt-typekit measured-typekit)
+endif()
