@@ -41,6 +41,8 @@ namespace detail {
  */
 RTT_API bool composeMembers(const PropertyBag& source, const std::type_info& id, void* value,
                             const CompositionFactoryPtr& former);
+/** Lets the bag own all that is in it, and in the bags in it. */
+RTT_API void ownAll(PropertyBag& bag);
 /** Lets `type` use the hooks, and the factory it has for what they do not override. */
 RTT_API void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks);
 }  // namespace detail
@@ -57,7 +59,9 @@ public:
         if (!value) return nullptr;
         boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> bag(new internal::ValueDataSource<PropertyBag>());
         bag->set().setType(source->getTypeName());
-        return decomposeTypeImpl(*static_cast<const T*>(value), bag->set()) ? bag : nullptr;
+        const bool done = decomposeTypeImpl(*static_cast<const T*>(value), bag->set());
+        detail::ownAll(bag->set());
+        return done ? bag : nullptr;
     }
     bool composeType(base::DataSourceBase::shared_ptr source, base::DataSourceBase::shared_ptr target) const override {
         const void* bag = detail::valueOfType(source, typeid(PropertyBag));
@@ -74,7 +78,8 @@ public:
         else
             return detail::composeMembers(source, typeid(T), std::addressof(result), nullptr);
     }
-    /** Adds the members of `source` to `target`, which must not refer to it. Default: false, there is no special form. */
+    /** Adds the members of `source` to `target`, which must not refer to it: new properties, which the bag will own even
+        if they are only add()ed. Default: false, there is no special form. */
     virtual bool decomposeTypeImpl(param_t, PropertyBag&) const { return false; }
 };
 

@@ -4,6 +4,7 @@
 #include "CompositionHooks.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/detail/property_update.hpp>
 #include "CompositionFactory.hpp"
 #include "Types.hpp"
 #include <rtt/types/detail/member_update.hpp>
@@ -65,6 +66,14 @@ bool composeElements(const PropertyBag& source, const SourcePtr& target) {
 
 CompositionFactoryPtr compositionBy(const boost::shared_ptr<CompositionHooks>& hooks) {
     return CompositionFactoryPtr(new HookedComposition(hooks));
+}
+
+void ownAll(PropertyBag& bag) {
+    for (std::size_t i = 0; i != bag.size(); ++i) {
+        base::PropertyBase* const item = bag.getItem(i);
+        bag.ownProperty(item);
+        if (PropertyBag* const inner = internal::detail::bagOf(*item)) ownAll(*inner);
+    }
 }
 
 void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks) {
