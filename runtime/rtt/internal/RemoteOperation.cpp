@@ -44,7 +44,7 @@ struct Prepared {
 struct Claim {
     std::atomic<bool>& busy;
     const bool mine;
-    // Acquire and release: who claims it next sees it as we leave it.
+    // Acquire: pairs with the release below; who claims it next sees it as we leave it.
     explicit Claim(std::atomic<bool>& flag) : busy(flag), mine(!flag.exchange(true, std::memory_order_acquire)) {}
     ~Claim() {
         if (mine) busy.store(false, std::memory_order_release);
