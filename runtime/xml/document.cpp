@@ -22,15 +22,15 @@ namespace {
 /// Joins the tree of the XML library with the places of its tags, which were scanned in the order of this walk.
 class Conversion {
 public:
-    Conversion(const std::vector<detail::TagPlace>& tags, const std::string& file, Blanks blanks)
-        : next_(tags.begin()), end_(tags.end()), file_(file), blanks_(blanks) {}
+    Conversion(const detail::Places& places, const std::string& file, Blanks blanks)
+        : places_(places), next_(places.tags.begin()), file_(file), blanks_(blanks) {}
 
     /// False if the library and the scan saw different tags.
     bool good() const { return good_; }
 
     Element convert(const tinyxml2::XMLElement& source) {
         Element element;
-        good_ = good_ && next_ != end_ && next_->name == source.Name();
+        good_ = good_ && next_ != places_.tags.end() && next_->name == source.Name();
         if (!good_) return element;
         const detail::TagPlace& tag = *next_++;
         element.name = source.Name();
@@ -57,17 +57,19 @@ private:
     diag::Location inFile(const detail::Place& place) const { return {file_, place.line, place.column}; }
 
     void convertAttributes(const tinyxml2::XMLElement& source, const detail::TagPlace& tag, Element& to) {
-        auto at = tag.attributes.begin();
-        to.attributes.reserve(tag.attributes.size());
+        auto at = places_.attributes.begin() + static_cast<std::ptrdiff_t>(tag.attributes_begin);
+        const auto end = places_.attributes.begin() + static_cast<std::ptrdiff_t>(tag.attributes_end);
+        to.attributes.reserve(tag.attributes_end - tag.attributes_begin);
         for (auto* a = source.FirstAttribute(); a != nullptr; a = a->Next(), ++at) {
-            good_ = good_ && at != tag.attributes.end() && at->name == a->Name();
+            good_ = good_ && at != end && at->name == a->Name();
             if (!good_) return;
             to.attributes.push_back(Attribute{a->Name(), detail::resolved(a->Value()), inFile(at->name_at),
                                               inFile(at->value_at), at->value_begin, at->value_end});
         }
     }
 
-    std::vector<detail::TagPlace>::const_iterator next_, end_;
+    const detail::Places& places_;
+    std::vector<detail::TagPlace>::const_iterator next_;
     const diag::FileName file_;
     Blanks blanks_;
     bool good_ = true;
@@ -117,23 +119,24 @@ std::optional<Document> Document::parseFile(const std::string& path, diag::Sink&
 
 std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                             Blanks blanks) {
-    std::vector<detail::TagPlace> tags;
     const auto zero = text.find('\0');
     if (zero != std::string::npos) {
         sink.error(placeOf(text, zero, name), "XML001", "found a zero byte; expected XML text in UTF-8");
         return std::nullopt;
     }
-    if (!detail::scan(text, name, sink, tags)) return std::nullopt;
+    detail::Places places;
+    if (!detail::scan(text, name, sink, places)) return std::nullopt;
     // References are resolved here, because afterwards blanks that were written as such could not be told from others.
     tinyxml2::XMLDocument source(false);
     if (source.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
         sink.error({name, static_cast<unsigned>(source.ErrorLineNum()), 0}, "XML002", wording(source.ErrorID()));
         return std::nullopt;
     }
-    Conversion conversion(tags, name, blanks);
+    Conversion conversion(places, name, blanks);
     Document document(conversion.convert(*source.RootElement()));
     if (conversion.good()) return document;
-    sink.error({name, tags.front().at.line, tags.front().at.column}, "XML002", wording(tinyxml2::XML_ERROR_PARSING));
+    sink.error({name, places.tags.front().at.line, places.tags.front().at.column}, "XML002",
+               wording(tinyxml2::XML_ERROR_PARSING));
     return std::nullopt;
 }
 

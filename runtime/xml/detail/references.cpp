@@ -67,7 +67,11 @@ std::size_t appendReference(const char* at, std::string& to) {
 std::string resolved(const char* raw) {
     std::string text;
     while (*raw != '\0') {
-        const std::size_t length = *raw == '&' ? appendReference(raw, text) : 0;
+        const std::size_t plain = std::strcspn(raw, "&");
+        text.append(raw, plain);
+        raw += plain;
+        if (*raw == '\0') break;
+        const std::size_t length = appendReference(raw, text);
         if (length == 0) text += *raw;
         raw += length == 0 ? 1 : length;
     }
@@ -90,8 +94,12 @@ void TextCollector::addText(const char* raw) {
         }
         beginLetter();
         const std::size_t length = *raw == '&' ? appendReference(raw, text_) : 0;
-        if (length == 0) text_ += *raw;
-        raw += length == 0 ? 1 : length;
+        if (length == 0) {
+            const char* word = raw++;
+            while (*raw != '\0' && *raw != '&' && !isBlank(*raw)) ++raw;
+            text_.append(word, raw);
+        }
+        raw += length;
         kept_ = text_.size();
     }
 }

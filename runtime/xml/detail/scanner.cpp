@@ -22,8 +22,8 @@ bool isNameLetter(char c) { return isNameStart(c) || (c >= '0' && c <= '9') || c
 
 class Scanner {
 public:
-    Scanner(const std::string& text, const std::string& file, diag::Sink& sink, std::vector<TagPlace>& tags)
-        : text_(text), file_(file), sink_(sink), tags_(tags) {}
+    Scanner(const std::string& text, const std::string& file, diag::Sink& sink, Places& places)
+        : text_(text), file_(file), sink_(sink), tags_(places.tags), attributes_(places.attributes) {}
 
     bool run() {
         if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) position_ = lineStart_ = 3;
@@ -77,16 +77,20 @@ private:
     }
 
     bool characters() {
-        if (!isSpace(text_[position_])) {
-            if (open_.empty()) return fail(here(), "XML004", "found text outside of the root element");
-            TagPlace& tag = tags_[open_.back()];
-            if (tag.text_at.line == 0) tag.text_at = here();
-        }
-        advance();
+        skipSpace();
+        if (position_ == text_.size() || text_[position_] == '<') return true;
+        if (open_.empty()) return fail(here(), "XML004", "found text outside of the root element");
+        TagPlace& tag = tags_[open_.back()];
+        if (tag.text_at.line == 0) tag.text_at = here();
+        advanceTo(std::min(text_.find('<', position_), text_.size()));
         return true;
     }
 
     bool markup() {
+        const char kind = position_ + 1 < text_.size() ? text_[position_ + 1] : '\0';
+        if (kind == '/') return endTag();
+        if (kind == '?') return skipPast(2, "?>", "processing instruction");
+        if (kind != '!') return startTag();
         if (startsWith("<!--")) return skipPast(4, "-->", "comment");
         if (startsWith("<![CDATA[")) {
             if (open_.empty()) return fail(here(), "XML004", "found a CDATA section outside of the root element");
@@ -94,10 +98,7 @@ private:
             if (tag.text_at.line == 0) tag.text_at = here();
             return skipPast(9, "]]>", "CDATA section");
         }
-        if (startsWith("<?")) return skipPast(2, "?>", "processing instruction");
-        if (startsWith("<!")) return skipPast(2, ">", "declaration");
-        if (startsWith("</")) return endTag();
-        return startTag();
+        return skipPast(2, ">", "declaration");
     }
 
     /// `begin` is the length of what opens it.
@@ -134,6 +135,7 @@ private:
     bool startTag() {
         TagPlace tag;
         tag.at = here();
+        tag.attributes_begin = attributes_.size();
         tag.extent.begin = position_;
         if (open_.size() == maxDepth) return fail(tag.at, "XML007", "elements are nested too deeply");
         advance();
@@ -158,12 +160,13 @@ private:
         const bool empty = current() == '/';
         advanceTo(position_ + (empty ? 2 : 1));
         tag.extent.contentBegin = tag.extent.contentEnd = tag.extent.end = position_;
-        tags_.push_back(std::move(tag));
+        tag.attributes_end = attributes_.size();
+        tags_.push_back(tag);
         if (!empty) open_.push_back(tags_.size() - 1);
         return true;
     }
 
-    bool attribute(TagPlace& tag) {
+    bool attribute(const TagPlace& tag) {
         AttributePlace place;
         place.name_at = here();
         place.name = name();
@@ -172,13 +175,14 @@ private:
                 here(), "XML002",
                 std::string("found '") + current() + "' in <" + str(tag.name) + ">, expected an attribute name");
         }
-        for (const AttributePlace& other : tag.attributes) {
+        for (std::size_t i = tag.attributes_begin; i != attributes_.size(); ++i) {
+            const AttributePlace& other = attributes_[i];
             if (other.name != place.name) continue;
             report(place.name_at, "XML006", "attribute '" + str(place.name) + "' is given twice")
                 .note(inFile(other.name_at), "first given here");
             return false;
         }
-        if (tag.attributes.size() == maxAttributes) {
+        if (attributes_.size() - tag.attributes_begin == maxAttributes) {
             return fail(place.name_at, "XML008",
                         '<' + str(tag.name) + "> has more than " + std::to_string(maxAttributes) + " attributes");
         }
@@ -202,7 +206,7 @@ private:
         place.value_begin = position_;
         place.value_end = end;
         advanceTo(end + 1);
-        tag.attributes.push_back(place);
+        attributes_.push_back(place);
         return true;
     }
 
@@ -210,6 +214,7 @@ private:
     const std::string& file_;
     diag::Sink& sink_;
     std::vector<TagPlace>& tags_;
+    std::vector<AttributePlace>& attributes_;
     std::vector<std::size_t> open_;  // indices into tags_, outermost first
     std::size_t position_ = 0;
     std::size_t lineStart_ = 0;
@@ -218,8 +223,8 @@ private:
 
 }  // namespace
 
-bool scan(const std::string& text, const std::string& file, diag::Sink& sink, std::vector<TagPlace>& tags) {
-    return Scanner(text, file, sink, tags).run();
+bool scan(const std::string& text, const std::string& file, diag::Sink& sink, Places& places) {
+    return Scanner(text, file, sink, places).run();
 }
 
 }  // namespace oroforge::xml::detail

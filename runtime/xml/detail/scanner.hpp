@@ -32,7 +32,12 @@ struct TagPlace {
     Place at;               ///< the '<'
     Place text_at;          ///< first letter of its character data; line 0 if it has none
     Extent extent;
-    std::vector<AttributePlace> attributes;
+    std::size_t attributes_begin = 0, attributes_end = 0;  ///< in Places::attributes
+};
+
+struct Places {
+    std::vector<TagPlace> tags;
+    std::vector<AttributePlace> attributes;  ///< of all tags, in the order of the source
 };
 
 /// How deep elements may be nested; the XML library goes no deeper.
@@ -41,7 +46,7 @@ constexpr std::size_t maxDepth = 98;
 constexpr std::size_t maxAttributes = 1000;
 
 /// Stops at the first syntax error, reports it and returns false.
-bool scan(const std::string& text, const std::string& file, diag::Sink& sink, std::vector<TagPlace>& tags);
+bool scan(const std::string& text, const std::string& file, diag::Sink& sink, Places& places);
 
 }  // namespace oroforge::xml::detail
 
