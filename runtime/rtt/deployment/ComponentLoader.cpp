@@ -17,8 +17,9 @@ namespace RTT {
 namespace {
 
 ComponentLoader::shared_ptr& instance() {
-    static ComponentLoader::shared_ptr loader;
-    return loader;
+    // Never destroyed: static objects of the program may end the runtime later.
+    static auto* loader = new ComponentLoader::shared_ptr;
+    return *loader;
 }
 
 std::mutex& instanceMutex() {

@@ -18,8 +18,9 @@ namespace {
 const char* directoryOf(Kind kind) { return kind == Kind::Typekit ? "types" : "plugins"; }
 
 PluginLoader::shared_ptr& instance() {
-    static PluginLoader::shared_ptr loader;
-    return loader;
+    // Never destroyed: static objects of the program may end the runtime later.
+    static auto* loader = new PluginLoader::shared_ptr;
+    return *loader;
 }
 
 std::mutex& instanceMutex() {

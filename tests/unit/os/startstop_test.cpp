@@ -20,9 +20,9 @@ void stopA() { calls += "A"; }
 void stopB() { calls += "B"; }
 void stopC() { calls += "C"; }
 
-oroforge::test::Outcome runProbe(std::vector<std::string> arguments) {
+oroforge::test::Outcome runProbe(std::vector<std::string> arguments, const char* program = ORO_MAIN_PROBE) {
     oroforge::test::Command command;
-    command.program = ORO_MAIN_PROBE;
+    command.program = program;
     command.arguments = std::move(arguments);
     command.environment["ORO_LOGFILE"] = "/dev/null";
     return oroforge::test::run(command);
@@ -73,6 +73,12 @@ TEST(StartStop, GoneObjectsAreForgotten) {
     EXPECT_EQ(__os_init(0, nullptr), 0);
     __os_exit();
     EXPECT_EQ(calls, "");
+}
+
+TEST(StartStop, StaticObjectsOfTheProgramMayEndTheRuntime) {
+    const auto outcome = runProbe({}, STATIC_RUNTIME_PROBE);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, "ended\n");
 }
 
 TEST(OroMain, ReturnsTheResultOfTheBody) {
