@@ -3,15 +3,16 @@
 # Loading a large typekit: typegen makes it of the header that typegen_bench.py measures typegen with.
 if(OROFORGE_BUILD_TOOLS)
   set(dir ${PROJECT_BINARY_DIR}/bench/measured)
+  set(header ${dir}/include/measured/measured.hpp)
   set(sources ${dir}/Plugin.cpp ${dir}/types_0.cpp ${dir}/types_1.cpp ${dir}/types_2.cpp ${dir}/types_3.cpp)
   add_custom_command(OUTPUT ${sources}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}
-    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/typegen_bench.py --header 200 > ${dir}/measured.hpp
-    COMMAND typegen -o ${dir} measured ${dir}/measured.hpp
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}/include/measured
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/typegen_bench.py --header 200 > ${header}
+    COMMAND typegen -o ${dir} measured ${header}
     DEPENDS typegen typegen_bench.py
     VERBATIM)
   add_library(measured-typekit MODULE EXCLUDE_FROM_ALL ${sources})
-  target_include_directories(measured-typekit PRIVATE ${dir})
+  target_include_directories(measured-typekit PRIVATE ${dir} ${dir}/include)
   target_link_libraries(measured-typekit PRIVATE orocos-rtt)
   target_link_options(measured-typekit PRIVATE -Wl,-Bsymbolic)  # as orocos_typegen_headers() does
   set_target_properties(measured-typekit PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${dir}/types)
