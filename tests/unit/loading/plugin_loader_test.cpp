@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 namespace {
 
 using loading_test::kTarget;
@@ -88,6 +90,19 @@ TEST_F(PluginLoading, ReasonsOfRefusalAreTold) {
               errorOf(plugin("odd", "loading_other_target")));
     EXPECT_EQ("not a plugin, it does not export loadRTTPlugin", errorOf(plugin("odd", "loading_no_plugin")));
     EXPECT_THAT(errorOf(plugin("odd", "no_such_file")), HasSubstr("cannot open shared object file"));
+}
+
+TEST_F(PluginLoading, LibraryOfWhichAPartIsMissingIsRefused) {
+    const std::string whole = plugin("services", "loading_service");
+    const std::string part = plugin("cut_short", "loading_part");
+    std::filesystem::create_directories(std::filesystem::path(part).parent_path());
+    for (const int left : {5000, 4096, 100}) {  // fewer than its code and data have
+        std::filesystem::copy_file(whole, part, std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::resize_file(part, left);
+        EXPECT_THAT(errorOf(part), HasSubstr("cut short: it has " + std::to_string(left) + " bytes, expected "));
+    }
+    std::filesystem::resize_file(part, 10);
+    EXPECT_THAT(errorOf(part), HasSubstr("file too short"));
 }
 
 TEST_F(PluginLoading, LibraryOutsideOfPluginsAndTypesIsRefused) {

@@ -5,9 +5,14 @@
 #include <rtt/plugin/version_guard.hpp>
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <link.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace RTT::plugin {
@@ -27,11 +32,42 @@ std::vector<std::string> loadedFiles() {
 /** How many there were when this library was initialised: the program's own. */
 const std::size_t loadedWithProgram = loadedFiles().size();
 
+/** How long the open file must be, as its headers say; 0 if they do not say so, then the linker refuses it. */
+std::uint64_t expectedSize(int file) {
+    ElfW(Ehdr) head;
+    if (pread(file, &head, sizeof head, 0) != sizeof head || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 ||
+        head.e_phentsize != sizeof(ElfW(Phdr)))
+        return 0;
+    std::uint64_t size = head.e_phoff + std::uint64_t{head.e_phnum} * sizeof(ElfW(Phdr));
+    for (unsigned i = 0; i < head.e_phnum; ++i) {
+        ElfW(Phdr) segment;
+        if (pread(file, &segment, sizeof segment, static_cast<off_t>(head.e_phoff + i * sizeof segment)) !=
+            sizeof segment)
+            return size;
+        if (segment.p_type == PT_LOAD) size = std::max<std::uint64_t>(size, segment.p_offset + segment.p_filesz);
+    }
+    return size;
+}
+
+/** Why the file must not be given to the linker, which would end the process: it touches what is not there. */
+std::string missingPart(const std::string& path) {
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return std::string();  // the linker says why
+    struct stat status;
+    const std::uint64_t size = fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    const std::uint64_t expected = expectedSize(file);
+    close(file);
+    if (size >= expected) return std::string();
+    return "the file is cut short: it has " + std::to_string(size) + " bytes, expected " + std::to_string(expected);
+}
+
 }  // namespace
 
 SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& error) {
     // Without a slash the linker would search its own path instead of opening this file.
     const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
+    error = missingPart(path);
+    if (!error.empty()) return;
     handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
     if (!handle_) {
         const char* text = dlerror();
