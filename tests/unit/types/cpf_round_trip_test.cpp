@@ -3,8 +3,11 @@
 // Values of all types go through a property file unchanged, and writing them again gives the same file.
 #include "cpf_fixture.hpp"
 
+#include <rtt/rt_string.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
+
+#include <gmock/gmock.h>
 
 #include <cstring>
 
@@ -52,6 +55,14 @@ TEST_F(CpfRoundTrip, EveryTypeWithItsDefaultValue) {
     }
     EXPECT_GT(count, 25);
     expectFixedPoint(target);
+}
+
+TEST_F(CpfRoundTrip, RealTimeTextIsWrittenAsText) {
+    PropertyBag target;
+    own<rt_string>("name", " two  words & more\n", target);
+    expectFixedPoint(target);
+    EXPECT_THAT(get(), testing::HasSubstr("<simple name=\"name\" type=\"string\">"));
+    EXPECT_EQ(" two  words & more\n", target.getPropertyType<rt_string>("name")->get());
 }
 
 TEST_F(CpfRoundTrip, BuiltInTypesWithValues) {
