@@ -4,6 +4,8 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/internal/detail/part_send.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
 
 #include <boost/core/demangle.hpp>
 
@@ -109,6 +111,19 @@ std::string signatureOf(const OperationInterfacePart& part) {
     return text + ")";
 }
 
+/** As signatureOf(part) writes it; what no typekit knows has its C++ name. */
+std::string nameOf(const CallerValue& value) {
+    const types::TypeInfo* const known = types::TypeInfoRepository::Instance()->getTypeById(value.type);
+    const std::string name = known ? known->getTypeName() : boost::core::demangle(value.type->name());
+    return name + (value.isOutput ? "&" : value.isConstant ? " const&" : "");
+}
+
+std::string signatureOf(const CallerSignature& signature) {
+    std::string text = nameOf(signature.values[0]) + " (";
+    for (unsigned i = 1; i <= signature.arity; ++i) text += (i > 1 ? ", " : "") + nameOf(signature.values[i]);
+    return text + ")";
+}
+
 }  // namespace
 
 base::OperationCallerInterface* makeRemoteOperation(const OperationInterfacePart* part,
@@ -118,7 +133,7 @@ base::OperationCallerInterface* makeRemoteOperation(const OperationInterfacePart
         return new RemoteOperation(OperationInterfacePart::hold(part), signature, caller);
     } catch (const std::exception& e) {
         log(Error) << "operation '" << part->getName() << "' is " << signatureOf(*part) << " and cannot be called as "
-                   << boost::core::demangle(signature.type->name()) << ": " << e.what() << endlog();
+                   << signatureOf(signature) << ": " << e.what() << endlog();
         return nullptr;
     }
 }
@@ -129,9 +144,9 @@ base::OperationCallerInterface* copyRemoteOperation(const base::DisposableInterf
     const auto* const remote = dynamic_cast<const RemoteOperation*>(&held);
     if (remote && *remote->signature.type == *signature.type)
         return makeRemoteOperation(remote->part(), signature, caller);
-    log(Error) << "operation '" << name << "' cannot be called as " << boost::core::demangle(signature.type->name())
+    log(Error) << "operation '" << name << "' cannot be called as " << signatureOf(signature)
                << ": what was given for it is a "
-               << boost::core::demangle(remote ? remote->signature.type->name() : typeid(held).name()) << endlog();
+               << (remote ? signatureOf(remote->signature) : boost::core::demangle(typeid(held).name())) << endlog();
     return nullptr;
 }
 
