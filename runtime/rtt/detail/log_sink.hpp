@@ -56,9 +56,11 @@ public:
     void enableFile(bool yes);
     void allowRealTime(bool yes);
     bool reachesConsole(LoggerLevel level) const noexcept {
-        return level <= consoleLimit_.load(std::memory_order_relaxed);
+        return level != Never && level <= consoleLimit_.load(std::memory_order_relaxed);
     }
-    bool reachesFile(LoggerLevel level) const noexcept { return level <= fileLimit_.load(std::memory_order_relaxed); }
+    bool reachesFile(LoggerLevel level) const noexcept {
+        return level != Never && level <= fileLimit_.load(std::memory_order_relaxed);
+    }
 
     std::string takeLine();
     os::TimeService::ticks referenceTime() const noexcept { return reference_.load(std::memory_order_relaxed); }

@@ -87,6 +87,14 @@ TEST_F(LoggerTest, LevelSelectsWhatTheConsoleShows) {
     EXPECT_EQ(lines(), "[ Debug  ][Logger] shown\n");
 }
 
+TEST_F(LoggerTest, LinesOfLevelNeverAreNotShown) {
+    logger.setLogLevel(Logger::Debug);
+    log(Never) << "hidden" << endlog();
+    log(Debug) << "seen" << endlog();
+    EXPECT_EQ(lines(), "[ Debug  ][Logger] seen\n");
+    logger.setLogLevel(Logger::Warning);
+}
+
 TEST_F(LoggerTest, WhatNobodySeesIsNotFormatted) {
     static int formatted = 0;
     // A manipulator counts how often the text is made.
