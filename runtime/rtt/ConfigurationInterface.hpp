@@ -8,6 +8,8 @@
 #include <rtt/PropertyBag.hpp>
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace RTT {
@@ -43,6 +45,12 @@ public:
     template <class T>
     bool addConstant(const std::string& name, const T& variable) {
         return setValue(new Constant<T>(name, new internal::ConstReferenceDataSource<T>(variable)));
+    }
+    /** Of a value that is no variable it keeps a copy. */
+    template <class T, std::enable_if_t<!std::is_lvalue_reference<T>::value, int> = 0>
+    bool addConstant(const std::string& name, T&& value) {
+        typedef std::remove_const_t<T> Value;
+        return setValue(new Constant<Value>(name, new internal::ConstantDataSource<Value>(std::forward<T>(value))));
     }
     template <class T>
     bool addConstant(const std::string& name, Constant<T>& constant) {

@@ -147,6 +147,10 @@ public:
     bool addConstant(const std::string& name, const T& constant) {
         return service_->addConstant(name, constant);
     }
+    template <class T, std::enable_if_t<!std::is_lvalue_reference<T>::value, int> = 0>
+    bool addConstant(const std::string& name, T&& value) {
+        return service_->addConstant(name, std::forward<T>(value));
+    }
     bool addConstant(base::AttributeBase& constant) { return service_->addConstant(constant); }
     base::AttributeBase* getAttribute(const std::string& name) const { return service_->getAttribute(name); }
     template <class T>

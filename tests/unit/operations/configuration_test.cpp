@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <rtt/ConfigurationInterface.hpp>
+#include <rtt/TaskContext.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,6 +76,22 @@ TEST(Constants, OfConstantObjectsShareTheirValue) {
     EXPECT_EQ(Constant<int>(c.getConstant("renamed")).get(), 5);
     attribute.set(7);
     EXPECT_EQ(Constant<int>(c.getConstant("attribute")).get(), 7);
+}
+
+TEST(Constants, KeepAValueThatIsNoVariable) {
+    ConfigurationInterface c;
+    TaskContext component("component");
+    const auto number = [] { return 5; };
+    EXPECT_TRUE(c.addConstant("number", number()));
+    EXPECT_TRUE(c.addConstant<double>("real", 3));
+    EXPECT_TRUE(component.addConstant("text", std::string("a text that is longer than a short one")));
+    number();
+    EXPECT_EQ(Constant<int>(c.getConstant("number")).get(), 5);
+    EXPECT_EQ(Constant<double>(c.getConstant("real")).get(), 3.0);
+    EXPECT_EQ(Constant<std::string>(component.provides()->getConstant("text")).get(), "a text that is longer than a short one");
+    const auto* const own =
+        dynamic_cast<internal::ConstantDataSource<int>*>(c.getConstant("number")->getDataSource().get());
+    EXPECT_NE(own, nullptr);
 }
 
 TEST(Values, OfEveryKindAreFoundByOneName) {
