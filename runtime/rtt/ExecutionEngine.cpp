@@ -215,6 +215,24 @@ void ExecutionEngine::processFunctions(const Step& here) {
     functions_.erase(std::remove(functions_.begin(), functions_.end(), nullptr), functions_.end());
 }
 
+// While the component waits. True if there are some left: nobody will tell that it is their turn.
+bool ExecutionEngine::processAwaited(const Step& here) {
+    bool left = false;
+    for (std::size_t i = 0, count = functions_.size(); i != count; ++i) {
+        if (task_ && task_->base::TaskCore::inFatalError()) return false;
+        base::ExecutableInterface* const function = functions_[i];
+        if (!function || function == executing_ || !function->isAwaited()) continue;
+        bool again = false;
+        guarded(here, "a function", [&] { again = function->execute(); });
+        if (here.gone()) return false;
+        left = left || again;
+        if (again || functions_[i] != function) continue;
+        functions_[i] = nullptr;
+        function->unloaded();
+    }
+    return left;
+}
+
 void ExecutionEngine::processHooks(const Step& here) {
     if (!task_) return;
     // Not through the virtual functions: a sub-class of a component that was stopped may be under destruction.

@@ -34,8 +34,9 @@ class TaskCore;
  * A step takes at most Mailbox::kCapacity messages and callbacks; if they ask for more, another step follows.
  *
  * While a component waits for the operation of another one it executes messages, so that two components that call each
- * other do not wait for ever; its port callbacks, functions and hooks have to wait with it. A thread that is within the
- * steps of several components (a master and its slave) executes the messages of all of them.
+ * other do not wait for ever, and functions that others wait for (ExecutableInterface::isAwaited()); its port callbacks,
+ * all other functions and hooks have to wait with it. A thread that is within the steps of several components (a master
+ * and its slave) does so for all of them.
  *
  * What throws here puts the component into Exception. One queue of Mailbox::kCapacity entries takes everything that
  * other threads ask for; asking costs at most one wake-up of the component's thread, and none if it is awake. Nothing of
@@ -124,10 +125,10 @@ private:
     bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();
-    static void processWaiting();
+    static bool processWaiting();
     bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
                          const internal::EngineGate::Count* also);
-    bool processInStead();
+    bool processInStead(bool& again);
     bool waitInStead(const boost::function<bool()>& done, std::int64_t deadline);
     void triggerDeferred();
     void triggerSelf();
@@ -140,6 +141,7 @@ private:
     void callDeferredPorts(const Step& here);
     void callMissedPorts(const Step& here);
     void processFunctions(const Step& here);
+    bool processAwaited(const Step& here);
     void processHooks(const Step& here);
     template <class Action>
     bool guarded(const Step& here, const char* what, Action&& action);

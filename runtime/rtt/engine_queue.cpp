@@ -131,14 +131,18 @@ void ExecutionEngine::takeOut(base::ExecutableInterface* function) {
     std::replace(functions_.begin(), functions_.end(), function, static_cast<base::ExecutableInterface*>(nullptr));
 }
 
-// Executes the messages of all engines that this thread is executing.
-void ExecutionEngine::processWaiting() {
+// Executes the messages of all engines that this thread is executing, and the functions that others wait for. True if some of
+// those have to be executed again soon.
+bool ExecutionEngine::processWaiting() {
+    bool again = false;
     for (const Step* step = Step::innermost(); step; step = step->outer()) {
         ExecutionEngine* const engine = step->engine();
         if (!engine) continue;
         const Step here(*engine->gate_);
         engine->processMailbox(here, Depth::Waiting);
+        if (!here.gone()) again = engine->processAwaited(here) || again;
     }
+    return again;
 }
 
 bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
@@ -147,11 +151,11 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
     internal::detail::EngineSleep sleep(*gate_, also);
     while (!done()) {
         sleep.look();
-        processWaiting();
+        const bool again = processWaiting();
         if (done()) break;
         if (!mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
-        sleep.until(deadline);
+        sleep.until(again ? std::min(deadline, soon(1)) : deadline);
     }
     // The trigger that came with a port may have been used up before we waited.
     for (const Step* step = &here; step; step = step->outer())
@@ -159,11 +163,12 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
     return true;
 }
 
-bool ExecutionEngine::processInStead() {
+// False if this thread must leave the component alone. `again` as processWaiting().
+bool ExecutionEngine::processInStead(bool& again) {
     const EngineGate::Stand stand(gate_.get());
     if (!stand) return false;
     const Step here(*gate_);
-    processWaiting();
+    again = processWaiting();
     return true;
 }
 
@@ -172,12 +177,13 @@ bool ExecutionEngine::waitInStead(const boost::function<bool()>& done, std::int6
     internal::detail::EngineSleep sleep(*gate_);
     while (!done()) {
         sleep.look();
-        const bool mine = processInStead();
+        bool again = false;
+        const bool mine = processInStead(again);
         if (done()) break;
         if (mine && !mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
         // Who executes it now may leave something to this thread, and tells nobody.
-        sleep.until(mine ? deadline : std::min(deadline, soon(1)));
+        sleep.until(mine && !again ? deadline : std::min(deadline, soon(1)));
     }
     triggerDeferred();
     return true;

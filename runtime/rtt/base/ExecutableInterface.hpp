@@ -17,6 +17,9 @@ public:
     virtual ~ExecutableInterface();
     /** One step, in the engine's thread; false when done. Must be real-time safe if the component is. */
     virtual bool execute() = 0;
+    /** True for one that others wait for. It is executed also while the component waits for somebody else, who may be waiting
+        for this one in turn; also within an execute() that waits. Only the engine's own thread may remove it. */
+    virtual bool isAwaited() const { return false; }
     /** The engine takes this on. */
     virtual void loaded(ExecutionEngine* engine) { engine_ = engine; }
     /** The engine is finished with this. */

@@ -151,6 +151,39 @@ TEST(EngineFunctions, RemoverGoesOnExecutingItsOwnMessages) {
     remover.stop();
 }
 
+// Two components, each in a call of an operation that ends when a function of the other one has.
+TEST(EngineFunctions, OnesThatOthersWaitForAreExecutedDuringACall) {
+    struct Awaited : Steps {
+        using Steps::Steps;
+        bool isAwaited() const override { return true; }
+    };
+    Probe first("first"), second("second");
+    Probe* const both[] = {&first, &second};
+    std::atomic<int> parts[2] = {{0}, {0}}, done{0}, others{0};
+    Awaited functions[2] = {Awaited([&] { return ++parts[0] != 3; }), Awaited([&] { return ++parts[1] != 3; })};
+    Steps other([&] { return ++others, true; });
+    OperationCaller<void()> waits[2];
+    for (int i = 0; i != 2; ++i) {
+        both[i]->addOperation(
+            "wait", [&, i] { both[i]->engine()->waitForMessages([&] { return parts[i] == 3; }); }, OwnThread);
+        waits[i] = OperationCaller<void()>(both[i]->getOperation("wait"), both[1 - i]->engine());
+        both[i]->onUpdate = [&, i] {
+            if (both[i]->updates == 0) waits[1 - i]();
+            ++done;
+        };
+        ASSERT_TRUE(both[i]->engine()->runFunction(&functions[i]));
+    }
+    ASSERT_TRUE(first.engine()->runFunction(&other));
+    ASSERT_TRUE(first.start() && second.start());
+    EXPECT_TRUE(eventually([&] { return done >= 2; }));
+    EXPECT_EQ(functions[0].executions + functions[1].executions, 6);
+    EXPECT_EQ(others, 1) << "waits with the component";
+    EXPECT_FALSE(functions[0].isLoaded() || functions[1].isLoaded());
+    for (Probe* probe : both) probe->stop();
+    first.getActivity()->stop();
+    EXPECT_TRUE(first.engine()->removeFunction(&other));
+}
+
 TEST(EngineFunctions, RemovingWhileTheActivityIsStoppedExecutesNothing) {
     Probe probe;
     ASSERT_TRUE(probe.getActivity()->stop());
