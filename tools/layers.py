@@ -136,6 +136,8 @@ SHARED_DETAIL = {
     "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/"],
     # The deployer reads property structs that stand inside its own XML.
     "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
+    # The compiler of scripts says itself where a value is converted.
+    "runtime/rtt/types/detail/conversion_watch.hpp": ["runtime/rtt/scripting/"],
     # Activities and operation calls wait on the futex that threads wait on; activities log where os logs.
     "runtime/rtt/os/detail/": ["runtime/rtt/extras/", "runtime/rtt/internal/"],
 }

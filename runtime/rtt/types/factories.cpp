@@ -12,6 +12,7 @@
 #include "ValueFactory.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt/types/detail/conversion_watch.hpp>
 #include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/internal/Reference.hpp>
 #include <sstream>
@@ -88,7 +89,17 @@ void* storageOfType(const base::DataSourceBase::shared_ptr& source, const std::t
     return source->getRawPointer();
 }
 
+namespace {
+thread_local ConversionWatch* watch = nullptr;
+}
+
+ConversionWatch::ConversionWatch() : outer_(watch) { watch = this; }
+ConversionWatch::~ConversionWatch() { watch = outer_; }
+ConversionWatch* ConversionWatch::current() { return watch; }
+
 void warnConversion(const base::DataSourceBase& from, const base::DataSourceBase& to) {
+    if (auto* const watching = ConversionWatch::current())
+        return watching->note({from.getTypeName(), to.getTypeName()});
     log(Warning) << "conversion from " << from.getType() << " to " << to.getType() << endlog();
 }
 
