@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/parse_rules.hpp>
+
+#include <diag/nearest_match.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+std::string pathOf(const ast::Name& name) {
+    std::string path;
+    for (const ast::Identifier& part : name.parts) path += (path.empty() ? "" : ".") + part.text;
+    return path;
+}
+
+std::string meantKeyword(const std::string& word) {
+    if (word.size() < 3) return "";
+    return oroforge::diag::didYouMean(
+        word, {"var",      "const",  "alias",  "param", "set",          "call",        "return",
+               "while",    "for",    "try",    "else",  "catch",        "yield",       "program",
+               "function", "export", "global", "local", "StateMachine", "RootMachine", "SubMachine"});
+}
+
+bool beginsPlain(std::string_view word) {
+    for (const std::string_view known : {"do", "set", "call", "yield", "nothing", "true", "false", "not"})
+        if (word == known) return true;
+    return !isReserved(word);
+}
+
+}  // namespace
+
+/** Without the ';' at its end. Null if failed. */
+ast::StatementPtr Parser::statement() {
+    if (atDeclaration()) return declaration();
+    if (atWord("if")) return ifStatement();
+    if (atWord("while")) return whileStatement();
+    if (atWord("for")) return forStatement();
+    if (atWord("try")) return tryStatement();
+    if (atWord("return")) return returnStatement();
+    if (atBreak()) return breakStatement();
+    if (atWord("else")) failWith("OPS001", "found 'else' without an 'if' before it");
+    if (atWord("catch")) failWith("OPS001", "found 'catch' without a 'try' before it");
+    return plainStatement();
+}
+
+/** `do`, `set` and `call` mean nothing. */
+void Parser::plainPrefix() {
+    acceptWord("do");
+    acceptWord("set");
+    acceptWord("call");
+}
+
+ast::StatementPtr Parser::plainStatement() {
+    const ast::Place at = place();
+    switch (token().kind) {
+        case TokenKind::Word:
+            if (!beginsPlain(text()))
+                failWith("OPS008", "found the reserved word '" + std::string(text()) + "', expected a statement");
+            break;
+        case TokenKind::TypeWord:
+        case TokenKind::Number:
+        case TokenKind::Text:
+        case TokenKind::Letter:
+        case TokenKind::OpenParen:
+        case TokenKind::Plus:
+        case TokenKind::Minus:
+        case TokenKind::Not: break;
+        default: failHere("a statement"); return nullptr;
+    }
+    plainPrefix();
+    if (acceptWord("yield")) return makeStatement(at, ast::Yield{});
+    if (acceptWord("nothing")) return makeStatement(at, ast::Nothing{});
+    return makeStatement(at, ast::Do{expression()});
+}
+
+ast::StatementPtr Parser::tryStatement() {
+    const ast::Place at = place();
+    advance();
+    plainPrefix();
+    ast::Try result;
+    result.attempt = expression();
+    if (acceptContinuation("catch")) result.handler = std::make_unique<ast::Block>(block());
+    return makeStatement(at, std::move(result));
+}
+
+/** The value stands on the same line. */
+ast::StatementPtr Parser::returnStatement() {
+    const ast::Place at = place();
+    advance();
+    ast::Return result;
+    if (!atStatementEnd() && !atWord("else") && !atWord("catch")) result.value = expression();
+    return makeStatement(at, std::move(result));
+}
+
+ast::StatementPtr Parser::ifStatement() {
+    const ast::Place at = place();
+    advance();
+    ast::If result;
+    result.condition = expression();
+    expectThen();
+    result.then = block();
+    if (acceptContinuation("else")) result.otherwise = std::make_unique<ast::Block>(block());
+    return makeStatement(at, std::move(result));
+}
+
+void Parser::expectThen() {
+    const bool word = atName();
+    const std::string found(word ? text() : "");
+    if (!acceptWord("then")) {
+        auto* error = fail("'then' after the condition");
+        if (error && word) error->message += oroforge::diag::didYouMean(found, {"then"});
+    }
+    recoverAtBrace();
+}
+
+ast::StatementPtr Parser::whileStatement() {
+    const ast::Place at = place();
+    advance();
+    ast::While result;
+    result.condition = expression();
+    recoverAtBrace();
+    result.body = loopBody();
+    return makeStatement(at, std::move(result));
+}
+
+/** `for (var int i = 0; i < 3; set i = i + 1) …`. */
+ast::StatementPtr Parser::forStatement() {
+    const ast::Place at = place();
+    advance();
+    ast::For result;
+    forHeader(result);
+    recoverAtBrace(true);
+    result.body = loopBody();
+    return makeStatement(at, std::move(result));
+}
+
+void Parser::forHeader(ast::For& loop) {
+    const Token open = token();
+    expect(TokenKind::OpenParen, "'('");
+    loop.first = atDeclaration() ? declaration() : plainStatement();
+    if (!accept(TokenKind::Semicolon)) explainNameAfter(loop.first.get(), fail("';' and the condition"));
+    loop.condition = expression();
+    expect(TokenKind::Semicolon, "';' and what to do after each round");
+    plainPrefix();
+    loop.next = expression();
+    expectClosing(TokenKind::CloseParen, "')'", open);
+}
+
+/** `break` can be a name as well. */
+bool Parser::atBreak() const {
+    if (!atWord("break")) return false;
+    const Token next = following();
+    switch (next.kind) {
+        case TokenKind::Semicolon:
+        case TokenKind::CloseBrace:
+        case TokenKind::End: return true;
+        case TokenKind::Word: return next.newLine || text(next) == "else" || text(next) == "catch";
+        default: return next.newLine;
+    }
+}
+
+ast::StatementPtr Parser::breakStatement() {
+    const ast::Place at = place();
+    if (loops_ == 0) report(at, "OPS011", "found 'break' outside of 'for' and 'while'");
+    advance();
+    return makeStatement(at, ast::Break{});
+}
+
+void Parser::endAfter(const ast::StatementPtr& statement) { explainNameAfter(statement.get(), endStatement()); }
+
+/** `statement` is followed by something that does not fit: was its name meant as a keyword or a type? */
+void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
+    const auto* only = statement ? std::get_if<ast::Do>(&statement->what) : nullptr;
+    if (!error || !only || !only->expression) return;
+    const auto* name = std::get_if<ast::Name>(&only->expression->what);
+    if (!name || name->called) {
+        if (token().kind == TokenKind::OpenParen) error->hint("only what has a name can be called");
+        return;
+    }
+    const std::string& first = name->parts.front().text;
+    const std::string meant = name->parts.size() == 1 ? meantKeyword(first) : "";
+    if (!meant.empty()) {
+        error->hint("'" + first + "' is taken for a name" + meant);
+    } else if (token().kind == TokenKind::Word && !isReserved(text())) {
+        error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(text()) + "'");
+    }
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The words of a script.
+#ifndef ORO_SCRIPTING_DETAIL_TOKEN_HPP
+#define ORO_SCRIPTING_DETAIL_TOKEN_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+enum class TokenKind : std::uint8_t {
+    End,
+    Word,      ///< a name or keyword
+    TypeWord,  ///< `ints[]`, and `vector<double>` if '(' follows
+    Number,    ///< with its suffix, even a wrong one
+    Text,      ///< with its quotes
+    Letter,    ///< with its quotes
+    OpenParen,
+    CloseParen,
+    OpenBracket,
+    CloseBracket,
+    OpenBrace,
+    CloseBrace,
+    Comma,
+    Semicolon,
+    Dot,
+    Colon,  ///< ':' or '::'
+    Assign,
+    Plus,
+    Minus,
+    Times,
+    Divide,
+    Modulo,
+    Not,
+    And,
+    Or,
+    Equal,
+    Unequal,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    // What is no token:
+    Stray,       ///< bytes that no token begins with
+    OpenText,    ///< a text or letter that does not end on its line
+    OpenComment  ///< reaches to the end of the script
+};
+
+/** A piece of the script; never longer than a line, OpenComment aside. */
+struct Token {
+    TokenKind kind = TokenKind::End;
+    bool newLine = false;  ///< the first of its line
+    unsigned line = 1, column = 1;
+    std::size_t begin = 0, end = 0;
+};
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif
