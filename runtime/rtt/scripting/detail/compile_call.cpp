@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Calls of operations, constructors and functions of scripts.
+#include <rtt/scripting/detail/unit.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/arithmetic.hpp>
+#include <rtt/scripting/detail/instructions.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/Types.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+std::string joined(const std::vector<ast::Identifier>& parts) {
+    std::string text;
+    for (const auto& part : parts) text += (text.empty() ? "" : ".") + part.text;
+    return text;
+}
+
+std::string signature(const std::string& name, const std::vector<base::DataSourceBase::shared_ptr>& arguments) {
+    std::string text = name + "(";
+    for (std::size_t i = 0; i != arguments.size(); ++i) text += (i ? ", " : "") + arguments[i]->getTypeName();
+    return text + ")";
+}
+
+std::string counted(std::size_t count) {
+    return count == 0 ? "no arguments" : count == 1 ? "1 argument" : std::to_string(count) + " arguments";
+}
+
+}  // namespace
+
+OperationInterfacePart::Args Unit::arguments(const ast::Expressions& expressions) {
+    OperationInterfacePart::Args sources;
+    for (const auto& argument : expressions) {
+        const Operand value = expression(*argument);
+        if (value.kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
+        sources.push_back(sourceOf(value));
+    }
+    return sources;
+}
+
+/** Converted to what the operation takes, as far as conversions of numbers go. */
+OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const OperationInterfacePart& part) {
+    std::vector<Operand> values;
+    for (const auto& argument : name.arguments) {
+        values.push_back(expression(*argument));
+        if (values.back().kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
+    }
+    OperationInterfacePart::Args sources;
+    const bool fits = values.size() == part.arity();
+    for (unsigned i = 0; i != values.size(); ++i)
+        sources.push_back(fits ? argument(name, part, i, values) : sourceOf(values[i]));
+    return sources;
+}
+
+base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const OperationInterfacePart& part,
+                                                unsigned index, const std::vector<Operand>& values) {
+    const Operand& value = values[index];
+    const auto wantedKind = [&](unsigned i) {
+        const types::TypeInfo* const type = part.getArgumentType(i + 1);
+        return type ? kindOf(type->getTypeId()) : Kind::Other;
+    };
+    const Kind wanted = wantedKind(index);
+    if (wanted == value.kind || conversion(value.kind, wanted) == Conversion::None) return sourceOf(value);
+    const auto descriptions = part.getArgumentList();
+    const std::string& declared = descriptions[index].type;
+    if (declared.find('&') != std::string::npos && declared.find("const") == std::string::npos) return sourceOf(value);
+    if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
+    // A number with a fraction where a whole one is expected: often two arguments were swapped.
+    std::string hint;
+    for (unsigned i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i)
+        if (i != index && isReal(wantedKind(i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
+            hint = "argument " + std::to_string(i + 1) + " (" + descriptions[i].name + ") is of type " +
+                   descriptions[i].type + ": are the two swapped?";
+    warn(value.at, "OPS152",
+         "argument " + std::to_string(index + 1) + " (" + descriptions[index].name + ") of '" + joined(name.parts) +
+             "' is a whole number (" + declared + "): what is given loses its fraction",
+         hint);
+    ++aliases_;  // said
+    const Source whole = sourceOf(loadAs(value, wanted));
+    --aliases_;
+    return whole;
+}
+
+/** The operation or function that the first `count` parts name. To be sent, a function is an operation, too. */
+Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
+                              bool toSend) const {
+    Callable found;
+    const std::string& name = parts[count - 1].text;
+    std::shared_ptr<const FunctionDefinition> function;
+    if (count == 1 && where_.functions && !toSend) {
+        const auto known = where_.functions->find(name);
+        if (known != where_.functions->end()) function = known->second;
+        if (function && function->tree->scope == ast::Function::Scope::Exported) {
+            found.function = function;
+            return found;
+        }
+    }
+    if (count == 1 && where_.service) found.part = where_.service->getPart(name);
+    if (found.part) return found;
+    for (const Node& node : nodes)
+        if (node.used == count - 1) found.part = node.service->getPart(name);
+    if (found.part || count != 1) return found;
+    found.part = internal::GlobalService::Instance()->getPart(name);
+    if (found.part) return found;
+    found.function = function;
+    if (!function && where_.component->provides()->hasService("scripting"))
+        found.part = where_.component->provides()->getService("scripting")->getPart(name);
+    return found;
+}
+
+bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result) {
+    const std::size_t count = name.parts.size();
+    if (count == 1 && function_ && function_->name == name.parts[0].text && name.called)
+        failRecursive(function_->name, at);
+    const Callable whole = callable(name.parts, count, nodes, false);
+    if (whole.function) {
+        result = callFunction(*whole.function, name, at);
+        return true;
+    }
+    if (whole.part) {
+        result = callOperation(*whole.part, name, at);
+        return true;
+    }
+    if (count == 1) return false;
+    const std::string& last = name.parts.back().text;
+    if (last != "send" && last != "call" && last != "cmd") return false;
+    const Callable called = callable(name.parts, count - 1, nodes, last != "call");
+    if (called.function) {
+        result = callFunction(*called.function, name, at);
+    } else if (called.part) {
+        result = last == "call"   ? callOperation(*called.part, name, at)
+                 : last == "send" ? sent(*called.part, name, at)
+                                  : command(*called.part, name, at);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/** What `make` makes for a call of `name`; says what is wrong with its arguments. */
+template <class Make>
+base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at, Make make) {
+    const auto argumentAt = [&](int number) {
+        const auto index = static_cast<std::size_t>(number - 1);
+        return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
+    };
+    const std::string called = "'" + joined(name.parts) + "'";
+    try {
+        return watched(at, make);
+    } catch (const wrong_number_of_args_exception& e) {
+        error(at, "OPS142",
+              called + " expects " + counted(static_cast<std::size_t>(e.wanted)) + ", found " +
+                  counted(static_cast<std::size_t>(e.received)));
+    } catch (const wrong_types_of_args_exception& e) {
+        error(argumentAt(e.whicharg), "OPS143",
+              "argument " + std::to_string(e.whicharg) + " of " + called + " must be of type " + e.expected_ +
+                  ", found " + e.received_);
+    } catch (const non_lvalue_args_exception& e) {
+        error(argumentAt(e.whicharg), "OPS144",
+              "argument " + std::to_string(e.whicharg) + " of " + called +
+                  " is assigned by the call: expected a variable, found a value of type " + e.received_);
+    } catch (const std::exception& e) {
+        error(at, "OPS145", "cannot call " + called + ": " + e.what());
+    }
+}
+
+Operand Unit::callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+    const auto sources = arguments(name, part);
+    code_.keep(OperationInterfacePart::hold(&part));
+    return fromSource(made(name, at, [&] { return part.produce(sources, where_.caller); }), at);
+}
+
+Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+    const auto sources = arguments(name, part);
+    code_.keep(OperationInterfacePart::hold(&part));
+    return fromSource(made(name, at, [&] { return part.produceSend(sources, where_.caller); }), at);
+}
+
+/** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
+Operand Unit::command(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+    const Operand call = sent(part, name, at);
+    const Source handle = made(name, at, [&] { return part.produceHandle(); });
+    Operand target = fromSource(handle, at);
+    store(target, call, "the handle");
+    const Source status =
+        made(name, at, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
+    auto* const polled = internal::DataSource<SendStatus>::narrow(keep(status));
+    if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
+    emit(&instructions::await, nullptr, nullptr, polled);
+    const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
+    // Not collected again: the source keeps what it gave last.
+    Operand result = fromSource(value, at);
+    std::shared_ptr<base::ActionInterface> copy(
+        value->updateAction(keep(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
+    emit(&instructions::perform, nullptr, nullptr, copy.get());
+    code_.keep(std::move(copy));
+    return result;
+}
+
+bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
+    const std::string wanted = joined(name.parts);
+    const types::TypeInfo* const type = types::Types()->type(wanted);
+    if (!type) return false;
+    const auto sources = arguments(name.arguments);
+    const Source value = type->construct(sources);
+    if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources));
+    result = fromSource(value, at);
+    return true;
+}
+
+bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
+    if (name.parts.size() != 2) return false;
+    const std::string& what = name.parts[1].text;
+    const bool blocking = what == "collect";
+    if (!blocking && what != "collectIfDone") return false;
+    const Scope::Entry* const entry = scope_->find(name.parts[0].text);
+    if (!entry) return false;
+    const std::string handle = "'" + name.parts[0].text + "'";
+    if (!entry->handle)
+        error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
+    if (!entry->handle->operation)
+        error(name.parts[0].at, "OPS148", "nothing was sent with the handle " + handle + " before this line");
+    OperationInterfacePart::Args sources = arguments(name.arguments);
+    sources.insert(sources.begin(), entry->handle->source);
+    const OperationInterfacePart& part = *entry->handle->operation;
+    const unsigned wanted = part.collectArity();
+    if (sources.size() != 1 && sources.size() != wanted + 1)
+        error(at, "OPS142",
+              "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
+                  counted(sources.size() - 1));
+    result = fromSource(
+        made(name, at, [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); }),
+        at);
+    return true;
+}
+
+bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
+    const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
+    if (!to || to->called || to->parts.size() != 1) return false;
+    const Scope::Entry* const entry = scope_->find(to->parts[0].text);
+    if (!entry || !entry->handle) return false;
+    result = sendInto(*entry->handle, to->parts[0].text, *assignment.value, at);
+    return true;
+}
+
+Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at) {
+    const auto* const from = std::get_if<ast::Name>(&value.what);
+    const std::size_t count = from ? from->parts.size() : 0;
+    const bool sends = count > 1 && from->parts.back().text == "send";
+    const Callable called = sends ? callable(from->parts, count - 1, walk(from->parts, count), true) : Callable();
+    if (!called.part) {
+        if (sends) expression(value);  // says what is unknown
+        error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
+    }
+    if (handle.operation && handle.operation.get() != called.part)
+        error(at, "OPS150",
+              "the handle '" + name + "' belongs to operation '" + handle.operation->getName() +
+                  "'; declare another one for '" + called.part->getName() + "'");
+    const Operand call = sent(*called.part, *from, value.at);
+    if (!handle.operation) {
+        handle.source = made(*from, value.at, [&] { return called.part->produceHandle(); });
+        handle.operation = OperationInterfacePart::hold(called.part);
+    }
+    const Operand result = fromSource(handle.source, at);
+    store(result, call, "the handle");
+    return result;
+}
+
+void Unit::failRecursive(const std::string& function, ast::Place at) {
+    error(at, "OPS151", "function '" + function + "' calls itself, directly or through another one");
+}
+
+Operand Unit::callFunction(const FunctionDefinition& function, const ast::Name& name, ast::Place at) {
+    const std::shared_ptr<Activation> activation = state_.activate(function);
+    if (!activation) failRecursive(function.name, at);
+    code_.keep(activation);
+    if (name.arguments.size() != activation->arguments.size())
+        error(at, "OPS142",
+              "'" + function.name + "' expects " + counted(activation->arguments.size()) + ", found " +
+                  counted(name.arguments.size()));
+    std::vector<Operand> values;
+    for (const auto& argument : name.arguments) values.push_back(expression(*argument));
+    for (std::size_t i = 0; i != values.size(); ++i)
+        store(fromSource(activation->arguments[i], values[i].at), values[i],
+              "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
+    emit(&instructions::enter, nullptr, nullptr, activation.get());
+    Operand result;
+    result.at = at;
+    if (!activation->result) return result;
+    // Its own copy, because the next call writes another one.
+    const Operand returned = fromSource(activation->result, at);
+    if (returned.address)
+        return computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr, returned.kind, at);
+    result = fromSource(activation->result->clone(), at);
+    store(result, returned, "the result");
+    return result;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/unit.hpp>
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/scripting/detail/arithmetic.hpp>
+#include <rtt/scripting/detail/instructions.hpp>
+#include <rtt/types/Operators.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <diag/nearest_match.hpp>
+
+#include <type_traits>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+template <class T>
+constexpr Kind kindFor() {
+    if (std::is_same_v<T, bool>) return Kind::Bool;
+    if (std::is_same_v<T, char>) return Kind::Char;
+    if (std::is_same_v<T, int>) return Kind::Int;
+    if (std::is_same_v<T, unsigned int>) return Kind::UInt;
+    if (std::is_same_v<T, long long>) return Kind::LLong;
+    if (std::is_same_v<T, unsigned long long>) return Kind::ULLong;
+    return std::is_same_v<T, float> ? Kind::Float : Kind::Double;
+}
+
+}  // namespace
+
+Operand Unit::expression(const ast::Expression& expression) {
+    const ast::Place at = expression.at;
+    return std::visit(Overloaded{[&](const ast::Literal& e) { return literal(e, at); },
+                                 [&](const ast::CurrentTime&) { return currentTime(at); },
+                                 [&](const ast::Name& e) { return name(e, at); },
+                                 [&](const ast::Member& e) { return member(this->expression(*e.of), e.member); },
+                                 [&](const ast::Index& e) { return element(e, at); },
+                                 [&](const ast::Unary& e) { return unary(e, at); },
+                                 [&](const ast::Binary& e) { return binary(e, at); },
+                                 [&](const ast::Assignment& e) { return assignment(e, at); }},
+                      expression.what);
+}
+
+Operand Unit::literal(const ast::Literal& literal, ast::Place at) {
+    return std::visit(
+        [&](const auto& value) {
+            typedef std::decay_t<decltype(value)> T;
+            Operand operand;
+            operand.at = at;
+            if constexpr (std::is_same_v<T, std::string>) {
+                operand.kind = Kind::Other;
+                operand.source = new internal::ConstantDataSource<std::string>(value);
+            } else {
+                Cell* const cell = code_.newCell();
+                *reinterpret_cast<T*>(cell) = value;
+                operand.kind = kindFor<T>();
+                operand.address = cell;
+            }
+            operand.constant = true;
+            return operand;
+        },
+        literal.value);
+}
+
+Operand Unit::currentTime(ast::Place at) { return computedBy(&instructions::now, nullptr, nullptr, Kind::Double, at); }
+
+Operand Unit::computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at) {
+    Operand result;
+    result.kind = kind;
+    result.at = at;
+    result.computed = true;
+    Cell* const cell = code_.newCell();
+    emit(act, a, b, cell);
+    result.address = cell;
+    return result;
+}
+
+Operand Unit::fromSource(Source source, ast::Place at) {
+    Operand result;
+    result.kind = kindOf(*source);
+    if (isDirect(result.kind)) result.address = fixedAddress(*source, result.kind);
+    if (result.address) keep(source);
+    result.source = std::move(source);
+    result.at = at;
+    return result;
+}
+
+Operand Unit::load(Operand operand) {
+    if (operand.address) return operand;
+    const base::DataSourceBase* const source = keep(operand.source);
+    return withType(operand.kind, [&](auto type) {
+        return computedBy(&instructions::load<typename decltype(type)::type>, source, nullptr, operand.kind,
+                          operand.at);
+    });
+}
+
+Operand Unit::loadAs(Operand operand, Kind kind) {
+    operand = load(operand);
+    if (operand.kind == kind) return operand;
+    if (conversion(operand.kind, kind) == Conversion::Warned) warnOfConversion(operand.at, typeName(operand), "int");
+    if (!operand.constant)
+        return computedBy(conversionAction(operand.kind, kind), operand.address, nullptr, kind, operand.at);
+    Operand converted;
+    converted.kind = kind;
+    converted.constant = true;
+    converted.at = operand.at;
+    Cell* const cell = code_.newCell();
+    convertValue(operand.kind, operand.address, kind, cell);
+    converted.address = cell;
+    return converted;
+}
+
+Operand Unit::truth(const ast::Expression& condition) {
+    const Operand value = expression(condition);
+    if (isDirect(value.kind) && conversion(value.kind, Kind::Bool) != Conversion::None)
+        return loadAs(value, Kind::Bool);
+    if (value.kind != Kind::None && !isDirect(value.kind)) {
+        const auto converted =
+            watched(condition.at, [&] { return types::Types()->getTypeInfo<bool>()->convert(value.source); });
+        if (converted && kindOf(*converted) == Kind::Bool) return load(fromSource(converted, value.at));
+    }
+    error(condition.at, "OPS121",
+          "expected a condition, which is true or false, found a value of type " + typeName(value));
+}
+
+base::DataSourceBase::shared_ptr Unit::sourceOf(const Operand& operand) {
+    // A source that has been evaluated must not be evaluated again.
+    if (operand.source) return operand.source;
+    return withType(operand.kind, [&](auto type) -> Source {
+        typedef typename decltype(type)::type T;
+        const T& value = *static_cast<const T*>(operand.address);
+        if (operand.constant) return new internal::ConstantDataSource<T>(value);
+        return new internal::ConstReferenceDataSource<T>(value);
+    });
+}
+
+void Unit::discard(const Operand& operand) {
+    if (operand.source && !operand.address) emit(&instructions::evaluate, nullptr, nullptr, keep(operand.source));
+}
+
+Operand Unit::member(const Operand& of, const ast::Identifier& name) {
+    if (of.kind == Kind::None) error(name.at, "OPS122", "found '." + name.text + "' after something that has no value");
+    const Source whole = sourceOf(of);
+    if (Source part = whole->getMember(name.text)) return fromSource(part, of.at);
+    if (base::DataSourceBase* const part = types::operators()->applyDot(name.text, whole.get()))
+        return fromSource(part, of.at);
+    std::vector<std::string> known = whole->getMemberNames();
+    if (const auto* const bag = internal::DataSource<PropertyBag>::narrow(whole.get())) known = bag->rvalue().list();
+    error(name.at, "OPS123",
+          "type " + typeName(of) + " has no member '" + name.text + "'" + oroforge::diag::didYouMean(name.text, known));
+}
+
+Operand Unit::element(const ast::Index& index, ast::Place at) {
+    const Operand of = expression(*index.of);
+    const Operand which = expression(*index.index);
+    if (of.kind == Kind::None || which.kind == Kind::None)
+        error(at, "OPS122", "found '[...]' with something that has no value");
+    const Source whole = sourceOf(of);
+    if (Source part = whole->getMember(sourceOf(which))) return fromSource(part, at);
+    error(at, "OPS124",
+          "a value of type " + typeName(of) + " has no elements that an index of type " + typeName(which) + " selects");
+}
+
+Operand Unit::unary(const ast::Unary& operation, ast::Place at) {
+    const Operand operand = expression(*operation.operand);
+    if (isDirect(operand.kind)) {
+        const Operation direct = unaryOperation(operation.op, operand.kind);
+        if (direct.act) return computedBy(direct.act, load(operand).address, nullptr, direct.result, at);
+        if (operation.op == '!' && conversion(operand.kind, Kind::Bool) != Conversion::None)
+            return computedBy(unaryOperation('!', Kind::Bool).act, loadAs(operand, Kind::Bool).address, nullptr,
+                              Kind::Bool, at);
+    }
+    if (operand.kind != Kind::None)
+        if (auto* const made = types::operators()->applyUnary(std::string(1, operation.op), sourceOf(operand).get()))
+            return fromSource(made, at);
+    error(at, "OPS125", std::string("operator '") + operation.op + "' does not exist for type " + typeName(operand));
+}
+
+Operand Unit::binary(const ast::Binary& operation, ast::Place at) {
+    Operand left = expression(*operation.left);
+    if (isDirect(left.kind)) left = load(left);
+    Operand right = expression(*operation.right);
+    if (isDirect(right.kind)) right = load(right);
+    if (isDirect(left.kind) && isDirect(right.kind)) {
+        const Operation direct = binaryOperation(operation.op, left.kind);
+        if (direct.act && conversion(right.kind, left.kind) != Conversion::None)
+            return computedBy(direct.act, left.address, loadAs(right, left.kind).address, direct.result, at);
+    }
+    if (left.kind != Kind::None && right.kind != Kind::None)
+        if (auto* const made = watched(right.at, [&] {
+                return types::operators()->applyBinary(operation.op, sourceOf(left).get(), sourceOf(right).get());
+            }))
+            return fromSource(made, at);
+    error(at, "OPS126",
+          "operator '" + operation.op + "' does not exist for types " + typeName(left) + " and " + typeName(right));
+}
+
+Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
+    Operand result;
+    if (assignHandle(assignment, at, result)) return result;
+    const Operand to = expression(*assignment.to);
+    if (!to.assignable())
+        error(assignment.to->at, "OPS127",
+              to.source ? "this is a constant or a result and cannot be assigned to" : "this cannot be assigned to");
+    store(to, expression(*assignment.value), "a variable");
+    return to;
+}
+
+void Unit::store(const Operand& to, Operand value, const std::string& what) {
+    const auto refuse = [&] {
+        error(value.at, "OPS128",
+              "expected a value of type " + typeName(to) + " for " + what + ", found " + typeName(value));
+    };
+    if (value.kind == Kind::None) refuse();
+    if (isDirect(to.kind) && isDirect(value.kind) && conversion(value.kind, to.kind) != Conversion::None) {
+        value = loadAs(value, to.kind);
+        if (!to.address) {
+            withType(to.kind, [&](auto type) {
+                typedef typename decltype(type)::type T;
+                auto* const target = internal::AssignableDataSource<T>::narrow(keep(to.source));
+                if (!target) refuse();
+                emit(&instructions::store<T>, value.address, nullptr, target);
+            });
+        } else if (value.computed && code_.at(code_.size() - 1).to == value.address) {
+            code_.at(code_.size() - 1).to = const_cast<void*>(to.address);
+        } else {
+            emit(conversionAction(to.kind, to.kind), value.address, nullptr, const_cast<void*>(to.address));
+        }
+        return;
+    }
+    try {
+        std::shared_ptr<base::ActionInterface> action(
+            watched(value.at, [&] { return to.source->updateAction(sourceOf(value).get()); }));
+        if (!action) refuse();
+        emit(&instructions::perform, nullptr, nullptr, action.get());
+        code_.keep(std::move(action));
+    } catch (const internal::bad_assignment&) {
+        refuse();
+    }
+}
+
+const types::TypeInfo& Unit::type(const ast::Identifier& name) {
+    const types::TypeInfo* const found = types::Types()->type(name.text);
+    if (!found)
+        error(name.at, "OPS110",
+              "type '" + name.text + "' is unknown" +
+                  oroforge::diag::didYouMean(name.text, types::Types()->getDottedTypes()));
+    return *found;
+}
+
+void Unit::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
+    if (aliases_ != 0) return;
+    auto& warning = where_.sink->warning(locate(at), code, message);
+    if (!hint.empty()) warning.hint(hint);
+}
+
+void Unit::warnOfConversion(ast::Place at, const std::string& from, const std::string& to) {
+    const bool textOfSize = from == "int" && (to == "string" || to == "rt_string");
+    const bool fraction = (from == "double" || from == "float") && to == "int";
+    warn(at, "OPS120",
+         "a value of type " + from + " is converted to " + to +
+             (textOfSize ? " and becomes a text of that many letters"
+              : fraction ? " and loses its fraction"
+                         : ""));
+}
+
+void Unit::error(ast::Place at, const char* code, const std::string& message) {
+    where_.sink->error(locate(at), code, message);
+    throw Unresolved();
+}
+
+std::size_t Unit::emit(Action act, const void* a, const void* b, void* to) {
+    Instruction instruction;
+    instruction.act = act;
+    instruction.a = a;
+    instruction.b = b;
+    instruction.to = to;
+    return code_.add(instruction);
+}
+
+base::DataSourceBase* Unit::keep(Source source) {
+    base::DataSourceBase* const plain = source.get();
+    code_.keep(std::move(source));
+    return plain;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

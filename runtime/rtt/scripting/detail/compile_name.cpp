@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What a dotted name stands for: a variable of the script, a value in a component or service, a call without parentheses.
+#include <rtt/scripting/detail/unit.hpp>
+
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/types/GlobalsRepository.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <diag/nearest_match.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+constexpr unsigned kMaxAliases = 50;
+
+base::DataSourceBase::shared_ptr valueIn(const ConfigurationInterface& values, const std::string& name) {
+    if (base::AttributeBase* const attribute = values.getValue(name)) return attribute->getDataSource();
+    if (base::PropertyBase* const property = values.getProperty(name)) return property->getDataSource();
+    return nullptr;
+}
+
+void addNames(const ConfigurationInterface& values, std::vector<std::string>& names) {
+    for (const auto& name : values.getAttributeNames()) names.push_back(name);
+    for (const auto& name : values.properties()->list()) names.push_back(name);
+}
+
+std::string text(const std::vector<ast::Identifier>& parts, std::size_t count) {
+    std::string joined;
+    for (std::size_t i = 0; i != count; ++i) joined += (i ? "." : "") + parts[i].text;
+    return joined;
+}
+
+}  // namespace
+
+/** The component itself, then what each further part of the path leads to, at most `most` of them. */
+std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
+    TaskContext* component = where_.component;
+    std::vector<Node> nodes{{component, component->provides(), 0}};
+    for (std::size_t used = 0; used != most; ++used) {
+        const std::string& part = parts[used].text;
+        Node next{nullptr, nullptr, used + 1};
+        const Node& here = nodes.back();
+        if (used == 0 && where_.service && part != "this" && where_.service->hasService(part)) {
+            next.service = where_.service->getService(part);
+        } else if (here.component && here.component->hasPeer(part)) {
+            next.component = here.component->getPeer(part);
+            next.service = next.component->provides();
+        } else if (here.service->hasService(part)) {
+            next.service = here.service->getService(part);
+        } else if (used == 0 && (part == "this" || part == "task" || part == component->getName())) {
+            next.component = component;
+            next.service = component->provides();
+        } else if (used == 0 && internal::GlobalService::Instance()->hasService(part)) {
+            next.service = internal::GlobalService::Instance()->getService(part);
+        } else if (here.component && (part == "states" || part == "programs")) {
+            where_.sink->warning(locate(parts[used].at), "OPS130",
+                                 "'" + part + "' is not needed here; programs and state machines are services");
+            next.component = here.component;
+            next.service = here.service;
+        }
+        if (!next.service) break;
+        nodes.push_back(next);
+    }
+    return nodes;
+}
+
+Operand Unit::name(const ast::Name& name, ast::Place at) {
+    Operand result;
+    if (!name.called && variableNamed(name.parts, result)) return result;
+    if (handleCall(name, at, result)) return result;
+    const auto nodes = walk(name.parts, name.parts.size());
+    if (!name.called && valueNamed(nodes, name.parts, result)) return result;
+    if (call(name, nodes, at, result)) return result;
+    if (name.called && construct(name, at, result)) return result;
+    unknownName(nodes, name);
+}
+
+bool Unit::variableNamed(const Parts& parts, Operand& found) {
+    const Scope::Entry* const entry = scope_->find(parts[0].text);
+    if (!entry) return false;
+    if (entry->handle) {
+        if (parts.size() != 1 || !entry->handle->source) return false;
+        found = fromSource(entry->handle->source, parts[0].at);
+        return true;
+    }
+    if (entry->alias) {
+        if (++aliases_ > kMaxAliases) error(parts[0].at, "OPS131", "alias '" + parts[0].text + "' refers to itself");
+        Scope* const own = scope_;
+        scope_ = const_cast<Scope*>(entry->scope);  // expressions declare nothing
+        found = expression(*entry->alias);
+        scope_ = own;
+        --aliases_;
+    } else {
+        found = fromSource(entry->source, parts[0].at);
+        found.constant = entry->constant && found.address;
+    }
+    found.at = parts[0].at;
+    found = members(found, parts, 1);
+    return true;
+}
+
+bool Unit::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+        if (node->used == parts.size()) continue;
+        Source source;
+        if (node->used == 0 && where_.service) source = valueIn(*where_.service, parts[0].text);
+        if (!source) source = valueIn(*node->service, parts[node->used].text);
+        if (!source && node->used == 0) source = valueIn(*types::GlobalsRepository::Instance(), parts[0].text);
+        if (!source) continue;
+        found = members(fromSource(source, parts[0].at), parts, node->used + 1);
+        return true;
+    }
+    return false;
+}
+
+Operand Unit::members(Operand of, const Parts& parts, std::size_t from) {
+    for (std::size_t i = from; i != parts.size(); ++i) of = member(of, parts[i]);
+    return of;
+}
+
+/** What could have been meant after `last`. */
+std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool called) const {
+    std::vector<std::string> known;
+    const auto add = [&](const std::vector<std::string>& names) {
+        known.insert(known.end(), names.begin(), names.end());
+    };
+    if (!isLast) {
+        add(last.service->getProviderNames());
+        if (last.component) add(last.component->getPeerList());
+    } else {
+        add(last.service->getOperationNames());
+    }
+    const bool first = last.used == 0;
+    if (first && isLast) {
+        add(internal::GlobalService::Instance()->getOperationNames());
+        if (where_.component->provides()->hasService("scripting"))
+            add(where_.component->provides()->getService("scripting")->getOperationNames());
+        if (where_.functions)
+            for (const auto& function : *where_.functions) known.push_back(function.first);
+        if (called) add(types::Types()->getDottedTypes());
+    }
+    if (isLast && called) return known;
+    addNames(*last.service, known);
+    if (!first) return known;
+    for (const Scope* scope = scope_; scope; scope = scope->parent())
+        for (const auto& entry : scope->entries()) known.push_back(entry.first);
+    addNames(*types::GlobalsRepository::Instance(), known);
+    return known;
+}
+
+/** For `x.operation()`, where x is a value. */
+void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name) {
+    Operand of;
+    const Parts owner(name.parts.begin(), name.parts.end() - 1);
+    if (owner.empty() || nodes.back().used >= owner.size() ||
+        !(variableNamed(owner, of) || valueNamed(nodes, owner, of)))
+        return;
+    const ast::Identifier& last = name.parts.back();
+    const std::string value = "'" + text(owner, owner.size()) + "' is a value of type " + typeName(of);
+    if (last.text == "collect" || last.text == "collectIfDone")
+        error(owner[0].at, "OPS147", "expected a SendHandle before '." + last.text + "', " + value);
+    error(last.at, "OPS134", value + " and has no operation '" + last.text + "'");
+}
+
+void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
+    const Parts& parts = name.parts;
+    const Node& last = nodes.back();
+    if (name.called) checkCallOfValue(nodes, name);
+    if (last.used == parts.size())
+        error(parts[0].at, "OPS132",
+              "'" + text(parts, parts.size()) + "' is a " + (last.component ? "component" : "service") +
+                  ", expected a value or a call");
+    const ast::Identifier& part = parts[last.used];
+    const std::string owner =
+        last.component ? "component '" + last.component->getName() + "'" : "service '" + text(parts, last.used) + "'";
+    const bool isLast = last.used + 1 == parts.size();
+    const char* const expected = !isLast       ? "no peer, service or value '"
+                                 : name.called ? "no operation '"
+                                               : "no value or operation '";
+    error(part.at, isLast && name.called ? "OPS134" : "OPS133",
+          owner + " has " + expected + part.text + "'" +
+              oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called)));
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

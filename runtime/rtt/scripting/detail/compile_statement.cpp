@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/unit.hpp>
+
+#include <rtt/scripting/detail/instructions.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+}  // namespace
+
+void Unit::block(const ast::Block& block) {
+    for (const auto& each : block.statements) {
+        try {
+            statement(*each);
+        } catch (const Unresolved&) {
+            // The next one may have errors, too.
+        }
+    }
+}
+
+void Unit::statement(const ast::Statement& statement) {
+    code_.beginStatement(statement.at);
+    std::visit(
+        Overloaded{[&](const ast::Declaration& s) { declare(s); },
+                   [&](const ast::Do& s) { discard(expression(*s.expression)); }, [&](const ast::Nothing&) {},
+                   [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
+                   [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
+                   [&](const ast::While& s) { repeat(s); }, [&](const ast::For& s) { repeat(s); },
+                   [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
+        statement.what);
+}
+
+void Unit::end() { emit(&instructions::leave); }
+
+void Unit::attempt(const ast::Try& attempt) {
+    const std::size_t from = code_.size();
+    discard(expression(*attempt.attempt));
+    const std::size_t until = code_.size();
+    if (until == from) return;
+    const std::size_t over = jump();
+    code_.guard(from, until, code_.size());
+    if (attempt.handler) block(*attempt.handler);
+    land(over);
+}
+
+void Unit::giveBack(const ast::Return& statement) {
+    if (statement.value && !(function_ && function_->result))
+        error(statement.value->at, "OPS210",
+              function_ ? "function '" + function_->name + "' returns nothing (void), but here it returns a value"
+                        : "found a value after 'return', which only functions give back");
+    if (statement.value)
+        store(fromSource(function_->result, statement.value->at), expression(*statement.value),
+              "the result of function '" + function_->name + "'");
+    end();
+}
+
+void Unit::choose(const ast::If& statement) {
+    const std::size_t otherwise = jumpUnless(truth(*statement.condition));
+    block(statement.then);
+    if (!statement.otherwise) return land(otherwise);
+    const std::size_t over = jump();
+    land(otherwise);
+    block(*statement.otherwise);
+    land(over);
+}
+
+void Unit::repeat(const ast::While& statement) { loop(statement.condition.get(), statement.body, nullptr); }
+
+void Unit::repeat(const ast::For& statement) {
+    if (statement.first) {
+        // Loops one after the other may use one variable.
+        if (const auto* const declaration = std::get_if<ast::Declaration>(&statement.first->what))
+            declare(*declaration, true);
+        else
+            this->statement(*statement.first);
+    }
+    loop(statement.condition.get(), statement.body, statement.next.get());
+}
+
+void Unit::loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next) {
+    const std::size_t begin = code_.size();
+    code_.beginStatement(condition->at);
+    const std::size_t out = jumpUnless(truth(*condition));
+    breaks_.emplace_back();
+    block(body);
+    if (next) {
+        code_.beginStatement(next->at);
+        discard(expression(*next));
+    }
+    jumpBack(begin);
+    land(out);
+    for (const std::size_t jump : breaks_.back()) land(jump);
+    breaks_.pop_back();
+}
+
+std::size_t Unit::jumpUnless(const Operand& condition) { return emit(&instructions::jumpUnless, condition.address); }
+
+std::size_t Unit::jump() { return emit(&instructions::jump); }
+
+void Unit::land(std::size_t jump) {
+    code_.at(jump).offset = static_cast<std::ptrdiff_t>(code_.size()) - static_cast<std::ptrdiff_t>(jump);
+}
+
+void Unit::jumpBack(std::size_t target) {
+    const std::size_t from = emit(&instructions::jumpBack);
+    code_.at(from).offset = static_cast<std::ptrdiff_t>(target) - static_cast<std::ptrdiff_t>(from);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

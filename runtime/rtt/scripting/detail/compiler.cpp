@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/unit.hpp>
+
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+/** Makes a Code of what `fill` adds to it; null if there was an error. */
+template <class Fill>
+std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, Scope& scope, Fill fill) {
+    const std::size_t errors = where.sink->errorCount();
+    auto code = std::make_unique<Code>();
+    Unit unit(state, where, *code, scope);
+    try {
+        fill(unit);
+        unit.end();
+    } catch (const Unresolved&) {
+    }
+    if (where.sink->errorCount() != errors) return nullptr;
+    return code;
+}
+
+}  // namespace
+
+Compiler::Compiler(Surroundings surroundings) : state_(new State(std::move(surroundings))) {}
+
+Compiler::~Compiler() = default;
+
+std::unique_ptr<Code> Compiler::program(const ast::Block& block, const std::string& name, const Scope& scope) {
+    Scope own(name, &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) { unit.block(block); });
+}
+
+std::unique_ptr<Code> Compiler::statement(const ast::Statement& statement, Scope& scope) {
+    return codeOf(*state_, state_->where, scope, [&](Unit& unit) { unit.statement(statement); });
+}
+
+std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope) {
+    return codeOf(*state_, state_->where, scope, [&](Unit& unit) {
+        for (const auto& each : declarations) {
+            try {
+                unit.statement(*each);
+            } catch (const Unresolved&) {
+                // The next one may have errors, too.
+            }
+        }
+    });
+}
+
+std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
+                                           const std::string& what, const Scope& scope) {
+    Scope own("", &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        unit.begin(value.at);
+        unit.store(unit.fromSource(to, value.at), unit.expression(value), what);
+    });
+}
+
+std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, const Scope& scope, const bool*& result) {
+    Scope own("", &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        unit.begin(expression.at);
+        result = static_cast<const bool*>(unit.truth(expression).address);
+    });
+}
+
+base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expression, const Scope& scope) {
+    base::DataSourceBase::shared_ptr found;
+    Scope own("", &scope);
+    codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        const Operand operand = unit.expression(expression);
+        if (operand.assignable()) found = operand.source;
+    });
+    return found;
+}
+
+std::unique_ptr<Activation> Compiler::function(const FunctionDefinition& definition) {
+    return state_->compile(definition);
+}
+
+std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& definition) {
+    const ast::Function& tree = *definition.tree;
+    Surroundings there = where;
+    there.file = definition.file;
+    const std::size_t errors = where.sink->errorCount();
+    auto activation = std::make_unique<Activation>();
+    activation->name = definition.name;
+    Scope scope("function '" + definition.name + "'", definition.scope.get());
+    Unit unit(*this, there, activation->code, scope, activation.get());
+    unit.functionBody(tree);
+    if (where.sink->errorCount() != errors) return nullptr;
+    return activation;
+}
+
+std::shared_ptr<Activation> Compiler::State::activate(const FunctionDefinition& definition) {
+    const auto known = activations.find(&definition);
+    if (known != activations.end()) return known->second;
+    activations[&definition] = nullptr;
+    std::shared_ptr<Activation> made = compile(definition);
+    if (!made) throw Unresolved();
+    return activations[&definition] = std::move(made);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Tree to code: looks every name up, checks every type, and reports what does not fit.
+#ifndef ORO_SCRIPTING_DETAIL_COMPILER_HPP
+#define ORO_SCRIPTING_DETAIL_COMPILER_HPP
+
+#include <rtt/internal/DataSource.hpp>
+#include <rtt/scripting/detail/ast.hpp>
+#include <rtt/scripting/detail/code.hpp>
+#include <rtt/scripting/detail/process.hpp>
+
+#include <diag/sink.hpp>
+
+#include <boost/shared_ptr.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace RTT {
+class ExecutionEngine;
+class OperationInterfacePart;
+class Service;
+class TaskContext;
+namespace scripting {
+namespace detail {
+
+/** The declarations of a script, a program, a function, a state machine or a state. */
+class Scope {
+public:
+    /** What a `var SendHandle` refers to, from its first assignment on. */
+    struct Handle {
+        boost::shared_ptr<const OperationInterfacePart> operation;
+        base::DataSourceBase::shared_ptr source;
+    };
+    struct Entry {
+        base::DataSourceBase::shared_ptr source;  ///< null for an alias and a handle
+        bool constant = false;
+        const ast::Expression* alias = nullptr;  ///< compiled with each use, in `scope`
+        const Scope* scope = nullptr;
+        std::shared_ptr<Handle> handle;
+        ast::Place at;
+    };
+    /** `name` is for messages: "program 'p'". */
+    explicit Scope(std::string name, const Scope* parent = nullptr) : name_(std::move(name)), parent_(parent) {}
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+    const std::string& name() const { return name_; }
+    const Scope* parent() const { return parent_; }
+    /** Here or in a parent; null if there is none. */
+    const Entry* find(const std::string& name) const;
+    const Entry* findHere(const std::string& name) const;
+    /** False if there is one here. */
+    bool add(const std::string& name, Entry entry);
+    const std::map<std::string, Entry>& entries() const { return entries_; }
+
+private:
+    std::string name_;
+    const Scope* parent_;
+    std::map<std::string, Entry> entries_;
+};
+
+/** A function that scripts defined. Shared, because programs that use it may outlive its definition. */
+struct FunctionDefinition {
+    std::string name;
+    std::shared_ptr<const ast::Function> tree;
+    std::shared_ptr<const Scope> scope;  ///< of the file it stands in
+    oroforge::diag::FileName file;
+};
+typedef std::map<std::string, std::shared_ptr<const FunctionDefinition>> Functions;
+
+/** Where a piece of script belongs. */
+struct Surroundings {
+    TaskContext* component = nullptr;
+    ExecutionEngine* caller = nullptr;     ///< of the operations it calls
+    const Functions* functions = nullptr;  ///< of the component, callable by name in its own engine
+    Service* service = nullptr;            ///< of a state machine: where paths are looked up first; or null
+    oroforge::diag::FileName file;
+    oroforge::diag::Sink* sink = nullptr;
+    /** How often loops of a program, function or state machine may go round in one step (0: no limit); read in each step.
+        Null without limit. */
+    boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit;
+    bool checkOnly = false;  ///< nothing is evaluated while it is compiled
+};
+
+/**
+ * Compiles pieces of one root: everything compiled by one Compiler may share activations of functions, so it must belong
+ * to one Process, or to several of which only one is between its beginning and its end at any time.
+ *
+ * Every error is reported to the sink; then null is returned. Allocates; not thread safe.
+ */
+class Compiler {
+public:
+    explicit Compiler(Surroundings surroundings);
+    ~Compiler();
+
+    /** The statements, with their variables in a scope of their own in `scope` (which must be alive only during the call,
+        unless it has aliases). */
+    std::unique_ptr<Code> program(const ast::Block& block, const std::string& name, const Scope& scope);
+    /** One statement of a file: declarations go to `scope`. */
+    std::unique_ptr<Code> statement(const ast::Statement& statement, Scope& scope);
+    /** Declarations; the code assigns the initial values. */
+    std::unique_ptr<Code> declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope);
+    /** Code that assigns the value to `to`, converted if necessary. `what` is for messages: "parameter 'p'". */
+    std::unique_ptr<Code> assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
+                                     const std::string& what, const Scope& scope);
+    /** Code that leaves its truth at `*result`, which the code owns. */
+    std::unique_ptr<Code> condition(const ast::Expression& expression, const Scope& scope, const bool*& result);
+    /** A variable that can be assigned to, such as an argument of an event; null if it is none. */
+    base::DataSourceBase::shared_ptr variable(const ast::Expression& expression, const Scope& scope);
+    /** The function itself, for those who call it from outside of a script. */
+    std::unique_ptr<Activation> function(const FunctionDefinition& definition);
+
+    struct State;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The types that instructions compute with directly; values of all others stay in their data sources.
+#ifndef ORO_SCRIPTING_DETAIL_KINDS_HPP
+#define ORO_SCRIPTING_DETAIL_KINDS_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+
+#include <cstdint>
+#include <typeinfo>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+enum class Kind : std::uint8_t { Bool, Char, Int, UInt, LLong, ULLong, Float, Double, Other, None };
+
+constexpr int kDirectKinds = static_cast<int>(Kind::Other);
+
+inline bool isDirect(Kind kind) { return kind < Kind::Other; }
+
+/** None for void, Other for a type that has no kind. */
+Kind kindOf(const base::DataSourceBase& source);
+/** Other for null. */
+Kind kindOf(const std::type_info* id);
+
+template <class T>
+struct Type {
+    typedef T type;
+};
+
+/** Calls `f` with the Type of a direct kind. */
+template <class F>
+auto withType(Kind kind, F f) {
+    switch (kind) {
+        case Kind::Bool: return f(Type<bool>());
+        case Kind::Char: return f(Type<char>());
+        case Kind::Int: return f(Type<int>());
+        case Kind::UInt: return f(Type<unsigned int>());
+        case Kind::LLong: return f(Type<long long>());
+        case Kind::ULLong: return f(Type<unsigned long long>());
+        case Kind::Float: return f(Type<float>());
+        default: return f(Type<double>());
+    }
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

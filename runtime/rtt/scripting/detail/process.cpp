@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/process.hpp>
+
+#include <exception>
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+Process::Process(const Code& code) : code_(code), next_(code.begin()) {}
+
+template <class Until>
+Process::Outcome Process::execute(Until until) {
+    if (failed_) return Outcome::Failed;
+    started_ = true;
+    rounds_ = 0;
+    const Instruction* next = next_;
+    outcome_ = Outcome::Yielded;
+    while (next) {
+        try {
+            do {
+                at_ = next;
+                next = next->act(*next, *this);
+            } while (next && !until(next));
+            if (next) stop(Outcome::Yielded, next);
+            break;
+        } catch (const std::exception& thrown) {
+            next = fail(thrown.what());
+        } catch (...) {
+            next = fail("something that is no std::exception was thrown");
+        }
+    }
+    return outcome_;
+}
+
+Process::Outcome Process::run() {
+    return execute([](const Instruction*) { return false; });
+}
+
+Process::Outcome Process::runStatement() {
+    return execute(
+        [this](const Instruction* next) { return (function_ ? function_->code : code_).beginsStatement(next); });
+}
+
+void Process::restart() {
+    next_ = code_.begin();
+    function_ = nullptr;
+    started_ = failed_ = false;
+    message_.clear();
+    pause_.store(false, std::memory_order_relaxed);
+    show(nullptr);
+}
+
+void Process::retry() {
+    failed_ = false;
+    message_.clear();
+}
+
+ast::Place Process::place() const {
+    return {line_.load(std::memory_order_relaxed), column_.load(std::memory_order_relaxed)};
+}
+
+const Instruction* Process::stop(Outcome outcome, const Instruction* next) {
+    outcome_ = outcome;
+    next_ = next;
+    if (outcome == Outcome::Finished) {
+        next_ = code_.begin();
+        started_ = false;
+    }
+    show(next);
+    return nullptr;
+}
+
+void Process::show(const Instruction* at) {
+    // Of a function, its caller is shown: the place is one of this code.
+    for (const Activation* inner = function_; inner; inner = inner->caller) at = inner->returnTo - 1;
+    const ast::Place place = at ? code_.placeOf(at) : ast::Place{};
+    line_.store(place.line, std::memory_order_relaxed);
+    column_.store(place.column, std::memory_order_relaxed);
+}
+
+const Instruction* Process::pauseAt(const Instruction* next) {
+    pause_.store(false, std::memory_order_relaxed);
+    return stop(Outcome::Paused, next);
+}
+
+const Instruction* Process::exceed() {
+    rounds_ = 0;
+    return fail("the loop went round " + std::to_string(round_limit_) +
+                " times in one step of the component, which is the limit; add a 'yield' to it");
+}
+
+const Instruction* Process::fail(std::string message) {
+    message_ = std::move(message);
+    return catchFailure();
+}
+
+const Instruction* Process::catchFailure() {
+    Activation* const innermost = function_;
+    const Instruction* at = at_;
+    for (;;) {
+        const Code& code = function_ ? function_->code : code_;
+        if (const Instruction* const handler = code.handlerOf(at)) {
+            message_.clear();
+            return handler;
+        }
+        if (!function_) break;
+        message_ += " (line " + std::to_string(code.placeOf(at).line) + " of function '" + function_->name + "')";
+        at = function_->returnTo - 1;
+        function_ = function_->caller;
+    }
+    function_ = innermost;
+    failed_ = true;
+    return stop(Outcome::Failed, at_);
+}
+
+const Instruction* Process::enter(Activation& function, const Instruction* returnTo) {
+    function.returnTo = returnTo;
+    function.caller = function_;
+    function_ = &function;
+    return function.code.begin();
+}
+
+const Instruction* Process::leave() {
+    if (!function_) return finish();
+    const Instruction* const next = function_->returnTo;
+    function_ = function_->caller;
+    return next;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Makes the code of one piece of script. The functions are in compile_*.cpp, by subject.
+#ifndef ORO_SCRIPTING_DETAIL_UNIT_HPP
+#define ORO_SCRIPTING_DETAIL_UNIT_HPP
+
+#include <rtt/Service.hpp>
+#include <rtt/scripting/detail/compiler.hpp>
+#include <rtt/scripting/detail/operand.hpp>
+#include <rtt/types/detail/conversion_watch.hpp>
+
+#include <string>
+#include <vector>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+/** Thrown, within the compiler, after an error has been reported. */
+struct Unresolved {};
+
+struct Compiler::State {
+    explicit State(Surroundings surroundings) : where(std::move(surroundings)) {}
+
+    Surroundings where;
+    /** Null while it is being compiled. */
+    std::map<const FunctionDefinition*, std::shared_ptr<Activation>> activations;
+
+    /** That of this root, made when it is first asked for; null if the function calls itself. Throws Unresolved if it has
+        errors. */
+    std::shared_ptr<Activation> activate(const FunctionDefinition& definition);
+    /** Null if there are errors, which are reported. */
+    std::unique_ptr<Activation> compile(const FunctionDefinition& definition);
+};
+
+class Unit {
+public:
+    /** `function` is null for all but bodies of functions. */
+    Unit(Compiler::State& state, const Surroundings& where, Code& code, Scope& scope, Activation* function = nullptr)
+        : state_(state), where_(where), code_(code), scope_(&scope), function_(function) {}
+
+    // All of these report what is wrong; those that return a value throw Unresolved then.
+    // -- Statements (compile_statement.cpp, compile_declaration.cpp) -----------------------------------------
+    /** Goes on with the next statement after an error. */
+    void block(const ast::Block& block);
+    void statement(const ast::Statement& statement);
+    void begin(ast::Place at) { code_.beginStatement(at); }
+    /** The last instruction. */
+    void end();
+    /** Arguments, result and statements. */
+    void functionBody(const ast::Function& function);
+    void declare(const ast::Declaration& declaration, bool again = false);
+    /** A new variable of that type. */
+    base::DataSourceBase::shared_ptr newVariable(const ast::Identifier& type, const ast::Identifier& name,
+                                                 const ast::Expression* size);
+
+    // -- Expressions -----------------------------------------------------------------------------------------
+    Operand expression(const ast::Expression& expression);
+    /** Sees to it that the value is at an address. Direct kinds only. */
+    Operand load(Operand operand);
+    /** Loaded and converted. */
+    Operand loadAs(Operand operand, Kind kind);
+    /** As a condition. */
+    Operand truth(const ast::Expression& expression);
+    /** A source of the value. */
+    base::DataSourceBase::shared_ptr sourceOf(const Operand& operand);
+    /** Evaluates it for what it does. */
+    void discard(const Operand& operand);
+    /** Assigns, converted if needed. `what` is for messages: "variable 'x'". */
+    void store(const Operand& to, Operand value, const std::string& what);
+
+    const types::TypeInfo& type(const ast::Identifier& name);
+    Operand fromSource(base::DataSourceBase::shared_ptr source, ast::Place at);
+
+private:
+    typedef std::vector<ast::Identifier> Parts;
+    typedef base::DataSourceBase::shared_ptr Source;
+    /** A component or service on the way along a path. */
+    struct Node {
+        TaskContext* component;  ///< null if it is a service
+        Service::shared_ptr service;
+        std::size_t used;  ///< parts of the path that lead here
+    };
+    struct Callable {
+        OperationInterfacePart* part = nullptr;
+        std::shared_ptr<const FunctionDefinition> function;
+    };
+
+    // compile_statement.cpp
+    void attempt(const ast::Try& attempt);
+    void giveBack(const ast::Return& statement);
+    void choose(const ast::If& statement);
+    void repeat(const ast::While& loop);
+    void repeat(const ast::For& loop);
+    void loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next);
+    std::size_t jumpUnless(const Operand& condition);
+    std::size_t jump();
+    void land(std::size_t jump);
+    void jumpBack(std::size_t target);
+
+    // compile_declaration.cpp
+    void declareConstant(const ast::Declaration& declaration, const ast::Declarator& declarator);
+    void declareAlias(const ast::Declaration& declaration, const ast::Declarator& declarator);
+    void declareVariable(const ast::Declaration& declaration, const ast::Declarator& declarator, bool again);
+    void declareHandle(const ast::Declarator& declarator);
+    void declareArgument(const ast::Function::Argument& argument);
+    void addEntry(const ast::Identifier& name, Scope::Entry entry);
+    int sizeHint(const ast::Expression& size, const std::string& type, const ast::Identifier& name);
+
+    // compile_expression.cpp
+    Operand literal(const ast::Literal& literal, ast::Place at);
+    Operand currentTime(ast::Place at);
+    Operand member(const Operand& of, const ast::Identifier& name);
+    Operand element(const ast::Index& index, ast::Place at);
+    Operand unary(const ast::Unary& operation, ast::Place at);
+    Operand binary(const ast::Binary& operation, ast::Place at);
+    Operand assignment(const ast::Assignment& assignment, ast::Place at);
+    Operand computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at);
+
+    // compile_name.cpp
+    std::vector<Node> walk(const Parts& parts, std::size_t most) const;
+    Operand name(const ast::Name& name, ast::Place at);
+    bool variableNamed(const Parts& parts, Operand& found);
+    bool valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
+    Operand members(Operand of, const Parts& parts, std::size_t from);
+    [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
+    std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
+    void checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name);
+
+    // compile_call.cpp
+    Callable callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const;
+    bool call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result);
+    bool construct(const ast::Name& name, ast::Place at, Operand& result);
+    bool handleCall(const ast::Name& name, ast::Place at, Operand& result);
+    Operand callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    [[noreturn]] void failRecursive(const std::string& function, ast::Place at);
+    Operand callFunction(const FunctionDefinition& function, const ast::Name& name, ast::Place at);
+    Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    OperationInterfacePart::Args arguments(const ast::Expressions& expressions);
+    OperationInterfacePart::Args arguments(const ast::Name& name, const OperationInterfacePart& part);
+    Source argument(const ast::Name& name, const OperationInterfacePart& part, unsigned index,
+                    const std::vector<Operand>& values);
+    template <class Make>
+    Source made(const ast::Name& name, ast::Place at, Make make);
+    /** Does what `convert` does, and reports the conversions that lose something. */
+    template <class Convert>
+    auto watched(ast::Place at, Convert convert);
+    void warnOfConversion(ast::Place at, const std::string& from, const std::string& to);
+    /** Not where an alias is used: it was said where that is declared. */
+    void warn(ast::Place at, const char* code, const std::string& message, const std::string& hint = "");
+    bool assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result);
+    Operand sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at);
+
+    [[noreturn]] void error(ast::Place at, const char* code, const std::string& message);
+    oroforge::diag::Location locate(ast::Place at) const { return {where_.file, at.line, at.column}; }
+    std::size_t emit(Action act, const void* a = nullptr, const void* b = nullptr, void* to = nullptr);
+    /** For instructions that refer to it. */
+    base::DataSourceBase* keep(Source source);
+
+    Compiler::State& state_;
+    const Surroundings& where_;
+    Code& code_;
+    Scope* scope_;
+    Activation* function_;
+    std::vector<std::vector<std::size_t>>
+        breaks_;            // of the loops around: jumps to be landed; 'break' stands in loops only
+    unsigned aliases_ = 0;  // being looked up
+};
+
+template <class Convert>
+auto Unit::watched(ast::Place at, Convert convert) {
+    const types::detail::ConversionWatch watch;
+    auto made = convert();
+    for (const auto& conversion : watch.conversions()) warnOfConversion(at, conversion.from, conversion.to);
+    return made;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif
