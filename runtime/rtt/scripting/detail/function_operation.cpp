@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/function_operation.hpp>
+
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/function_sources.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+using base::DataSourceBase;
+
+namespace {
+
+const types::TypeInfo* typeOf(const DataSourceBase::shared_ptr& value) {
+    return value ? value->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
+}
+
+void checkCount(std::size_t wanted, std::size_t received) {
+    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
+}
+
+[[noreturn]] void throwWrongType(std::size_t index, const std::string& wanted,
+                                 const DataSourceBase::shared_ptr& found) {
+    throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
+}
+
+Service& homeOf(ast::Function::Scope scope, Service& scripting, TaskContext& component) {
+    switch (scope) {
+        case ast::Function::Scope::Exported: return *component.provides();
+        case ast::Function::Scope::Global: return *internal::GlobalService::Instance();
+        case ast::Function::Scope::Local: break;
+    }
+    return scripting;
+}
+
+}  // namespace
+
+FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const FunctionCall& pattern) : pool_(std::move(pool)) {
+    values_.emplace_back(pattern.result() ? pattern.result()->clone() : nullptr);
+    for (const auto& argument : pattern.arguments()) values_.emplace_back(argument->clone());
+}
+
+std::string FunctionPart::getName() const { return pool_->definition().name; }
+std::string FunctionPart::description() const { return "A function of a script."; }
+std::string FunctionPart::resultType() const { return typeOf(values_.front())->getTypeName(); }
+unsigned FunctionPart::arity() const { return static_cast<unsigned>(values_.size() - 1); }
+unsigned FunctionPart::collectArity() const { return values_.front() ? 1 : 0; }
+
+std::vector<ArgumentDescription> FunctionPart::getArgumentList() const {
+    std::vector<ArgumentDescription> list;
+    for (const ast::Function::Argument& argument : pool_->definition().tree->arguments)
+        list.emplace_back(argument.name.text, "", typeOf(values_[list.size() + 1])->getTypeName());
+    return list;
+}
+
+const types::TypeInfo* FunctionPart::getArgumentType(unsigned index) const {
+    return index < values_.size() ? typeOf(values_[index]) : nullptr;
+}
+
+const types::TypeInfo* FunctionPart::getCollectType(unsigned index) const {
+    return index == 1 && values_.front() ? typeOf(values_.front()) : nullptr;
+}
+
+/** Of the types that the function takes. */
+FunctionPart::Args FunctionPart::checked(const Args& args) const {
+    checkCount(arity(), args.size());
+    Args sources;
+    for (std::size_t i = 1; i != values_.size(); ++i) {
+        const DataSourceBase::shared_ptr& given = args[i - 1];
+        const types::TypeInfo& type = *typeOf(values_[i]);
+        const DataSourceBase::shared_ptr source = !given || given->hasTypeOf(*values_[i]) ? given : type.convert(given);
+        if (!source || !source->hasTypeOf(*values_[i])) throwWrongType(i, type.getTypeName(), given);
+        sources.push_back(source);
+    }
+    return sources;
+}
+
+DataSourceBase::shared_ptr FunctionPart::produce(const Args& args, ExecutionEngine* caller) const {
+    return makeCallSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceSend(const Args& args, ExecutionEngine* caller) const {
+    return makeSendSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceHandle() const {
+    return new internal::ValueDataSource<FunctionCall::shared_ptr>();
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
+                                                        internal::DataSource<bool>::shared_ptr blocking) const {
+    if (args.size() != 1) checkCount(1 + collectArity(), args.size());
+    FunctionHandle::shared_ptr const handle = FunctionHandle::narrow(args[0].get());
+    if (!handle) throwWrongType(1, "SendHandle", args[0]);
+    const DataSourceBase::shared_ptr variable = args.size() > 1 ? args[1] : nullptr;
+    if (args.size() > 1) {
+        if (!variable || !variable->hasTypeOf(*values_.front())) throwWrongType(2, resultType(), variable);
+        if (!variable->isAssignable()) throw non_lvalue_args_exception(2, variable->getType());
+    }
+    return makeCollectSource(pool_->owner(), handle, variable, std::move(blocking));
+}
+
+bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Function::Scope scope, Service& scripting,
+                 const Surroundings& where) {
+    const std::string& name = definition->name;
+    const ast::Place at = definition->tree->name.at;
+    const oroforge::diag::Location place{definition->file, at.line, at.column};
+    Service& home = homeOf(scope, scripting, *where.component);
+    const OperationInterfacePart* const taken = home.getPart(name);
+    const auto* const known = dynamic_cast<const FunctionPart*>(taken);
+    if (taken && !known) {
+        where.sink->error(place, "OPS204",
+                          "function '" + name + "' cannot be added: '" + home.getName() +
+                              "' has an operation of that name, which no script defined");
+        return false;
+    }
+    const auto pool = std::make_shared<FunctionPool>(std::move(definition), where);
+    const FunctionCall::shared_ptr compiled = pool->take(*where.sink);
+    if (!compiled) return false;
+    if (known && !known->isLost())
+        where.sink->warning(place, "OPS205",
+                            "function '" + name +
+                                "' is defined again: what is loaded already goes on "
+                                "with the one it knows");
+    home.add(name, new FunctionPart(pool, *compiled));
+    if (scope == ast::Function::Scope::Exported)
+        log(Info) << "component '" << where.component->getName() << "' has function '" << name << "' as operation now"
+                  << endlog();
+    return true;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
