@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/StateMachine.hpp>
+
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/base/ActivityInterface.hpp>
+#include <rtt/os/Mutex.hpp>
+#include <rtt/os/MutexLock.hpp>
+#include <rtt/os/fosi.h>
+#include <rtt/scripting/detail/log_diagnostics.hpp>
+#include <rtt/scripting/detail/machine_claim.hpp>
+#include <rtt/scripting/detail/machine_core.hpp>
+
+#include <diag/print.hpp>
+
+#include <unistd.h>
+
+namespace RTT {
+namespace scripting {
+
+namespace {
+
+constexpr std::int64_t kPatience = 5000000000;   // of commands, in ns
+constexpr std::int64_t kBringDown = 1000000000;  // for a machine to come to its end
+constexpr unsigned kBetweenCycles = 500;         // of bringDown(), in us
+
+const char* nameOf(StateMachine::StateMachineStatus status) {
+    switch (status) {
+        case StateMachine::Status::inactive: return "inactive";
+        case StateMachine::Status::activating: return "activating";
+        case StateMachine::Status::active: return "active";
+        case StateMachine::Status::requesting: return "requesting";
+        case StateMachine::Status::running: return "running";
+        case StateMachine::Status::stopping: return "stopping";
+        case StateMachine::Status::stopped: return "stopped";
+        case StateMachine::Status::resetting: return "resetting";
+        case StateMachine::Status::deactivating: return "deactivating";
+        case StateMachine::Status::paused: return "paused";
+        case StateMachine::Status::error: return "error";
+        case StateMachine::Status::unloaded: break;
+    }
+    return "unloaded";
+}
+
+}  // namespace
+
+class StateMachine::Execution final : public detail::MachineObserver {
+public:
+    explicit Execution(std::unique_ptr<detail::MachineModel> made) : model(std::move(made)), core(*model, *this) {}
+
+    void did(const char* what, const std::string& state) override {
+        log(Info) << '[' << nameOf(core.status()) << "] state machine '" << model->name << "' " << what << " state '"
+                  << state << '\'' << endlog();
+    }
+    void failed(const oroforge::diag::Location& where, const std::string& why) override {
+        const detail::MachineState* const state = core.state();
+        oroforge::diag::Sink sink;
+        sink.error(where, "OPS400",
+                   "state machine '" + model->name + "' failed" + (state ? " in state '" + state->name + "'" : "") +
+                       ": " + why);
+        oroforge::diag::SourceCache lines;
+        if (model->source) lines.add(model->source->name, model->source->text);
+        detail::logDiagnostics(sink, lines);
+        const os::MutexLock lock(error_lock_);
+        error_ = oroforge::diag::toString(sink.all().front());
+    }
+    std::string error() const {
+        const os::MutexLock lock(error_lock_);
+        return error_;
+    }
+    detail::MachineState* find(const std::string& name) {
+        for (detail::MachineState& state : model->states)
+            if (state.name == name) return &state;
+        return nullptr;
+    }
+
+    const std::unique_ptr<detail::MachineModel> model;
+    detail::MachineCore core;
+    detail::MachineOwner owner{0};
+
+private:
+    mutable os::Mutex error_lock_;  // not taken unless something failed
+    std::string error_;
+};
+
+StateMachine::StateMachine(std::unique_ptr<detail::MachineModel> model) : execution_(new Execution(std::move(model))) {}
+
+StateMachine::~StateMachine() {
+    if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
+}
+
+template <class Command>
+bool StateMachine::command(const char* name, Command command) {
+    if (!isLoaded()) return false;
+    const auto claim = detail::MachineClaim::within(execution_->owner, kPatience);
+    if (claim) return command(execution_->core);
+    log(Error) << "state machine '" << getName() << "': " << name << "() waited for " << kPatience / 1000000000
+               << " s and gave up: a program that began in line " << getLineNumber() << " does not return" << endlog();
+    return false;
+}
+
+bool StateMachine::activate() {
+    return command("activate", [](detail::MachineCore& core) { return core.activate(); });
+}
+
+bool StateMachine::automatic() {
+    return command("automatic", [](detail::MachineCore& core) { return core.automatic(); });
+}
+
+bool StateMachine::reactive() {
+    return command("reactive", [](detail::MachineCore& core) { return core.reactive(); });
+}
+
+bool StateMachine::reset() {
+    return command("reset", [](detail::MachineCore& core) { return core.reset(); });
+}
+
+bool StateMachine::deactivate() {
+    return command("deactivate", [](detail::MachineCore& core) { return core.deactivate(); });
+}
+
+bool StateMachine::pause() { return isLoaded() && execution_->core.pause(); }
+bool StateMachine::step() { return isLoaded() && execution_->core.step(); }
+bool StateMachine::stop() { return isLoaded() && execution_->core.stop(); }
+
+namespace {
+
+// Without a period, nobody else would have the engine execute a cycle.
+void wake(ExecutionEngine* engine) {
+    if (!engine) return;
+    const internal::EngineGate::Visit visit(*engine->gate());
+    if (visit.activity()) visit.activity()->timeout();
+}
+
+}  // namespace
+
+bool StateMachine::requestState(const std::string& state) {
+    detail::MachineState* const target = execution_->find(state);
+    const bool accepted =
+        target && command("requestState", [&](detail::MachineCore& core) { return core.requestState(*target); });
+    if (accepted) wake(getEngine());
+    return accepted;
+}
+
+bool StateMachine::react(detail::MachineEvent& event) {
+    const auto claim = detail::MachineClaim::soon(execution_->owner);
+    const bool accepted = claim && isLoaded() && execution_->core.happened(event);
+    if (accepted) wake(getEngine());
+    return accepted;
+}
+
+void StateMachine::trace(bool on) { execution_->core.setTraced(on); }
+
+const std::string& StateMachine::getName() const { return execution_->model->name; }
+const std::string& StateMachine::getText() const { return execution_->model->text; }
+int StateMachine::getLineNumber() const { return static_cast<int>(execution_->core.line()); }
+
+StateMachine::StateMachineStatus StateMachine::getStatus() const {
+    return isLoaded() ? execution_->core.status() : Status::unloaded;
+}
+
+std::string StateMachine::getStatusStr() const { return nameOf(getStatus()); }
+
+std::string StateMachine::getCurrentStateName() const {
+    const detail::MachineState* const state = execution_->core.state();
+    return state ? state->name : std::string();
+}
+
+std::vector<std::string> StateMachine::getStateList() const {
+    std::vector<std::string> names;
+    for (const detail::MachineState& state : execution_->model->states) names.push_back(state.name);
+    return names;
+}
+
+bool StateMachine::inState(const std::string& name) const {
+    const detail::MachineState* const state = execution_->core.state();
+    return state && state->name == name;
+}
+
+bool StateMachine::inInitialState() const {
+    const detail::MachineState* const state = execution_->core.state();
+    return state && state == execution_->model->first;
+}
+
+bool StateMachine::inFinalState() const {
+    const detail::MachineState* const state = execution_->core.state();
+    return state && state == execution_->model->last;
+}
+
+bool StateMachine::inTransition() const { return execution_->core.inTransition(); }
+bool StateMachine::isActive() const { return isLoaded() && execution_->core.state(); }
+
+bool StateMachine::isReactive() const {
+    const StateMachineStatus status = getStatus();
+    return status == Status::active || status == Status::requesting;
+}
+
+std::string StateMachine::getError() const { return inError() ? execution_->error() : std::string(); }
+
+const StateMachine::ChildList& StateMachine::getChildren() const { return execution_->model->children; }
+boost::shared_ptr<Service> StateMachine::getService() const { return execution_->model->service; }
+
+bool StateMachine::execute() {
+    // Skipped while a thread gives a command; that does what the machine has to do.
+    const auto claim = detail::MachineClaim::now(execution_->owner);
+    if (claim && !claim.nested()) execution_->core.cycle();
+    return true;
+}
+
+bool StateMachine::bringDown() {
+    const auto claim = detail::MachineClaim::within(execution_->owner, kBringDown);
+    if (!claim || claim.nested()) return false;
+    detail::MachineCore& core = execution_->core;
+    const std::int64_t end = rtos_get_time_ns() + kBringDown;
+    const auto comesTo = [&](auto... goals) {
+        while (((core.status() != goals) && ...)) {
+            if (rtos_get_time_ns() >= end) return false;
+            usleep(kBetweenCycles);
+            core.cycle();
+            // Its programs may be waiting for them.
+            for (const StateMachinePtr& child : getChildren()) child->execute();
+        }
+        return true;
+    };
+    if (core.status() != Status::inactive && core.status() != Status::error && core.status() != Status::deactivating) {
+        core.stopNow();
+        if (!comesTo(Status::stopped, Status::error)) return false;
+    }
+    // In error, only the second one leaves out the exit program.
+    if (core.status() != Status::inactive && core.status() != Status::deactivating) core.deactivate();
+    if (!comesTo(Status::inactive, Status::error)) return false;
+    if (core.status() == Status::error) core.deactivate();
+    for (const StateMachinePtr& child : getChildren())
+        if (!child->bringDown()) return false;
+    return true;
+}
+
+}  // namespace scripting
+}  // namespace RTT

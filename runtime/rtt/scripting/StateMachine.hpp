@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_STATE_MACHINE_HPP
+#define ORO_STATE_MACHINE_HPP
+
+#include <rtt/base/ExecutableInterface.hpp>
+#include <rtt/scripting/rtt-scripting-fwd.hpp>
+
+#include <boost/enable_shared_from_this.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class Service;
+
+namespace scripting {
+
+namespace detail {
+class EventAction;
+class MachineEvent;
+struct MachineModel;
+}  // namespace detail
+
+/**
+ * A state machine that a script defined and a component's engine executes: execute() is one cycle. Each machine, sub machines
+ * too, is a function of its own in the engine; until it is loaded there, its status is `unloaded` and commands return false.
+ *
+ *     command            accepted when                       does
+ *     activate()         inactive                            assigns parameters and variables, enters the initial state; false if a
+ *                                                            precondition of that, an initial value or its entry fails
+ *     automatic()        not inactive, error                 running: executes `run` and looks at the transitions in each cycle.
+ *       = start()                                            Starts `run` from its beginning; continues after pause()
+ *     reactive()         not inactive, error                 active: only events and requestState() change the state
+ *     pause()            not inactive                        paused, from the next cycle on
+ *     step()             paused                              one statement, or one transition, in the next cycle
+ *                        active                              looks at all transitions once, in the next cycle
+ *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped
+ *     reset()            stopped                             enters the initial state; then active
+ *     deactivate()       not inactive                        executes the exit program of the state; then inactive
+ *     requestState(S)    no transition or `handle` is        S is the present state: executes `handle` and `run`. Else goes to S by the
+ *                        being executed                      first transition that leads there and may be taken; to the final state,
+ *                                                            and from there to the initial one, also without one
+ *
+ * Programs that `yield` go on in the next cycle; the status is activating, stopping, resetting or deactivating meanwhile.
+ *
+ * All functions may be called by any thread, and by the programs of the machine itself. Commands execute what they can at once
+ * in the calling thread; the engine skips the cycles that fall into that time. Unless said otherwise they wait while the engine
+ * is within a cycle, executing messages of the calling thread's component meanwhile, and give up with false and an error in the log
+ * when that takes longer than five seconds. pause(), step() and stop() never wait and are real-time safe. execute() and
+ * the commands are as real-time safe as what the script calls. Queries are real-time safe, unless they return a copy of a text.
+ */
+class RTT_API StateMachine : public base::ExecutableInterface, public boost::enable_shared_from_this<StateMachine> {
+public:
+    struct Status {
+        enum StateMachineStatus {
+            inactive,
+            activating,
+            active,
+            requesting,
+            running,
+            stopping,
+            stopped,
+            resetting,
+            deactivating,
+            paused,
+            error,
+            unloaded
+        };
+    };
+    typedef Status::StateMachineStatus StateMachineStatus;
+    typedef std::vector<StateMachinePtr> ChildList;
+
+    /** For the reader of scripts. */
+    explicit StateMachine(std::unique_ptr<detail::MachineModel> model);
+    /** The engine must not have it any more. */
+    ~StateMachine() override;
+
+    bool activate();
+    bool automatic();
+    bool start() { return automatic(); }
+    bool reactive();
+    bool pause();
+    bool step();
+    bool stop();
+    bool reset();
+    bool deactivate();
+    bool requestState(const std::string& state);
+    /** Tells in the log, at level Info, what it does. */
+    void trace(bool on);
+
+    /** "root", "root.sub". */
+    const std::string& getName() const;
+    /** Of the type, as in the script. */
+    const std::string& getText() const;
+    /** Of the statement that comes next or failed, or the transition looked at last; 0 if inactive. */
+    int getLineNumber() const;
+    StateMachineStatus getStatus() const;
+    std::string getStatusStr() const;
+    /** Empty if not active. */
+    std::string getCurrentStateName() const;
+    std::vector<std::string> getStateList() const;
+    bool inState(const std::string& state) const;
+    bool inInitialState() const;
+    bool inFinalState() const;
+    /** A transition program, an exit or an entry is being executed, or is about to be. */
+    bool inTransition() const;
+    /** In some state. */
+    bool isActive() const;
+    bool isRunning() const { return getStatus() == Status::running; }
+    /** Executes no more than events and requests ask for. */
+    bool isReactive() const;
+    bool isPaused() const { return getStatus() == Status::paused; }
+    bool isStopped() const { return getStatus() == Status::stopped; }
+    bool inError() const { return getStatus() == Status::error; }
+    /** Why it is in error, with the place; empty if it is not. */
+    std::string getError() const;
+
+    const ChildList& getChildren() const;
+    /** Its operations, parameters and variables, and the services of its sub machines; null if it has none. */
+    boost::shared_ptr<Service> getService() const;
+
+    /** One cycle. Always true. */
+    bool execute() override;
+    /** Stops and deactivates the machine and its sub machines, executing them in this thread, for at most a second. The
+        engine skips them meanwhile. False, and nothing else is done, if a program does not come to its end, or calls this. */
+    bool bringDown();
+
+private:
+    class Execution;
+    friend class detail::EventAction;
+    bool react(detail::MachineEvent& event);
+    template <class Command>
+    bool command(const char* name, Command command);
+
+    const std::unique_ptr<Execution> execution_;
+};
+
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Programs, conditions, ports and operations, as a state machine uses them.
+#ifndef ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
+#define ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
+
+#include <rtt/FlowStatus.hpp>
+#include <rtt/Handle.hpp>
+#include <rtt/base/ActionInterface.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/scripting/detail/compiler.hpp>
+#include <rtt/scripting/detail/machine_model.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+typedef decltype(Surroundings::roundLimit) RoundLimit;
+
+class CodeRoutine final : public Routine {
+public:
+    CodeRoutine(std::unique_ptr<const Code> code, oroforge::diag::FileName file, RoundLimit limit);
+    void restart() override { process_.restart(); }
+    Outcome run() override;
+    Outcome runStatement() override;
+    bool started() const override { return process_.started(); }
+    unsigned line() const override { return process_.line(); }
+    oroforge::diag::Location where() const override;
+    std::string failure() const override { return process_.message(); }
+
+private:
+    void limit() { process_.setRoundLimit(limit_ ? limit_->rvalue() : 0); }
+
+    const std::unique_ptr<const Code> code_;
+    const oroforge::diag::FileName file_;
+    const RoundLimit limit_;
+    Process process_;
+};
+
+class CodeGuard final : public Guard {
+public:
+    /** `result` is where the code leaves its truth. */
+    CodeGuard(std::unique_ptr<const Code> code, const bool* result, oroforge::diag::FileName file, RoundLimit limit);
+    Truth check(unsigned round) override;
+    oroforge::diag::Location where() const override { return routine_.where(); }
+    std::string failure() const override;
+
+private:
+    CodeRoutine routine_;
+    const bool* const result_;
+    bool yielded_ = false;
+};
+
+/** A port that transitions ask for new data; read once in a round. */
+class PortReader {
+public:
+    PortReader(base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample);
+    bool hasNewData(unsigned round);
+    const base::InputPortInterface& port() const { return port_; }
+    const base::DataSourceBase::shared_ptr& sample() const { return sample_; }
+
+private:
+    base::InputPortInterface& port_;
+    const base::DataSourceBase::shared_ptr sample_;
+    FlowStatus status_ = NoData;
+    unsigned round_ = 0;
+};
+
+typedef std::unique_ptr<base::ActionInterface> ActionPtr;
+
+class PortGuard final : public Guard {
+public:
+    /** `assign`, which may be null, copies the sample to a variable of the script. */
+    PortGuard(std::shared_ptr<PortReader> reader, ActionPtr assign, oroforge::diag::Location where);
+    Truth check(unsigned round) override;
+    oroforge::diag::Location where() const override { return where_; }
+    std::string failure() const override;
+
+private:
+    const std::shared_ptr<PortReader> reader_;
+    const ActionPtr assign_;
+    const oroforge::diag::Location where_;
+};
+
+/** Calls of an operation. */
+class OperationEvent final : public MachineEvent {
+public:
+    /** `arguments` take those of a call; `assign` copies them to variables of the script. */
+    OperationEvent(std::vector<base::DataSourceBase::shared_ptr> arguments, std::vector<ActionPtr> assign);
+    void receive() override;
+    /** From now on, as long as this exists, calls become events of the machine, executed by that engine. Throws
+        no_asynchronous_operation_exception if nobody can listen to the operation. */
+    void listenTo(const OperationInterfacePart& operation, const StateMachinePtr& machine, ExecutionEngine* engine);
+
+private:
+    const std::vector<base::DataSourceBase::shared_ptr> arguments_;
+    const std::vector<ActionPtr> assign_;
+    std::unique_ptr<CleanupHandle> handle_;
+};
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Commands, and which of them counts in a cycle.
+#include <rtt/scripting/detail/machine_core.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+Routine::~Routine() = default;
+Guard::~Guard() = default;
+MachineEvent::~MachineEvent() = default;
+MachineObserver::~MachineObserver() = default;
+
+MachineCore::StatusValue MachineCore::status() const {
+    const StatusValue now = status_.load(std::memory_order_acquire);
+    const bool stops = requests_.load(std::memory_order_relaxed) & kStop;
+    return stops && now != Status::inactive && now != Status::deactivating ? Status::stopping : now;
+}
+
+bool MachineCore::pause() {
+    const StatusValue now = status();
+    if (now == Status::inactive || now == Status::deactivating) return false;
+    requests_.fetch_or(kPause, std::memory_order_release);
+    return true;
+}
+
+bool MachineCore::step() {
+    const StatusValue now = status();
+    if (now == Status::paused) return !(requests_.fetch_or(kStep, std::memory_order_release) & kStep);
+    StatusValue expected = Status::active;
+    return now == Status::active && status_.compare_exchange_strong(expected, Status::requesting);
+}
+
+bool MachineCore::stop() {
+    const StatusValue now = status();
+    if (now == Status::inactive || now == Status::deactivating) return false;
+    if (now != Status::stopped) requests_.fetch_or(kStop, std::memory_order_release);
+    return true;
+}
+
+void MachineCore::cycle() {
+    if (requests_.load(std::memory_order_relaxed)) takeRequests();
+    switch (status_.load(std::memory_order_relaxed)) {
+        case Status::running: cycleOfRunning(); break;
+        case Status::active:
+        case Status::activating:
+        case Status::resetting:
+        case Status::stopped:
+            executePending();
+            settle();
+            break;
+        case Status::requesting:
+            if (!executePending()) break;
+            setStatus(Status::active);
+            look();
+            executePending();
+            break;
+        case Status::stopping: continueStop(); break;
+        case Status::deactivating: continueDeactivation(); break;
+        case Status::paused:
+        case Status::inactive:
+        case Status::error:
+        case Status::unloaded: break;
+    }
+    leaveIfAsked();
+}
+
+void MachineCore::takeRequests() {
+    const unsigned requests = requests_.exchange(0, std::memory_order_acquire);
+    const StatusValue now = status_.load(std::memory_order_relaxed);
+    if (now == Status::inactive || now == Status::deactivating) return;
+    if (requests & kStop) beginStop();
+    if (requests & kPause) {
+        setStatus(Status::paused);
+        tell("pauses in", current_.load()->name);
+    } else if (now == Status::paused && requests == kStep) {
+        cycleOfPaused();
+    }
+}
+
+void MachineCore::cycleOfRunning() {
+    if (isBusy() && (!executePending() || status_.load(std::memory_order_relaxed) != Status::running)) return;
+    look();
+    executePending();
+}
+
+void MachineCore::cycleOfPaused() {
+    single_ = true;
+    const bool idle = executePending();
+    const bool stepped = stepped_;
+    single_ = stepped_ = false;
+    if (idle && !stepped) lookAtNext();
+}
+
+// Activating and resetting end with the entry of the initial state.
+void MachineCore::settle() {
+    const StatusValue now = status_.load(std::memory_order_relaxed);
+    if (!inTransition() && (now == Status::activating || now == Status::resetting)) setStatus(Status::active);
+}
+
+bool MachineCore::assign(Routine* values) {
+    Routine* left = values;
+    if (left) left->restart();
+    if (finish(left)) return true;
+    if (left) fail(left->where(), "an initial value has to be there at once, but a function that gives it yields");
+    return false;
+}
+
+bool MachineCore::assignAll() {
+    for (const RoutinePtr& values : model_.initial)
+        if (!assign(values.get())) return false;
+    for (const MachineState& state : model_.states)
+        if (!assign(state.locals.get())) return false;
+    return true;
+}
+
+bool MachineCore::activate() {
+    if (status_.load() != Status::inactive || within()) return false;
+    requests_ = 0;
+    ++round_;
+    if (!assignAll() || !preconditionsHold(*model_.first)) {
+        setStatus(Status::inactive);
+        return false;
+    }
+    setStatus(Status::activating);
+    enter(*model_.first);
+    executePending();
+    settle();
+    leaveIfAsked();
+    return status_.load() != Status::error;
+}
+
+bool MachineCore::automatic() {
+    const StatusValue now = status_.load();
+    if (now == Status::inactive || now == Status::error || now == Status::deactivating) return false;
+    requests_ = 0;
+    setStatus(Status::running);
+    tell("runs in", current_.load()->name);
+    if (now == Status::paused || inTransition() || (run_ && run_ == executing_)) return true;
+    schedule(run_, current_.load()->run.get());
+    return true;
+}
+
+bool MachineCore::reactive() {
+    const StatusValue now = status_.load();
+    if (now == Status::inactive || now == Status::error || now == Status::deactivating) return false;
+    requests_ = 0;
+    setStatus(Status::active);
+    tell("is reactive in", current_.load()->name);
+    return true;
+}
+
+bool MachineCore::reset() {
+    if (status_.load() != Status::stopped || within()) return false;
+    drop();
+    setStatus(Status::resetting);
+    next_ = model_.first;
+    schedule(exit_, current_.load()->exit.get());
+    updateInTransition();
+    executePending();
+    settle();
+    leaveIfAsked();
+    return status_.load() != Status::error;
+}
+
+void MachineCore::beginStop() {
+    const StatusValue now = status_.load();
+    if (now == Status::stopped || now == Status::stopping) return;
+    // What had begun before an error is over. Otherwise only what may be interrupted is.
+    if (now == Status::error) drop();
+    handle_ = run_ = nullptr;
+    setStatus(Status::stopping);
+    tell("stops in", current_.load()->name);
+}
+
+void MachineCore::continueStop() {
+    for (;;) {
+        if (!finishTransition()) return;
+        if (current_.load() == model_.last) break;
+        go(nullptr, *model_.last);
+        if (exit_failed_) exit_ = nullptr;
+        exit_failed_ = false;
+    }
+    handle_ = run_ = nullptr;
+    if (status_.load() == Status::stopping) setStatus(Status::stopped);
+}
+
+void MachineCore::stopNow() {
+    if (within()) return;
+    beginStop();
+    continueStop();
+    leaveIfAsked();
+}
+
+bool MachineCore::deactivate() {
+    const StatusValue now = status_.load();
+    if (now == Status::inactive) return false;
+    if (!within()) {
+        // Nothing more can be asked of an exit program that did not come to its end.
+        if (now == Status::deactivating) drop();
+        beginDeactivation();
+    } else if (now != Status::deactivating) {
+        leave_ = true;
+        setStatus(Status::deactivating);
+    }
+    return true;
+}
+
+void MachineCore::beginDeactivation() {
+    const StatusValue now = status_.load();
+    const bool stalled = now == Status::deactivating && !leave_;
+    leave_ = false;
+    drop();
+    requests_ = 0;
+    setStatus(Status::deactivating);
+    tell("deactivates in", current_.load()->name);
+    if (!stalled && now != Status::error) schedule(exit_, current_.load()->exit.get());
+    updateInTransition();
+    continueDeactivation();
+}
+
+void MachineCore::continueDeactivation() {
+    if (!finish(exit_)) return;
+    drop();
+    current_ = nullptr;
+    line_ = 0;
+    exit_failed_ = false;
+    setStatus(Status::inactive);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What has to be executed, in its order.
+#include <rtt/scripting/detail/machine_core.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+void MachineCore::schedule(Routine*& slot, Routine* routine) {
+    slot = routine;
+    if (routine) routine->restart();
+}
+
+// Of the present state; what has begun goes on.
+void MachineCore::scheduleRest() {
+    MachineState& state = *current_.load(std::memory_order_relaxed);
+    if (!handle_ || !handle_->started()) schedule(handle_, state.handle.get());
+    if (!run_ || !run_->started()) schedule(run_, state.run.get());
+}
+
+void MachineCore::go(Routine* program, MachineState& to) {
+    MachineState& from = *current_.load(std::memory_order_relaxed);
+    looked_at_ = 0;
+    schedule(program_, program);
+    if (&to != &from) {
+        next_ = &to;
+        schedule(exit_, from.exit.get());
+    } else if (!program) {
+        scheduleRest();
+    } else if (!run_) {
+        schedule(run_, from.run.get());
+    }
+    updateInTransition();
+}
+
+void MachineCore::enter(MachineState& state) {
+    next_ = nullptr;
+    handle_ = run_ = nullptr;
+    current_.store(&state, std::memory_order_release);
+    looked_at_ = 0;
+    ++round_;
+    entering_ = true;
+    schedule(locals_, state.locals.get());
+    schedule(entry_, state.entry.get());
+    updateInTransition();
+    tell("enters", state.name);
+}
+
+void MachineCore::drop() {
+    entering_ = false;
+    next_ = nullptr;
+    looked_at_ = 0;
+    for (Routine** slot : {&locals_, &entry_, &program_, &exit_, &handle_, &run_}) *slot = nullptr;
+    updateInTransition();
+}
+
+void MachineCore::updateInTransition() {
+    in_transition_.store(entering_ || program_ || next_ || exit_, std::memory_order_release);
+}
+
+// True if nothing is left of it.
+bool MachineCore::finish(Routine*& slot) {
+    Routine* const routine = slot;
+    if (!routine) return true;
+    if (stepped_ || leave_) return false;
+    executing_ = routine;
+    const Routine::Outcome outcome = single_ ? routine->runStatement() : routine->run();
+    executing_ = nullptr;
+    stepped_ = single_;
+    if (outcome != Routine::Outcome::Finished) line_.store(routine->line(), std::memory_order_relaxed);
+    if (outcome == Routine::Outcome::Failed) {
+        exit_failed_ = &slot == &exit_;
+        slot = nullptr;
+        fail(routine->where(), routine->failure());
+        return false;
+    }
+    if (outcome != Routine::Outcome::Finished) return false;
+    if (slot == routine) slot = nullptr;
+    return !leave_;
+}
+
+bool MachineCore::finishTransition() {
+    while (inTransition()) {
+        if (leave_) return false;
+        if (entering_) {
+            if (!finish(locals_) || !finish(entry_)) return false;
+            entering_ = false;
+            entered_ = true;
+            schedule(run_, current_.load(std::memory_order_relaxed)->run.get());
+        } else {
+            if (program_ && handle_ && handle_->started() && !finish(handle_)) return false;
+            if (!finish(program_)) return false;
+            if (next_) {
+                if (!finish(exit_)) return false;
+                enter(*next_);
+            }
+        }
+        updateInTransition();
+    }
+    return true;
+}
+
+// True if nothing is left. `run` is executed once at most: it may ask for itself.
+bool MachineCore::executePending() {
+    entered_ = false;
+    for (bool ran = false;;) {
+        if (inTransition() && (!finishTransition() || entered_)) return false;
+        if (handle_) {
+            if (!finish(handle_)) return false;
+        } else {
+            if (ran || !run_) return !run_ && !leave_;
+            if (!finish(run_)) return false;
+            ran = true;
+        }
+    }
+}
+
+void MachineCore::fail(const oroforge::diag::Location& where, const std::string& why) {
+    drop();
+    setStatus(Status::error);
+    observer_.failed(where, why);
+}
+
+void MachineCore::tell(const char* what, const std::string& state) {
+    if (traced_.load(std::memory_order_relaxed)) observer_.did(what, state);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
