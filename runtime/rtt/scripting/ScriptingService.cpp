@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/ScriptingService.hpp>
+
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/plugin/ServicePlugin.hpp>
+#include <rtt/scripting/detail/loaded.hpp>
+#include <rtt/scripting/detail/log_diagnostics.hpp>
+#include <rtt/scripting/detail/script_runner.hpp>
+#include <rtt/scripting/detail/script_text.hpp>
+
+#include <boost/make_shared.hpp>
+
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+
+namespace diag = oroforge::diag;
+using detail::Contents;
+
+namespace {
+
+bool runText(ScriptingService& service, const diag::FileName& name, const std::string& text, Contents contents) {
+    if (service.getOwner()) return detail::ScriptRunner(service, name, text).run(contents);
+    log(Error) << "a script cannot be run: service 'scripting' belongs to no component" << endlog();
+    return false;
+}
+
+bool runFile(ScriptingService& service, const std::string& file, Contents contents) {
+    const std::string path = detail::ScriptRunner::locate(file);
+    log(Info) << "running script " << path << endlog();
+    diag::Sink sink;
+    if (const auto text = detail::readScript(path, sink)) return runText(service, path, *text, contents);
+    diag::SourceCache none;
+    detail::logDiagnostics(sink, none);
+    return false;
+}
+
+}  // namespace
+
+ScriptingService::shared_ptr ScriptingService::Create(TaskContext* parent) {
+    if (const auto present = boost::dynamic_pointer_cast<ScriptingService>(parent->provides()->getService("scripting")))
+        return present;
+    const auto made = boost::make_shared<ScriptingService>(parent);
+    return parent->provides()->addService(made) ? made : nullptr;
+}
+
+ScriptingService::ScriptingService(TaskContext* parent)
+    : Service("scripting", parent), loaded_(std::make_unique<Loaded>()) {
+    doc("Runs scripts in this component, and keeps the programs and state machines they define");
+    addProperty("ZeroPeriodWarning", zero_period_warning_)
+        .doc("Warn of programs and state machines that are loaded into a component without a period");
+    addProperty(loaded_->stepBudget);
+    addScriptOperations();
+    addProgramOperations();
+    addStateMachineOperations();
+}
+
+// What state machines would do on their way to the end needs a component that is there.
+ScriptingService::~ScriptingService() {
+    for (const std::string& name : loaded_->machines.names())
+        if (const StateMachinePtr machine = getStateMachine(name)) removeMachine(machine);
+    for (const std::string& name : loaded_->programs.names()) takeOutProgram(name);
+}
+
+void ScriptingService::clear() {
+    for (const std::string& name : loaded_->machines.names())
+        if (name.find('.') == std::string::npos) takeOutMachine(getStateMachine(name));
+    for (const std::string& name : loaded_->programs.names()) takeOutProgram(name);
+    loaded_->definitions.clear();
+    Service::clear();
+}
+
+// -- Scripts --------------------------------------------------------------------------------------------------------
+
+bool ScriptingService::eval(const std::string& code) {
+    static const diag::FileName name("eval()");
+    return runText(*this, name, code, Contents::Everything);
+}
+
+bool ScriptingService::evalInternal(const std::string& name, const std::string& code) {
+    return runText(*this, name, code, Contents::Everything);
+}
+
+bool ScriptingService::runScript(const std::string& file) { return runFile(*this, file, Contents::Everything); }
+int ScriptingService::execute(const std::string& code) { return eval(code) ? 0 : -1; }
+bool ScriptingService::doExecute(const std::string& code) { return eval(code); }
+bool ScriptingService::loadPrograms(const std::string& file) { return runFile(*this, file, Contents::Programs); }
+bool ScriptingService::loadProgramText(const std::string& code) {
+    return runText(*this, "string", code, Contents::Programs);
+}
+bool ScriptingService::loadStateMachines(const std::string& file) {
+    return runFile(*this, file, Contents::StateMachines);
+}
+bool ScriptingService::loadStateMachineText(const std::string& code) {
+    return runText(*this, "string", code, Contents::StateMachines);
+}
+
+// -- Both kinds -----------------------------------------------------------------------------------------------------
+
+std::string ScriptingService::nameInUse(const std::string& name) const {
+    const char* const kind = hasProgram(name)                           ? "program"
+                             : hasStateMachine(name)                    ? "state machine"
+                             : getOwner()->provides()->hasService(name) ? "service"
+                                                                        : nullptr;
+    return kind ? "component '" + getOwner()->getName() + "' has a " + kind + " of that name already" : std::string();
+}
+
+void ScriptingService::announce(const std::string& what) const {
+    const std::string& component = getOwner()->getName();
+    log(Info) << "loading " << what << " into component '" << component << "'" << endlog();
+    if (zero_period_warning_ && getOwner()->getPeriod() == 0)
+        log(Warning)
+            << what << " is executed only when something wakes component '" << component
+            << "', which has no period: give it one with setPeriod(), or set scripting.ZeroPeriodWarning to false"
+            << endlog();
+}
+
+bool ScriptingService::refuse(const std::string& what, const std::string& why) {
+    log(Error) << what << " cannot be loaded: " << why << endlog();
+    return false;
+}
+
+// What is unloaded by the step that executes it has to live until that step is over.
+void ScriptingService::retire(boost::shared_ptr<base::ExecutableInterface> executed) {
+    if (getOwner() && getOwner()->engine()->isStepping())
+        loaded_->retired.push_back(std::move(executed));
+    else
+        loaded_->retired.clear();
+}
+
+}  // namespace scripting
+}  // namespace RTT
+
+ORO_SERVICE_NAMED_PLUGIN(RTT::scripting::ScriptingService, "scripting")

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/script_runner.hpp>
+
+#include <rtt/TaskContext.hpp>
+#include <rtt/scripting/ScriptingService.hpp>
+#include <rtt/scripting/detail/function_operation.hpp>
+#include <rtt/scripting/detail/loaded.hpp>
+#include <rtt/scripting/detail/log_diagnostics.hpp>
+#include <rtt/scripting/detail/machine_build.hpp>
+#include <rtt/scripting/detail/program.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace diag = oroforge::diag;
+
+namespace {
+
+constexpr unsigned kMostYields = 10000;
+// What a script waits for is rarely there at once: after so many yields it waits a little with each.
+constexpr unsigned kEagerYields = 100;
+constexpr std::chrono::microseconds kPause(100);
+
+thread_local const ScriptRunner* innermost = nullptr;
+
+}  // namespace
+
+ScriptRunner::ScriptRunner(ScriptingService& service, diag::FileName name, std::string text)
+    : ScriptReader(*service.getOwner(),
+                   std::make_shared<SourceFile>(std::move(name), std::move(text), runningIn(service))),
+      service_(service),
+      outer_(innermost) {
+    innermost = this;
+}
+
+ScriptRunner::~ScriptRunner() { innermost = outer_; }
+
+SourceFilePtr ScriptRunner::runningIn(const ScriptingService& service) {
+    const ScriptRunner* runner = innermost;
+    while (runner && &runner->service_ != &service) runner = runner->outer_;
+    return runner ? runner->file_ : nullptr;
+}
+
+std::string ScriptRunner::locate(const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path path = file;
+    if (!innermost || path.is_absolute() || fs::exists(path, ignored)) return file;
+    const fs::path beside = fs::path(innermost->file_->name.str()).parent_path() / path;
+    return fs::exists(beside, ignored) ? beside.string() : file;
+}
+
+bool ScriptRunner::run(Contents contents) {
+    if (parse()) checkContents(contents);
+    bool good = !sink_.hadErrors();
+    report();
+    for (auto item = file_->tree.items.begin(); good && item != file_->tree.items.end(); ++item) {
+        good = take(*item);
+        report();
+    }
+    return good;
+}
+
+bool ScriptRunner::take(const ast::Item&, const ast::StatementPtr& statement) {
+    const std::unique_ptr<Code> code = compiler_.statement(*statement, file_->scope);
+    return code && execute(*code);
+}
+
+bool ScriptRunner::execute(const Code& code) {
+    Process process(code);
+    for (unsigned yields = 0; yields <= kMostYields; ++yields) {
+        const Process::Outcome outcome = process.run();
+        if (outcome == Process::Outcome::Finished) return true;
+        if (outcome == Process::Outcome::Failed) {
+            error(process.place(), "OPS400", process.message());
+            return false;
+        }
+        if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);
+    }
+    error(process.place(), "OPS410",
+          "the statement yielded " + std::to_string(kMostYields) +
+              " times and did not end; what has to wait longer belongs into a program");
+    return false;
+}
+
+bool ScriptRunner::take(const ast::Item&, const ast::Function& function) {
+    if (!isNew("function", "OPS201", function.name)) return false;
+    auto definition = definitionOf(function);
+    const auto functions = service_.loaded_->definitions.functions();
+    if (!addFunction(definition, function.scope, service_, limited(*functions))) return false;
+    service_.loaded_->definitions.define(std::move(definition));
+    return true;
+}
+
+bool ScriptRunner::take(const ast::Item& item, const ast::Program& program) {
+    if (!isFree("program", "OPS203", program.name)) return false;
+    const auto functions = service_.loaded_->definitions.functions();
+    const ProgramInterfacePtr made = makeProgram(program, *file_, file_->textOf(item), limited(*functions));
+    return made && service_.loadProgram(made);
+}
+
+bool ScriptRunner::take(const ast::Item& item, const ast::StateMachine& type) {
+    if (!isNew("state machine type", "OPS301", type.type)) return false;
+    auto made = typeOf(item, type);
+    Definitions& definitions = service_.loaded_->definitions;
+    const auto functions = definitions.functions();
+    if (!checkMachineType(*made, *definitions.machineTypes(), limited(*functions))) return false;
+    definitions.define(std::move(made));
+    return true;
+}
+
+bool ScriptRunner::take(const ast::Item&, const ast::Instance& machine) {
+    if (!isFree("state machine", "OPS303", machine.name)) return false;
+    const Definitions& definitions = service_.loaded_->definitions;
+    const auto functions = definitions.functions();
+    const StateMachinePtr made = makeMachine(machine, *definitions.machineTypes(), *file_, limited(*functions));
+    return made && service_.loadStateMachine(made);
+}
+
+void ScriptRunner::checkContents(Contents contents) {
+    if (contents == Contents::Everything) return;
+    const bool programs = contents == Contents::Programs;
+    const char* const what[] = {"a statement", "a function", "a program", "a type of state machines",
+                                "a state machine"};
+    bool machines = false;
+    for (const ast::Item& item : file_->tree.items) {
+        const std::size_t index = item.what.index();
+        const bool allowed = programs ? index == 1 || index == 2 : index == 3 || index == 4;
+        machines = machines || index == 4;
+        if (!allowed)
+            error(item.at, "OPS412",
+                  std::string("found ") + what[index] + ", expected " +
+                      (programs ? "functions and programs" : "state machines") + " only; runScript takes everything");
+    }
+    if (!programs && !machines) error({}, "OPS413", "found no RootMachine, expected at least one");
+}
+
+bool ScriptRunner::isFree(const char* kind, const char* code, const ast::Identifier& name) {
+    const std::string taken = service_.nameInUse(name.text);
+    if (taken.empty()) return true;
+    error(name.at, code, std::string(kind) + " '" + name.text + "' cannot be loaded: " + taken);
+    return false;
+}
+
+Surroundings ScriptRunner::limited(const Functions& functions) {
+    Surroundings where = inEngine(functions);
+    where.roundLimit = service_.loaded_->roundLimit();
+    return where;
+}
+
+void ScriptRunner::report() {
+    if (sink_.empty()) return;
+    diag::SourceCache sources;
+    for (const SourceFile* file = file_.get(); file; file = file->caller.get()) sources.add(file->name, file->text);
+    logDiagnostics(sink_, sources);
+    sink_ = {};
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What a scripting service does with state machines.
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/scripting/ScriptingService.hpp>
+#include <rtt/scripting/detail/loaded.hpp>
+
+#include <diag/nearest_match.hpp>
+
+namespace RTT {
+namespace scripting {
+
+bool ScriptingService::loadStateMachine(StateMachinePtr machine) {
+    if (!machine || !getOwner()) return false;
+    const std::string name = machine->getName(), what = "state machine '" + name + "'";
+    if (machine->isLoaded()) return refuse(what, "it is loaded already");
+    Service& component = *getOwner()->provides();
+    // One that a script made is a service of the component already.
+    const Service::shared_ptr service = machine->getService();
+    if (!service || component.getService(name) != service) {
+        const std::string taken = nameInUse(name);
+        if (!taken.empty()) return refuse(what, taken);
+        if (service) component.addService(service);
+    }
+    announce(what);
+    if (addMachine(machine)) return true;
+    removeMachine(machine);
+    if (service) component.removeService(name);
+    return refuse(what, "the engine of component '" + getOwner()->getName() + "' does not take it");
+}
+
+bool ScriptingService::addMachine(const StateMachinePtr& machine) {
+    if (!getOwner()->engine()->runFunction(machine.get())) return false;
+    loaded_->machines.add(machine->getName(), machine);
+    for (const StateMachinePtr& child : machine->getChildren())
+        if (!addMachine(child)) return false;
+    return true;
+}
+
+// Those of a machine last, because it commands them.
+bool ScriptingService::removeMachine(const StateMachinePtr& machine) {
+    ExecutionEngine* const engine = machine->getEngine();
+    if (engine && !engine->removeFunction(machine.get())) return false;
+    loaded_->machines.remove(machine->getName());
+    for (const StateMachinePtr& child : machine->getChildren())
+        if (!removeMachine(child)) return false;
+    return true;
+}
+
+bool ScriptingService::unloadStateMachine(const std::string& name) {
+    const StateMachinePtr machine = getStateMachine(name);
+    if (machine && name.find('.') == std::string::npos) return takeOutMachine(machine);
+    log(Error) << "state machine '" << name << "' cannot be unloaded: "
+               << (machine ? "it is part of '" + name.substr(0, name.find('.')) + "'"
+                           : "there is none of that name" + oroforge::diag::didYouMean(name, loaded_->machines.names()))
+               << endlog();
+    return false;
+}
+
+// While it goes down the engine still has it, because its programs may command its sub machines.
+bool ScriptingService::takeOutMachine(const StateMachinePtr& machine) {
+    if (!getOwner()) return removeMachine(machine);
+    if (!machine->bringDown()) {
+        log(Critical) << "state machine '" << machine->getName() << "' cannot be unloaded: it does not leave state '"
+                      << machine->getCurrentStateName() << "', line " << machine->getLineNumber() << endlog();
+        return false;
+    }
+    if (!removeMachine(machine)) {
+        log(Error) << "state machine '" << machine->getName() << "' cannot be unloaded: its engine does not let it go"
+                   << endlog();
+        return false;
+    }
+    if (machine->getService()) getOwner()->provides()->removeService(machine->getName());
+    retire(machine);
+    return true;
+}
+
+std::vector<std::string> ScriptingService::getStateMachineList() const { return loaded_->machines.names(); }
+
+StateMachinePtr ScriptingService::getStateMachine(const std::string& name) const {
+    return loaded_->machines.find(name);
+}
+
+bool ScriptingService::hasStateMachine(const std::string& name) const { return getStateMachine(name) != nullptr; }
+
+bool ScriptingService::activateStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::activate);
+}
+
+bool ScriptingService::deactivateStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::deactivate);
+}
+
+bool ScriptingService::startStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::start);
+}
+
+bool ScriptingService::pauseStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::pause);
+}
+
+bool ScriptingService::stopStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::stop);
+}
+
+bool ScriptingService::resetStateMachine(const std::string& name) {
+    return loaded_->machines.ask(name, false, &StateMachine::reset);
+}
+
+bool ScriptingService::requestStateMachineState(const std::string& name, const std::string& state) {
+    const StateMachinePtr machine = getStateMachine(name);
+    return machine && machine->requestState(state);
+}
+
+bool ScriptingService::isStateMachineActive(const std::string& name) const {
+    return loaded_->machines.ask(name, false, &StateMachine::isActive);
+}
+
+bool ScriptingService::isStateMachineRunning(const std::string& name) const {
+    return loaded_->machines.ask(name, false, &StateMachine::isRunning);
+}
+
+bool ScriptingService::isStateMachinePaused(const std::string& name) const {
+    return getStateMachineStatus(name) == StateMachine::Status::paused;
+}
+
+bool ScriptingService::inStateMachineError(const std::string& name) const {
+    return getStateMachineStatus(name) == StateMachine::Status::error;
+}
+
+bool ScriptingService::inStateMachineState(const std::string& name, const std::string& state) const {
+    const StateMachinePtr machine = getStateMachine(name);
+    return machine && machine->inState(state);
+}
+
+std::string ScriptingService::getStateMachineState(const std::string& name) const {
+    return loaded_->machines.ask(name, std::string(), &StateMachine::getCurrentStateName);
+}
+
+ScriptingService::StateMachineStatus ScriptingService::getStateMachineStatus(const std::string& name) const {
+    return loaded_->machines.ask(name, StateMachine::Status::unloaded, &StateMachine::getStatus);
+}
+
+std::string ScriptingService::getStateMachineStatusStr(const std::string& name) const {
+    return loaded_->machines.ask(name, std::string("unloaded"), &StateMachine::getStatusStr);
+}
+
+int ScriptingService::getStateMachineLine(const std::string& name) const {
+    return loaded_->machines.ask(name, -1, &StateMachine::getLineNumber);
+}
+
+std::string ScriptingService::getStateMachineText(const std::string& name) const {
+    return loaded_->machines.ask(name, std::string(), &StateMachine::getText);
+}
+
+}  // namespace scripting
+}  // namespace RTT
