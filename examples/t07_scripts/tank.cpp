@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// A tank with two valves. What it does with them is left to scripts.
+#include <rtt/Component.hpp>
+#include <rtt/RTT.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace filling {
+
+class Tank : public RTT::TaskContext {
+public:
+    explicit Tank(const std::string& name) : RTT::TaskContext(name, PreOperational) {
+        addProperty("capacity", capacity).doc("in m3");
+        addProperty("flow", flow).doc("through a valve, in m3 per cycle");
+        addAttribute("level", level);
+        addOperation("inlet", [this](bool open) { inletOpen = open; }).doc("the upper valve").arg("open", "");
+        addOperation("outlet", [this](bool open) { outletOpen = open; }).doc("the lower valve").arg("open", "");
+        addOperation("say", &Tank::say, this).doc("prints a line").arg("what", "");
+    }
+    ~Tank() override { stop(); }
+
+private:
+    bool configureHook() override { return capacity > 0 && flow > 0; }
+    void updateHook() override {
+        if (inletOpen) level = std::min(capacity, level + flow);
+        if (outletOpen) level = std::max(0.0, level - flow);
+    }
+    void say(const std::string& what) { std::cout << getName() << ": " << what << std::endl; }
+
+    double capacity = 1, flow = 0, level = 0;
+    bool inletOpen = false, outletOpen = false;
+};
+
+}  // namespace filling
+
+ORO_CREATE_COMPONENT(filling::Tank)

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Scripts that are looked through without being executed.
+#include "service_host.hpp"
+
+#include <rtt/scripting/check.hpp>
+#include <support/temp_dir.hpp>
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+namespace {
+
+using service_test::Host;
+using service_test::ServiceTest;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class CheckedScripts : public ServiceTest {
+protected:
+    /** The messages; empty if the script is good. */
+    std::string check(const std::string& text) {
+        std::ostringstream messages;
+        const bool good = RTT::scripting::checkScriptText(text, "x.ops", host, messages);
+        EXPECT_EQ(good, messages.str().empty());
+        return messages.str();
+    }
+};
+
+TEST_F(CheckedScripts, AreNotExecuted) {
+    EXPECT_THAT(
+        check("count = 1\nnote(\"x\")\nconst int c = host.fail()\nvar int a = c\nscripting.eval(\"count = 2\")\n"),
+        IsEmpty());
+    EXPECT_EQ(0, host.count);
+    EXPECT_THAT(host.notes, IsEmpty());
+}
+
+TEST_F(CheckedScripts, AllSyntaxErrorsAreFound) {
+    const std::string text = check("count = = 1\ncount = 2\n)\n");
+    EXPECT_THAT(text, StartsWith("x.ops:1:9: error: [OPS0"));
+    EXPECT_THAT(text, HasSubstr("x.ops:3:1: error: [OPS0"));
+}
+
+TEST_F(CheckedScripts, UnknownNamesAreFoundInAllStatements) {
+    const std::string text = check("cuont = 1\ncount = 2\nvar int a = cont\n");
+    EXPECT_THAT(text, StartsWith("x.ops:1:1: error: [OPS133]"));
+    EXPECT_THAT(text, HasSubstr("did you mean 'count'?"));
+    EXPECT_THAT(text, Not(HasSubstr("x.ops:3:")));  // the first one may be the cause
+}
+
+TEST_F(CheckedScripts, NamesMayComeFromOperations) {
+    EXPECT_THAT(
+        check("scripting.eval(\"x\")\nrobot.configure\nrobot.gain = 2\nvar KDL.Frame f = KDL.Frame()\nf.p.x = 1.0\n"),
+        IsEmpty());
+}
+
+TEST_F(CheckedScripts, ArgumentsOfKnownOperationsAreChecked) {
+    const std::string text = check("note(\"a\")\nrobot.start()\nnote(1, 2)\n");
+    EXPECT_THAT(text, StartsWith("x.ops:3:1: error: [OPS142]"));
+}
+
+TEST_F(CheckedScripts, TypesAreChecked) {
+    EXPECT_THAT(check("note(\"a\")\ncount = \"text\"\n"), StartsWith("x.ops:2:9: error: [OPS128]"));
+}
+
+TEST_F(CheckedScripts, DefinitionsAreKnownToWhatFollows) {
+    EXPECT_THAT(check("int f(int a) { return a + 1 }\n"
+                      "program p { count = f(1) }\n"
+                      "StateMachine T { initial state a { entry { count = f(2) } } final state b { } }\n"
+                      "RootMachine T m\n"
+                      "count = f(3)\n"
+                      "p.start()\n"
+                      "m.activate()\n"),
+                IsEmpty());
+    EXPECT_FALSE(host.provides()->hasService("p"));
+    EXPECT_FALSE(host.provides()->hasService("m"));
+    EXPECT_FALSE(service->hasOperation("f"));
+}
+
+TEST_F(CheckedScripts, BodiesOfDefinitionsAreChecked) {
+    EXPECT_THAT(check("void f() {\n  cuont = 1\n}\n"), StartsWith("x.ops:2:3: error: [OPS133]"));
+    EXPECT_THAT(check("program p {\n  cuont = 1\n}\np.start()\n"), StartsWith("x.ops:2:3: error: [OPS133]"));
+    EXPECT_THAT(
+        check(
+            "StateMachine T {\n  initial state a { }\n  final state b { }\n  final state c { }\n}\nRootMachine T m\n"),
+        StartsWith("x.ops:4:"));
+    EXPECT_THAT(check("void f() { }\nvoid f() { }\n"),
+                HasSubstr("[OPS201] function 'f' is defined twice in this script"));
+    EXPECT_THAT(check("program p { }\nprogram p { }\n"),
+                HasSubstr("[OPS203] program 'p' is defined twice in this script"));
+}
+
+TEST_F(CheckedScripts, AFileIsCheckedLikeAText) {
+    const oroforge::test::TempDir directory;
+    const std::string file = directory.write("x.ops", "count = 1\ncount = cont\n");
+    std::ostringstream messages;
+    EXPECT_FALSE(RTT::scripting::checkScript(file, host, messages));
+    EXPECT_THAT(messages.str(), StartsWith(file + ":2:9: error: [OPS133]"));
+    std::ostringstream missing;
+    EXPECT_FALSE(RTT::scripting::checkScript("/nowhere/x.ops", host, missing));
+    EXPECT_EQ("/nowhere/x.ops: error: [OPS411] cannot read the script: No such file or directory\n", missing.str());
+}
+
+}  // namespace
