@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Any bytes are read as a property file: errors have places; what is read is written, read and edited without loss.
+#include "fuzzing.hpp"
+
 #include <rtt/Property.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/detail/property_update.hpp>
@@ -11,21 +13,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <dlfcn.h>
 #include <string>
 
 using namespace RTT;
 using namespace RTT::marsh;
 
 namespace {
-
-void require(bool condition, const char* what, const std::string& text = "") {
-    if (condition) return;
-    std::fprintf(stderr, "does not hold: %s\n%s\n", what, text.c_str());
-    std::abort();
-}
 
 /** Has names that the corpus uses, too. */
 void fillComponent(PropertyBag& bag) {
@@ -69,9 +62,7 @@ void checkUpdates(const PropertyBag& bag) {
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-    void* library = dlopen(RTT_TYPEKIT_FILE, RTLD_NOW);
-    require(library != nullptr, "the typekit is there");
-    require(reinterpret_cast<bool (*)(void*)>(dlsym(library, "loadRTTPlugin"))(nullptr), "the typekit is loaded");
+    loadTypekit(RTT_TYPEKIT_FILE);
     return 0;
 }
 

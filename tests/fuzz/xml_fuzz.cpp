@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Any bytes are read as XML: a document whose parts lie where its elements say, or one error with its place.
+#include "fuzzing.hpp"
+
 #include <xml/document.hpp>
 #include <xml/escape.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace xml = oroforge::xml;
 namespace diag = oroforge::diag;
 
 namespace {
-
-void require(bool condition, const char* what) {
-    if (condition) return;
-    std::fprintf(stderr, "does not hold: %s\n", what);
-    std::abort();
-}
 
 void checkPlaces(const xml::Element& element, const std::string& text) {
     const auto& extent = element.extent;
