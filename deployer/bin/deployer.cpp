@@ -9,6 +9,7 @@
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/os/startstop.h>
+#include <rtt/scripting/check.hpp>
 
 #include <exception>
 #include <initializer_list>
@@ -26,9 +27,11 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-bool deployFile(OCL::DeploymentComponent& deployer, const std::string& file, bool start) {
+bool deployFile(OCL::DeploymentComponent& deployer, const std::string& file, bool check) {
     for (const char* suffix : {".xml", ".cpf"})
-        if (endsWith(file, suffix)) return deployer.kickStart2(file, start);
+        if (endsWith(file, suffix)) return deployer.kickStart2(file, !check);
+    for (const char* suffix : {".ops", ".osd"})
+        if (check && endsWith(file, suffix)) return RTT::scripting::checkScript(file, deployer, std::cerr);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return deployer.runScript(file);
     std::cerr
@@ -43,7 +46,7 @@ int deploy(const OCL::deploy::Options& options) {
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
     OCL::DeploymentComponent deployer(options.name, options.siteFile);
     for (const std::string& file : options.files)
-        if (!deployFile(deployer, file, !options.check)) return kFailure;
+        if (!deployFile(deployer, file, options.check)) return kFailure;
     if (options.check) return 0;
     RTT::log(RTT::Info) << "ending on signal " << ending->wait() << RTT::endlog();
     ending.reset();  // the next signal ends a shutdown that hangs

@@ -26,9 +26,10 @@ po::options_description visibleOptions() {
         "deploy from this file first; default: <name>-site.cpf, if there is one")(
         "log-level,l", po::value<std::string>(),
         "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL")(
-        "no-consolelog", "write the log to its file only")(
-        "check", "load and configure the XML files, start nothing, clean up and end")("daemon,d",
-                                                                                      "run in the background")(
+        "no-consolelog", "write the log to its file only")("check",
+                                                           "check scripts without running them, load and configure "
+                                                           "what XML files describe, start nothing, clean up and end")(
+        "daemon,d", "run in the background")(
         "rtalloc-mem-size", po::value<std::string>(),
         "size of the pool of real-time memory, with k, m or g for units; default: 512k")(
         "DeployerName", po::value<std::vector<std::string>>()->composing(),

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // The properties, attributes and operations by which scripts and consoles see the deployer.
 #include "deployment_state.hpp"
+#include "types.hpp"
 
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/Operation.hpp>
@@ -200,6 +201,7 @@ void addActivityOperations(Self& deployer) {
 }  // namespace
 
 void DeploymentComponent::addDeploymentInterface() {
+    deploy::addTypes();
     addProperty("RTT_COMPONENT_PATH", impl_->componentPath)
         .doc("Search path of component packages; empty: that of the environment");
     addProperty("DefaultWaitPeriodPolicy", impl_->session.waitPeriodPolicy)
@@ -207,10 +209,12 @@ void DeploymentComponent::addDeploymentInterface() {
     addProperty("AutoUnload", impl_->autoUnload).doc("Stop, clean up and unload all components when the deployer ends");
     addAttribute("Target", impl_->target);
     addAttribute("Valid", impl_->valid);
-    addConstant("ORO_SCHED_RT", int(ORO_SCHED_RT));
-    addConstant("ORO_SCHED_OTHER", int(ORO_SCHED_OTHER));
-    addConstant("LowestPriority", int(RTT::os::LowestPriority));
-    addConstant("HighestPriority", int(RTT::os::HighestPriority));
+    // Constants with values of their own: addConstant() would refer to the temporaries.
+    const std::pair<const char*, int> numbers[] = {{"ORO_SCHED_RT", ORO_SCHED_RT},
+                                                   {"ORO_SCHED_OTHER", ORO_SCHED_OTHER},
+                                                   {"LowestPriority", RTT::os::LowestPriority},
+                                                   {"HighestPriority", RTT::os::HighestPriority}};
+    for (const auto& [name, number] : numbers) provides()->setValue(new RTT::Constant<int>(name, number));
 
     // The inherited one would load into the deployer only.
     provides()->removeOperation("loadService");

@@ -11,6 +11,8 @@
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/threads.hpp>
 
+#include <boost/function.hpp>
+
 #include <chrono>
 #include <exception>
 #include <thread>
@@ -134,14 +136,33 @@ bool DeploymentComponent::setWaitPeriodPolicy(const std::string& name, int polic
     return true;
 }
 
+namespace {
+
+/** Begins the shutdown of an application, by its operation or its program; what it returns tells whether that goes on. */
+boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::ExecutionEngine* caller) {
+    const std::string name = "shutdownDeployment";
+    if (application.provides()->hasOperation(name)) {
+        RTT::OperationCaller<void()> shutdown(application.provides()->getOperation(name), caller);
+        if (!shutdown.ready()) return {};
+        RTT::SendHandle<void()> handle = shutdown.send();
+        return [handle]() mutable { return handle.collectIfDone() == RTT::SendNotReady; };
+    }
+    const RTT::Service::shared_ptr program = application.provides()->getService(name);
+    if (!program) return {};
+    RTT::OperationCaller<bool()> start(program->getOperation("start"), caller);
+    RTT::OperationCaller<bool()> running(program->getOperation("isRunning"), caller);
+    if (!start.ready() || !running.ready() || !start()) return {};
+    return [running]() mutable { return running(); };
+}
+
+}  // namespace
+
 void DeploymentComponent::shutdownDeployment() {
     RTT::TaskContext* application = getPeer("Application");
-    if (!application || !application->provides()->hasOperation("shutdownDeployment")) return;
-    RTT::OperationCaller<void()> shutdown(application->provides()->getOperation("shutdownDeployment"), engine());
-    if (!shutdown.ready()) return;
-    RTT::SendHandle<void()> handle = shutdown.send();
+    if (!application) return;
+    const boost::function<bool()> goesOn = beginShutdown(*application, engine());
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2000);
-    while (handle.collectIfDone() == RTT::SendNotReady) {
+    while (goesOn && goesOn()) {
         if (std::chrono::steady_clock::now() > end) {
             log(RTT::Error) << "component 'Application' did not end its shutdown within 2000 ms" << endlog();
             return;

@@ -9,7 +9,6 @@
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace OCL::deploy {
@@ -58,8 +57,7 @@ Surroundings surroundingsOf(const Session& session) {
     result.deployer = session.deployer->getName();
     result.components = session.deployer->getPeerList();
     result.componentTypes = ComponentLoader::Instance()->listComponentTypes();
-    const std::vector<std::string> services = PluginLoader::Instance()->listServices();
-    result.hasScripting = std::find(services.begin(), services.end(), "scripting") != services.end();
+    result.services = PluginLoader::Instance()->listServices();
     return result;
 }
 

@@ -13,31 +13,40 @@
 namespace OCL::deploy {
 namespace {
 
-const char* operationOf(ScriptPlan::Kind kind) {
-    switch (kind) {
-        case ScriptPlan::Run: return "runScript";
-        case ScriptPlan::Program: return "loadPrograms";
-        case ScriptPlan::StateMachine: return "loadStateMachines";
-    }
-    return "";
+struct Interpreter {
+    const char* service;
+    const char* operation;
+};
+
+Interpreter interpreterOf(ScriptPlan::Kind kind, const std::string& file) {
+    const std::string lua = ".lua";
+    if (kind == ScriptPlan::Program) return {"scripting", "loadPrograms"};
+    if (kind == ScriptPlan::StateMachine) return {"scripting", "loadStateMachines"};
+    if (file.size() > lua.size() && file.compare(file.size() - lua.size(), lua.size(), lua) == 0)
+        return {"Lua", "exec_file"};
+    return {"scripting", "runScript"};
 }
 
 }  // namespace
 
+std::string serviceFor(ScriptPlan::Kind kind, const std::string& file) { return interpreterOf(kind, file).service; }
+
 bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::string& file, std::string& error) {
-    if (!loadService(component, "scripting")) {
-        error = "the service 'scripting' is not installed";
+    const Interpreter interpreter = interpreterOf(kind, file);
+    const std::string service = std::string("the service '") + interpreter.service + "'";
+    if (!loadService(component, interpreter.service)) {
+        error = service + " is not installed";
         return false;
     }
     RTT::OperationCaller<bool(const std::string&)> run(
-        component.provides()->getService("scripting")->getOperation(operationOf(kind)));
+        component.provides()->getService(interpreter.service)->getOperation(interpreter.operation));
     if (!run.ready()) {
-        error = std::string("the service 'scripting' has no operation '") + operationOf(kind) + "'";
+        error = service + " has no operation '" + interpreter.operation + "'";
         return false;
     }
     try {
         if (run(file)) return true;
-        error = "the script failed";
+        error = "the log says why";
     } catch (const std::exception& thrown) {
         error = thrown.what();
     }

@@ -13,7 +13,10 @@ class TaskContext;
 
 namespace OCL::deploy {
 
-/** Has the component's scripting service run or load a script file; loads the service. False with the reason. */
+/** The name of the service that runs such a file. */
+std::string serviceFor(ScriptPlan::Kind kind, const std::string& file);
+
+/** Has that service of the component run or load a script file; loads the service. False with the reason. */
 bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::string& file, std::string& error);
 
 }  // namespace OCL::deploy

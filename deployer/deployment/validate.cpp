@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "validate.hpp"
 
+#include "scripts.hpp"
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -122,9 +123,11 @@ private:
         for (const PropertyFilePlan& file : component.propertyFiles) checkFile(file.file);
         for (const ScriptPlan& script : component.scripts) {
             checkFile(script.file);
-            if (!around_.hasScripting)
-                sink_.error(script.file.where, "DEP022",
-                            "cannot run script '" + script.file.value + "': the service 'scripting' is not installed");
+            const std::string service = serviceFor(script.kind, script.file.value);
+            if (!contains(around_.services, service))
+                sink_.error(
+                    script.file.where, "DEP022",
+                    "cannot run script '" + script.file.value + "': the service '" + service + "' is not installed");
         }
     }
 

@@ -18,7 +18,7 @@ struct Surroundings {
     std::string deployer;                 // its own name; "this" means the same
     std::vector<std::string> components;  // that exist already
     std::vector<std::string> componentTypes;
-    bool hasScripting = false;
+    std::vector<std::string> services;  // that can be loaded
 };
 
 /** Reports every name that is used twice or refers to nothing, and every file that is missing. */

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The program as a user runs it.
-#include <support/child_process.hpp>
-#include <support/temp_dir.hpp>
+#include "deployer_program.hpp"
 
 #include <gmock/gmock.h>
-
-#include <csignal>
 
 namespace {
 
@@ -50,28 +47,13 @@ const char* const kApplication = R"(<?xml version="1.0" encoding="UTF-8"?>
 </properties>
 )";
 
-class DeployerProgram : public testing::Test {
+class DeployerProgram : public deployer_test::DeployerInDirectory {
 protected:
-    Command command(const std::vector<std::string>& arguments) const {
-        Command result;
-        result.program = DEPLOYER_PROGRAM;
-        result.arguments = arguments;
-        result.directory = directory_.path();
-        result.environment = {{"RTT_COMPONENT_PATH", DEPLOYER_TEST_PATH}};
-        result.timeout = seconds(30);
-        return result;
-    }
-
-    /** Runs the application until its consumer is content, ends it with a signal, returns what it said. */
+    /** Runs the application until its consumer is content. */
     Outcome runUntil(int signal) {
         directory_.write("app.xml", kApplication);
-        ChildProcess deployer(command({"-s", "app.xml"}));
-        EXPECT_TRUE(deployer.waitForOutput("consumer: ten numbers in a row", seconds(20)));
-        deployer.send(signal);
-        return deployer.finish();
+        return DeployerInDirectory::runUntil("consumer: ten numbers in a row", {"-s", "app.xml"}, signal);
     }
-
-    TempDir directory_;
 };
 
 TEST_F(DeployerProgram, RunsAnApplicationUntilSigtermAndTakesItDownInReverseOrder) {
