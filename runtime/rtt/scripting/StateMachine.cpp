@@ -69,6 +69,8 @@ public:
         const os::MutexLock lock(error_lock_);
         return error_;
     }
+    /** For who has the machine: stops and deactivates it; false if that takes too long. */
+    bool goDown();
     detail::MachineState* find(const std::string& name) {
         for (detail::MachineState& state : model->states)
             if (state.name == name) return &state;
@@ -145,6 +147,7 @@ bool StateMachine::requestState(const std::string& state) {
 
 bool StateMachine::react(detail::MachineEvent& event) {
     const auto claim = detail::MachineClaim::soon(execution_->owner);
+    if (!claim) execution_->core.missed();
     const bool accepted = claim && isLoaded() && execution_->core.happened(event);
     if (accepted) wake(getEngine());
     return accepted;
@@ -208,10 +211,7 @@ bool StateMachine::execute() {
     return true;
 }
 
-bool StateMachine::bringDown() {
-    const auto claim = detail::MachineClaim::within(execution_->owner, kBringDown);
-    if (!claim || claim.nested()) return false;
-    detail::MachineCore& core = execution_->core;
+bool StateMachine::Execution::goDown() {
     const std::int64_t end = rtos_get_time_ns() + kBringDown;
     const auto comesTo = [&](auto... goals) {
         while (((core.status() != goals) && ...)) {
@@ -219,7 +219,7 @@ bool StateMachine::bringDown() {
             usleep(kBetweenCycles);
             core.cycle();
             // Its programs may be waiting for them.
-            for (const StateMachinePtr& child : getChildren()) child->execute();
+            for (const StateMachinePtr& child : model->children) child->execute();
         }
         return true;
     };
@@ -231,6 +231,21 @@ bool StateMachine::bringDown() {
     if (core.status() != Status::inactive && core.status() != Status::deactivating) core.deactivate();
     if (!comesTo(Status::inactive, Status::error)) return false;
     if (core.status() == Status::error) core.deactivate();
+    return true;
+}
+
+bool StateMachine::bringDown() {
+    const auto claim = detail::MachineClaim::within(execution_->owner, kBringDown);
+    if (claim.nested()) {
+        log(Error) << "state machine '" << getName() << "' cannot be unloaded: one of its own programs asks for it"
+                   << endlog();
+        return false;
+    }
+    if (!claim || !execution_->goDown()) {
+        log(Critical) << "state machine '" << getName() << "' cannot be unloaded: it does not leave state '"
+                      << getCurrentStateName() << "', line " << getLineNumber() << endlog();
+        return false;
+    }
     for (const StateMachinePtr& child : getChildren())
         if (!child->bringDown()) return false;
     return true;

@@ -33,10 +33,12 @@ struct MachineModel;
  *     automatic()        not inactive, error                 running: executes `run` and looks at the transitions in each cycle.
  *       = start()                                            Starts `run` from its beginning; continues after pause()
  *     reactive()         not inactive, error                 active: only events and requestState() change the state
- *     pause()            not inactive                        paused, from the next cycle on
+ *     pause()            not inactive, deactivating          paused, from the next cycle on; while it is stopping, as soon as
+ *                                                            it has stopped
  *     step()             paused                              one statement, or one transition, in the next cycle
  *                        active                              looks at all transitions once, in the next cycle
- *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped
+ *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped.
+ *                                                            Takes back a pause() or step() that has not taken effect
  *     reset()            stopped                             enters the initial state; then active
  *     deactivate()       not inactive                        executes the exit program of the state; then inactive
  *     requestState(S)    no transition or `handle` is        S is the present state: executes `handle` and `run`. Else goes to S by the
@@ -123,8 +125,9 @@ public:
 
     /** One cycle. Always true. */
     bool execute() override;
-    /** Stops and deactivates the machine and its sub machines, executing them in this thread, for at most a second. The
-        engine skips them meanwhile. False, and nothing else is done, if a program does not come to its end, or calls this. */
+    /** Stops and deactivates the machine and its sub machines, executing them in this thread, each for at most a second. The
+        engine skips them meanwhile. False, and told in the log, if one does not come to its end: it goes on stopping in the
+        cycles that follow; or if a program of the machine calls this: then nothing is done. */
     bool bringDown();
 
 private:

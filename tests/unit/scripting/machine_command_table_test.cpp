@@ -117,8 +117,98 @@ TEST(MachineCommandTable, PauseTakesEffectInTheNextCycle) {
                   m.core->cycle();
                   return done || m.core->status() != Status::inactive;
               }),
-              "activating > paused, active > paused, requesting > paused, running > paused, stopping > paused, "
+              "activating > paused, active > paused, requesting > paused, running > paused, stopping > stopping, "
               "stopped > paused, resetting > paused, deactivating > deactivating, paused > paused, error > paused");
+}
+
+/** The status after each of `cycles` cycles. */
+std::string statusIn(FakeMachine& machine, int cycles) {
+    std::string result;
+    for (int i = 0; i != cycles; ++i) {
+        machine.core->cycle();
+        result += std::string(i ? ", " : "") + kNames[machine.core->status()];
+    }
+    return result;
+}
+
+TEST(MachineCommandTable, StopTakesBackAPauseThatWasAskedFor) {
+    for (const Value status :
+         {Status::active, Status::requesting, Status::running, Status::stopped, Status::paused, Status::error}) {
+        FakeMachine machine;
+        bring(machine, status);
+        EXPECT_TRUE(machine.core->pause());
+        EXPECT_TRUE(machine.core->stop());
+        EXPECT_EQ(statusIn(machine, 2), "stopped, stopped") << kNames[status];
+        EXPECT_EQ(machine.stateName(), "Z") << kNames[status];
+    }
+}
+
+TEST(MachineCommandTable, PauseWaitsForAStopThatWasAskedFor) {
+    for (const Value status :
+         {Status::active, Status::requesting, Status::running, Status::stopped, Status::paused, Status::error}) {
+        FakeMachine machine;
+        bring(machine, status);
+        EXPECT_TRUE(machine.core->stop());
+        EXPECT_TRUE(machine.core->pause());
+        machine.core->cycle();
+        EXPECT_EQ(machine.stateName(), "Z") << kNames[status];
+        EXPECT_EQ(statusIn(machine, 2), "paused, paused") << kNames[status];
+    }
+}
+
+TEST(MachineCommandTable, PauseWaitsForAStopThatHasBegun) {
+    FakeMachine machine;
+    bring(machine, Status::stopping);
+    EXPECT_TRUE(machine.core->pause());
+    EXPECT_EQ(statusIn(machine, 3), "stopping, stopped, paused");
+}
+
+TEST(MachineCommandTable, StopTakesBackAPauseThatWaitsForTheStop) {
+    FakeMachine machine;
+    bring(machine, Status::stopping);
+    EXPECT_TRUE(machine.core->pause());
+    EXPECT_TRUE(machine.core->stop());
+    EXPECT_EQ(statusIn(machine, 3), "stopping, stopped, stopped");
+}
+
+TEST(MachineCommandTable, StopTakesBackAStep) {
+    FakeMachine machine;
+    bring(machine, Status::paused);
+    machine.add("A", machine.transition("asked", {"B"}));
+    EXPECT_TRUE(machine.core->step());
+    EXPECT_TRUE(machine.core->stop());
+    EXPECT_FALSE(machine.core->step()) << "it is stopping";
+    EXPECT_EQ(machine.cycle(), "A.exit Z.entry");
+    EXPECT_EQ(machine.core->status(), Status::stopped);
+}
+
+TEST(MachineCommandTable, PauseDoesNotTakeBackAStep) {
+    FakeMachine machine;
+    machine.add("A", machine.transition("asked", {"B"}));
+    bring(machine, Status::paused);
+    EXPECT_TRUE(machine.core->step());
+    EXPECT_TRUE(machine.core->pause());
+    EXPECT_EQ(machine.cycle(), "asked?");
+    EXPECT_EQ(machine.core->status(), Status::paused);
+}
+
+TEST(MachineCommandTable, StartTakesBackAPauseAndAStop) {
+    FakeMachine machine;
+    bring(machine, Status::running);
+    machine.core->stop();
+    machine.core->pause();
+    EXPECT_TRUE(machine.core->automatic());
+    EXPECT_EQ(statusIn(machine, 2), "running, running");
+    EXPECT_EQ(machine.stateName(), "A");
+}
+
+TEST(MachineCommandTable, FailureIsNotHiddenByAPauseThatWaitsForTheStop) {
+    FakeMachine machine;
+    bring(machine, Status::running);
+    machine.program("A.exit").fails = true;
+    machine.core->stop();
+    machine.core->pause();
+    EXPECT_EQ(statusIn(machine, 2), "error, error");
 }
 
 TEST(MachineCommandTable, StopIsForAllThatAreActive) {

@@ -304,6 +304,23 @@ TEST(MachineCommand, LineIsThatOfTheProgramOrTransition) {
     EXPECT_EQ(machine.core->line(), 0u);
 }
 
+TEST(MachineCommand, LineIsThatOfAProgramBeforeItsEndToo) {
+    FakeMachine machine;
+    unsigned inside = 0;
+    machine.program("A.run").does = [&] { inside = machine.core->line(); };
+    machine.core->activate();
+    machine.cycle();
+    EXPECT_EQ(inside, 100u);
+}
+
+TEST(MachineCommand, LineIsNoneAfterAnActivationThatFailed) {
+    FakeMachine machine;
+    machine.model.initial.push_back(machine.routine("parameter"));
+    machine.program("parameter").fails = true;
+    EXPECT_FALSE(machine.core->activate());
+    EXPECT_EQ(machine.core->line(), 0u);
+}
+
 TEST(MachineCommand, TraceTellsWhatHappens) {
     FakeMachine machine;
     machine.core->setTraced(true);

@@ -155,6 +155,7 @@ TEST_F(MachineScriptFailure, UnloadingItselfIsRefused) {
     )");
     m->activate();
     EXPECT_EQ(station.step(), "refused");
+    EXPECT_EQ(logged("ERROR"), "state machine 'm' cannot be unloaded: one of its own programs asks for it\n");
     EXPECT_EQ(m->getStatus(), Status::active);
     EXPECT_TRUE(service->unloadStateMachine("m"));
 }

@@ -171,6 +171,28 @@ TEST_F(PortEvent, NeedsNoVariable) {
     EXPECT_TRUE(m->inFinalState());
 }
 
+TEST_F(PortEvent, OfAComponentThatIsGoneDoesNotHappen) {
+    auto other = std::make_unique<Station>("other");
+    station.addPeer(other.get());
+    const StateMachinePtr m = load(R"(
+        StateMachine T {
+            var int x
+            initial state A { transition other.in(x) select B; transition in() { note("own") } }
+            state B { }
+            final state Z { }
+        }
+        RootMachine T m
+    )");
+    m->activate();
+    m->start();
+    other.reset();
+    EXPECT_EQ(station.step(), "");
+    station.out.write(1);
+    EXPECT_EQ(station.step(), "own");
+    EXPECT_EQ(m->getStatus(), Status::running);
+    EXPECT_TRUE(service->unloadStateMachine("m"));
+}
+
 class OperationEvent : public MachineTest {
 protected:
     const char* const script = R"(

@@ -103,6 +103,7 @@ TEST_F(MachineThreads, CommandWaitsForTheEndOfASlice) {
         EXPECT_TRUE(m->deactivate());
         done = true;
     });
+    EXPECT_EQ(m->getLineNumber(), 3) << "of a slice that has not come to its end";
     EXPECT_TRUE(m->pause()) << "does not wait";
     EXPECT_FALSE(done);
     release.set_value();
@@ -149,6 +150,37 @@ TEST_F(MachineThreads, CommandOfAComponentThatTheMachineCallsDoesNotDeadlock) {
     station.getActivity()->stop();
     other.getActivity()->stop();
     EXPECT_EQ(station.count, 5);
+}
+
+TEST_F(MachineThreads, EventThatIsLostBecauseAnotherThreadHasTheMachineIsTraced) {
+    const StateMachinePtr m = load(R"(
+        StateMachine T {
+            var int key
+            initial state A { run { act() } transition pressed(key) select Z }
+            final state Z { }
+        }
+        RootMachine T m
+    )");
+    m->activate();
+    std::promise<void> inside, release;
+    station.does = [&] {
+        inside.set_value();
+        release.get_future().wait();
+    };
+    std::thread other([&] { m->execute(); });
+    inside.get_future().wait();
+    RTT::Logger::Instance()->setLogLevel(RTT::Logger::Info);
+    RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
+    pressed(1);
+    EXPECT_EQ(logged("Info"), "") << "not traced";
+    m->trace(true);
+    pressed(2);
+    EXPECT_EQ(logged("Info"), "[active] state machine 'm' is busy and misses an event in state 'A'\n");
+    m->trace(false);
+    release.set_value();
+    other.join();
+    EXPECT_EQ(attribute<int>("key"), 0);
+    EXPECT_EQ(m->getCurrentStateName(), "A");
 }
 
 TEST_F(MachineThreads, EventWakesAComponentWithoutPeriod) {

@@ -23,6 +23,10 @@ Routine::Outcome CodeRoutine::runStatement() {
     return process_.runStatement();
 }
 
+unsigned CodeRoutine::line() const {
+    return process_.started() ? process_.line() : code_->placeOf(code_->begin()).line;
+}
+
 oroforge::diag::Location CodeRoutine::where() const {
     const ast::Place place = process_.place();
     return {file_, place.line, place.column};
@@ -43,11 +47,11 @@ std::string CodeGuard::failure() const {
     return yielded_ ? "a condition has to be decided at once, but a function in it yields" : routine_.failure();
 }
 
-PortReader::PortReader(base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample)
-    : port_(port), sample_(std::move(sample)) {}
+PortReader::PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample)
+    : name_(port.getName()), port_(port), sample_(std::move(sample)) {}
 
 bool PortReader::hasNewData(unsigned round) {
-    if (round_ != round) status_ = port_.read(sample_, false);
+    if (round_ != round) status_ = port_.read(sample_->getRawPointer());
     round_ = round;
     return status_ == NewData;
 }
@@ -63,7 +67,7 @@ Guard::Truth PortGuard::check(unsigned round) {
 }
 
 std::string PortGuard::failure() const {
-    return "the sample of port '" + reader_->port().getName() + "' cannot be assigned to its variable";
+    return "the sample of port '" + reader_->name() + "' cannot be assigned to its variable";
 }
 
 /** Passes a call on to the machine, if that still exists. */

@@ -8,6 +8,7 @@
 #include <rtt/Handle.hpp>
 #include <rtt/base/ActionInterface.hpp>
 #include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/PortSources.hpp>
 #include <rtt/scripting/detail/compiler.hpp>
 #include <rtt/scripting/detail/machine_model.hpp>
 
@@ -28,7 +29,7 @@ public:
     Outcome run() override;
     Outcome runStatement() override;
     bool started() const override { return process_.started(); }
-    unsigned line() const override { return process_.line(); }
+    unsigned line() const override;
     oroforge::diag::Location where() const override;
     std::string failure() const override { return process_.message(); }
 
@@ -55,16 +56,18 @@ private:
     bool yielded_ = false;
 };
 
-/** A port that transitions ask for new data; read once in a round. */
+/** A port that transitions ask for new data; read once in a round. May outlive the port, which has no more data then. */
 class PortReader {
 public:
-    PortReader(base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample);
+    /** `sample` is a value of the port's type. */
+    PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample);
     bool hasNewData(unsigned round);
-    const base::InputPortInterface& port() const { return port_; }
+    const std::string& name() const { return name_; }
     const base::DataSourceBase::shared_ptr& sample() const { return sample_; }
 
 private:
-    base::InputPortInterface& port_;
+    const std::string name_;
+    const internal::PortLink port_;
     const base::DataSourceBase::shared_ptr sample_;
     FlowStatus status_ = NoData;
     unsigned round_ = 0;

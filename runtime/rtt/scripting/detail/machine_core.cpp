@@ -35,7 +35,10 @@ bool MachineCore::step() {
 bool MachineCore::stop() {
     const StatusValue now = status();
     if (now == Status::inactive || now == Status::deactivating) return false;
-    if (now != Status::stopped) requests_.fetch_or(kStop, std::memory_order_release);
+    if (now == Status::stopped)
+        requests_.fetch_and(kStop, std::memory_order_relaxed);
+    else
+        requests_.store(kStop, std::memory_order_release);
     return true;
 }
 
@@ -67,14 +70,21 @@ void MachineCore::cycle() {
 }
 
 void MachineCore::takeRequests() {
-    const unsigned requests = requests_.exchange(0, std::memory_order_acquire);
     const StatusValue now = status_.load(std::memory_order_relaxed);
-    if (now == Status::inactive || now == Status::deactivating) return;
-    if (requests & kStop) beginStop();
-    if (requests & kPause) {
+    unsigned requests = requests_.load(std::memory_order_relaxed), later;
+    do {
+        const bool stops = (requests & kStop) || now == Status::stopping;
+        later = stops ? requests & kPause : 0;
+    } while (!requests_.compare_exchange_weak(requests, later, std::memory_order_acquire, std::memory_order_relaxed));
+    requests &= ~later;
+    if (now == Status::inactive || now == Status::deactivating) {
+        requests_ = 0;
+    } else if (requests & kStop) {
+        beginStop();
+    } else if ((requests & kPause) && now != Status::paused) {
         setStatus(Status::paused);
         tell("pauses in", current_.load()->name);
-    } else if (now == Status::paused && requests == kStep) {
+    } else if ((requests & kStep) && now == Status::paused) {
         cycleOfPaused();
     }
 }
@@ -121,6 +131,7 @@ bool MachineCore::activate() {
     ++round_;
     if (!assignAll() || !preconditionsHold(*model_.first)) {
         setStatus(Status::inactive);
+        line_ = 0;
         return false;
     }
     setStatus(Status::activating);

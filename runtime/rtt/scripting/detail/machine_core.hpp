@@ -20,7 +20,7 @@ namespace detail {
 class MachineObserver {
 public:
     virtual ~MachineObserver();
-    /** `what` and the name of a state. Only called while traced. */
+    /** `what` and the name of a state. Only called while traced; by any thread if an event is missed. */
     virtual void did(const char* what, const std::string& state) = 0;
     virtual void failed(const oroforge::diag::Location& where, const std::string& why) = 0;
 };
@@ -61,6 +61,8 @@ public:
     bool pause();
     bool step();
     bool stop();
+    /** An event comes while another thread has the machine. */
+    void missed();
 
     // -- The thread that has the machine --------------------------------------------------------------------
     void cycle();
@@ -80,6 +82,7 @@ private:
         const MachineSelection* selection = nullptr;
         MachineState* state = nullptr;
     };
+    /** Not taken yet. Of several, kStop is the first: stop() takes back what was asked before, and a pause waits for it. */
     enum Request : unsigned { kPause = 1, kStep = 2, kStop = 4 };
     class Looking;
 
@@ -146,7 +149,6 @@ private:
 
     Routine* executing_ = nullptr;
     bool looking_ = false;      // within a condition
-    bool again_ = false;        // what is being executed is to be started anew
     bool entered_ = false;      // within this pending work
     bool leave_ = false;        // deactivate() was called within a program
     bool exit_failed_ = false;  // which is why it is in error

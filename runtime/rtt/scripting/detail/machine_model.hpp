@@ -32,7 +32,7 @@ public:
     virtual Outcome runStatement() = 0;
     /** Between its beginning and its end. */
     virtual bool started() const = 0;
-    /** The statement that comes next, or failed. */
+    /** The statement that comes next, or failed; at the beginning the first one. */
     virtual unsigned line() const = 0;
     virtual oroforge::diag::Location where() const = 0;
     virtual std::string failure() const = 0;

@@ -65,6 +65,8 @@ bool MachineCore::finish(Routine*& slot) {
     if (!routine) return true;
     if (stepped_ || leave_) return false;
     executing_ = routine;
+    // Others ask for it while a call blocks.
+    if (const unsigned line = routine->line()) line_.store(line, std::memory_order_relaxed);
     const Routine::Outcome outcome = single_ ? routine->runStatement() : routine->run();
     executing_ = nullptr;
     stepped_ = single_;
@@ -118,6 +120,8 @@ bool MachineCore::executePending() {
 
 void MachineCore::fail(const oroforge::diag::Location& where, const std::string& why) {
     drop();
+    // A pause or step that was asked for before must not hide it.
+    requests_.fetch_and(kStop, std::memory_order_relaxed);
     setStatus(Status::error);
     observer_.failed(where, why);
 }
