@@ -140,3 +140,24 @@ TEST_F(Calls, WrongReturns) {
               "script.ops:1:18: error: [OPS128] expected a value of type int for the result of function "
               "'g', found string\n");
 }
+
+TEST_F(Calls, FunctionsWithoutReturnGiveTheDefaultValue) {
+    ASSERT_TRUE(
+        run("int f(bool b) { if b then return 5 }\nvar int a\nvar int b\n"
+            "program p { a = f(true)\n b = f(false) }"))
+        << messages();
+    EXPECT_EQ(value<int>("a"), 5);
+    EXPECT_EQ(value<int>("b"), 0);
+}
+
+TEST_F(Calls, OneErrorInAFunctionIsToldOnce) {
+    EXPECT_FALSE(run("void f() { nosuch() }\nprogram p { f()\n f() }"));
+    EXPECT_EQ(sink.errorCount(), 1u) << messages();
+}
+
+TEST_F(Calls, PeersOfTheComponentItself) {
+    ASSERT_TRUE(run("this.arm.control.move(2)")) << messages();
+    EXPECT_EQ(position, 2.0);
+    ASSERT_TRUE(run("task.arm.control.move(3)")) << messages();
+    EXPECT_EQ(position, 3.0);
+}

@@ -6,6 +6,9 @@
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/os/TimeService.hpp>
 
+#include <limits>
+#include <vector>
+
 using namespace RTT;
 
 namespace {
@@ -46,6 +49,28 @@ TEST_F(Expression, ElementsOfSequences) {
     EXPECT_EQ(value<std::vector<double>>("a"), (std::vector<double>{0, 2, 5}));
     EXPECT_EQ(value<double>("last"), 5.0);
     EXPECT_EQ(value<int>("n"), 3);
+}
+
+TEST_F(Expression, AnIndexIsEvaluatedOnce) {
+    int calls = 0;
+    component.addOperation("next", [&calls] { return ++calls; });
+    ASSERT_TRUE(run("var array a(5)\na[next()] = 7.0\nvar double x = a[next()] = 1.5\ntry a[next()] = 3.0"))
+        << messages();
+    EXPECT_EQ(calls, 3);
+    EXPECT_EQ(value<std::vector<double>>("a"), (std::vector<double>{0, 7, 1.5, 3, 0}));
+}
+
+TEST_F(Expression, NumbersBeyondTheRangeOfATypeGiveItsLimits) {
+    EXPECT_EQ(result<int>("int", "1e10"), std::numeric_limits<int>::max());
+    ASSERT_TRUE(run("var double d = -1e30\nvar int i = d\nvar ullong u = d\nd = 0.0 / 0.0\nvar llong l = d"));
+    EXPECT_EQ(value<int>("i"), std::numeric_limits<int>::min());
+    EXPECT_EQ(value<unsigned long long>("u"), 0u);
+    EXPECT_EQ(value<long long>("l"), 0);
+}
+
+TEST_F(Expression, AnAliasMayHideWhatItStandsFor) {
+    ASSERT_TRUE(run("var int x = 5\nvar int seen\nprogram p { alias int x = x + 1\n seen = x }")) << messages();
+    EXPECT_EQ(value<int>("seen"), 6);
 }
 
 TEST_F(Expression, Constructors) {

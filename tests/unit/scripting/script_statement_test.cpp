@@ -37,6 +37,52 @@ TEST_F(Statements, Loops) {
     EXPECT_EQ(value<int>("n"), 5);
 }
 
+TEST_F(Statements, ALoopWithinALoopHasAVariableOfItsOwn) {
+    EXPECT_FALSE(run("for (var int i = 0; i < 3; i = i + 1) { for (var int i = 0; i < 2; i = i + 1) nothing }"));
+    EXPECT_EQ(messages(), "script.ops:1:54: error: [OPS111] 'i' is already declared in the script\n");
+    EXPECT_FALSE(run("var int k = 42\nfor (var int k = 0; k < 3; k = k + 1) nothing"));
+    EXPECT_EQ(messages(), "script.ops:2:14: error: [OPS111] 'k' is already declared in the script\n");
+}
+
+TEST_F(Statements, PausingWaitsForTheEndOfAStatement) {
+    ast::Script tree = parse("program p {\n  halt()\n  one() + one() + one()\n  one()\n}", "f.ops", sink);
+    Process* running = nullptr;
+    int calls = 0;
+    component.addOperation("halt", [&running] { running->pause(); });
+    component.addOperation("one", [&] {
+        running->pause();
+        return ++calls;
+    });
+    Compiler compiler(surroundings());
+    const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
+    ASSERT_TRUE(code) << messages();
+    Process process(*code);
+    running = &process;
+    EXPECT_EQ(process.run(), Outcome::Paused);
+    EXPECT_EQ(process.line(), 3u);
+    EXPECT_EQ(process.run(), Outcome::Paused);
+    EXPECT_EQ(process.line(), 4u);
+    EXPECT_EQ(calls, 3);
+}
+
+TEST_F(Statements, AFailedStatementIsRetriedFromItsBeginning) {
+    ast::Script tree = parse("program p {\n  x = (y + 1) / z\n}", "f.ops", sink);
+    int x = 0, y = 1, z = 0;
+    component.addAttribute("x", x);
+    component.addAttribute("y", y);
+    component.addAttribute("z", z);
+    Compiler compiler(surroundings());
+    const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
+    ASSERT_TRUE(code) << messages();
+    Process process(*code);
+    EXPECT_EQ(process.run(), Outcome::Failed);
+    y = 9;
+    z = 2;
+    process.retry();
+    EXPECT_EQ(process.run(), Outcome::Finished);
+    EXPECT_EQ(x, 5);
+}
+
 TEST_F(Statements, BreakLeavesTheInnermostLoop) {
     ASSERT_TRUE(run("var int x\nwhile (true) {\n  while (true) { break }\n  x = x + 1\n  if x == 3 then { break }\n}"))
         << messages();

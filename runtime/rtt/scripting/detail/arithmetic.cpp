@@ -3,6 +3,7 @@
 #include <rtt/scripting/detail/arithmetic.hpp>
 
 #include <rtt/scripting/detail/process.hpp>
+#include <rtt/types/detail/number_conversion.hpp>
 
 #include <functional>
 #include <type_traits>
@@ -80,7 +81,7 @@ const Instruction* invert(const Instruction& self, Process&) {
 
 template <class From, class To>
 const Instruction* convert(const Instruction& self, Process&) {
-    at<To>(self.to) = static_cast<To>(at<From>(self.a));
+    at<To>(self.to) = types::detail::converted<To>(at<From>(self.a));
     return &self + 1;
 }
 
@@ -169,7 +170,7 @@ void convertValue(Kind from, const void* a, Kind to, void* b) {
     withType(from, [&](auto source) {
         withType(to, [&](auto target) {
             typedef typename decltype(target)::type To;
-            at<To>(b) = static_cast<To>(at<typename decltype(source)::type>(a));
+            at<To>(b) = types::detail::converted<To>(at<typename decltype(source)::type>(a));
         });
     });
 }

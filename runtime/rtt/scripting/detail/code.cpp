@@ -36,11 +36,21 @@ Cell* Code::newCell() {
     return &cells_.back();
 }
 
-ast::Place Code::placeOf(const Instruction* at) const {
+const Code::Mark* Code::markOf(const Instruction* at) const {
     const auto index = static_cast<std::uint32_t>(at - begin());
     const auto after = std::upper_bound(marks_.begin(), marks_.end(), index,
                                         [](std::uint32_t i, const Mark& mark) { return i < mark.at; });
-    return after == marks_.begin() ? ast::Place{} : std::prev(after)->place;
+    return after == marks_.begin() ? nullptr : &*std::prev(after);
+}
+
+ast::Place Code::placeOf(const Instruction* at) const {
+    const Mark* const mark = markOf(at);
+    return mark ? mark->place : ast::Place{};
+}
+
+const Instruction* Code::statementOf(const Instruction* at) const {
+    const Mark* const mark = markOf(at);
+    return mark ? begin() + mark->at : at;
 }
 
 bool Code::beginsStatement(const Instruction* at) const {

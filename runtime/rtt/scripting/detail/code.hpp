@@ -66,6 +66,8 @@ public:
     ast::Place placeOf(const Instruction* at) const;
     /** True for the first instruction of a statement. */
     bool beginsStatement(const Instruction* at) const;
+    /** The first instruction of that statement. */
+    const Instruction* statementOf(const Instruction* at) const;
     /** Where to go on if `at` fails; null if nothing catches it. */
     const Instruction* handlerOf(const Instruction* at) const;
     std::size_t statementCount() const { return marks_.size(); }
@@ -95,6 +97,8 @@ private:
     struct Guard {
         std::uint32_t from, until, handler;
     };
+    const Mark* markOf(const Instruction* at) const;
+
     std::vector<Instruction> instructions_;
     std::vector<Mark> marks_;  // ascending
     std::vector<Guard> guards_;

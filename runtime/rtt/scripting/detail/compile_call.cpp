@@ -226,8 +226,7 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     const std::string handle = "'" + name.parts[0].text + "'";
     if (!entry->handle)
         error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
-    if (!entry->handle->operation)
-        error(name.parts[0].at, "OPS148", "nothing was sent with the handle " + handle + " before this line");
+    if (!entry->handle->operation) failUnsent(name.parts[0]);
     OperationInterfacePart::Args sources = arguments(name.arguments);
     sources.insert(sources.begin(), entry->handle->source);
     const OperationInterfacePart& part = *entry->handle->operation;
@@ -272,6 +271,10 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
     const Operand result = fromSource(handle.source, at);
     store(result, call, "the handle");
     return result;
+}
+
+void Unit::failUnsent(const ast::Identifier& handle) {
+    error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
 }
 
 void Unit::failRecursive(const std::string& function, ast::Place at) {

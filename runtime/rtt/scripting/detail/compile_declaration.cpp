@@ -72,14 +72,19 @@ base::DataSourceBase::shared_ptr Unit::newVariable(const ast::Identifier& typeNa
         text->set().reserve(static_cast<std::size_t>(count));
         return source;
     }
-    const std::unique_ptr<base::AttributeBase> made(info.buildVariable(name.text, count));
-    return made ? made->getDataSource() : source;
+    try {
+        const std::unique_ptr<base::AttributeBase> made(info.buildVariable(name.text, count));
+        return made ? made->getDataSource() : source;
+    } catch (const std::exception& thrown) {
+        error(size->at, "OPS113",
+              "'" + name.text + "' cannot have " + std::to_string(count) + " elements: " + thrown.what());
+    }
 }
 
 void Unit::declareVariable(const ast::Declaration& declaration, const ast::Declarator& declarator, bool again) {
     const Scope::Entry* const known = again ? scope_->findHere(declarator.name.text) : nullptr;
     const bool reuse =
-        known && known->source && !known->constant && known->source->getTypeInfo() == &type(declaration.type);
+        known && known->loop == Scope::Entry::Loop::Left && known->source->getTypeInfo() == &type(declaration.type);
     Source source;
     if (reuse) {
         source = known->source;
@@ -108,7 +113,11 @@ void Unit::functionBody(const ast::Function& tree) {
     try {
         begin(tree.name.at);
         for (const auto& argument : tree.arguments) declareArgument(argument);
-        if (tree.type.text != "void") function_->result = newVariable(tree.type, tree.name, nullptr);
+        if (tree.type.text != "void") {
+            function_->result = newVariable(tree.type, tree.name, nullptr);
+            store(fromSource(function_->result, tree.name.at), fromSource(function_->result->clone(), tree.name.at),
+                  "the result");
+        }
         block(tree.body);
         end();
     } catch (const Unresolved&) {

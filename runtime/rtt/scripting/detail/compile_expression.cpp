@@ -163,7 +163,8 @@ Operand Unit::member(const Operand& of, const ast::Identifier& name) {
 
 Operand Unit::element(const ast::Index& index, ast::Place at) {
     const Operand of = expression(*index.of);
-    const Operand which = expression(*index.index);
+    Operand which = expression(*index.index);
+    if (isDirect(which.kind)) which = load(which);  // once, however often the element is used
     if (of.kind == Kind::None || which.kind == Kind::None)
         error(at, "OPS122", "found '[...]' with something that has no value");
     const Source whole = sourceOf(of);
@@ -260,7 +261,7 @@ const types::TypeInfo& Unit::type(const ast::Identifier& name) {
 }
 
 void Unit::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
-    if (aliases_ != 0) return;
+    if (aliases_ != 0 || state_.quiet != 0) return;
     auto& warning = where_.sink->warning(locate(at), code, message);
     if (!hint.empty()) warning.hint(hint);
 }

@@ -45,14 +45,17 @@ std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
         const std::string& part = parts[used].text;
         Node next{nullptr, nullptr, used + 1};
         const Node& here = nodes.back();
-        if (used == 0 && where_.service && part != "this" && where_.service->hasService(part)) {
+        if (used == 0 && (part == "this" || part == "task")) {
+            next.component = component;
+            next.service = component->provides();
+        } else if (used == 0 && where_.service && where_.service->hasService(part)) {
             next.service = where_.service->getService(part);
         } else if (here.component && here.component->hasPeer(part)) {
             next.component = here.component->getPeer(part);
             next.service = next.component->provides();
         } else if (here.service->hasService(part)) {
             next.service = here.service->getService(part);
-        } else if (used == 0 && (part == "this" || part == "task" || part == component->getName())) {
+        } else if (used == 0 && part == component->getName()) {
             next.component = component;
             next.service = component->provides();
         } else if (used == 0 && internal::GlobalService::Instance()->hasService(part)) {
@@ -80,26 +83,48 @@ Operand Unit::name(const ast::Name& name, ast::Place at) {
     unknownName(nodes, name);
 }
 
+/** The value of an alias, from where it was declared. */
+Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name) {
+    struct Elsewhere {
+        explicit Elsewhere(Unit& of) : unit(of), scope(of.scope_), entry(of.alias_) { ++unit.aliases_; }
+        ~Elsewhere() {
+            --unit.aliases_;
+            unit.scope_ = scope;
+            unit.alias_ = entry;
+        }
+        Unit& unit;
+        Scope* const scope;
+        const Scope::Entry* const entry;
+    } elsewhere(*this);
+    if (aliases_ > kMaxAliases) error(name.at, "OPS131", "alias '" + name.text + "' refers to too many others");
+    scope_ = const_cast<Scope*>(alias.scope);  // expressions declare nothing
+    alias_ = &alias;
+    return expression(*alias.alias);
+}
+
+/** True if the name is that of a peer or service, too, and what follows is no member of the variable. */
+bool Unit::isElsewhere(const Parts& parts, const Operand& variable) const {
+    return parts.size() > 1 && walk(parts, 1).size() > 1 &&
+           (!variable.source || !variable.source->getMember(parts[1].text));
+}
+
 bool Unit::variableNamed(const Parts& parts, Operand& found) {
-    const Scope::Entry* const entry = scope_->find(parts[0].text);
+    const Scope::Entry* const entry = scope_->find(parts[0].text, alias_);
     if (!entry) return false;
     if (entry->handle) {
-        if (parts.size() != 1 || !entry->handle->source) return false;
+        if (parts.size() != 1) return false;
+        if (!entry->handle->source) failUnsent(parts[0]);
         found = fromSource(entry->handle->source, parts[0].at);
         return true;
     }
     if (entry->alias) {
-        if (++aliases_ > kMaxAliases) error(parts[0].at, "OPS131", "alias '" + parts[0].text + "' refers to itself");
-        Scope* const own = scope_;
-        scope_ = const_cast<Scope*>(entry->scope);  // expressions declare nothing
-        found = expression(*entry->alias);
-        scope_ = own;
-        --aliases_;
+        found = valueOfAlias(*entry, parts[0]);
     } else {
         found = fromSource(entry->source, parts[0].at);
         found.constant = entry->constant && found.address;
     }
     found.at = parts[0].at;
+    if (isElsewhere(parts, found)) return false;
     found = members(found, parts, 1);
     return true;
 }

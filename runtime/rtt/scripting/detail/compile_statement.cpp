@@ -32,20 +32,25 @@ void Unit::block(const ast::Block& block) {
 void Unit::statement(const ast::Statement& statement) {
     code_.beginStatement(statement.at);
     std::visit(
-        Overloaded{[&](const ast::Declaration& s) { declare(s); },
-                   [&](const ast::Do& s) { discard(expression(*s.expression)); }, [&](const ast::Nothing&) {},
-                   [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
-                   [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
-                   [&](const ast::While& s) { repeat(s); }, [&](const ast::For& s) { repeat(s); },
-                   [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
+        Overloaded{[&](const ast::Declaration& s) { declare(s); }, [&](const ast::Do& s) { evaluate(*s.expression); },
+                   [&](const ast::Nothing&) {}, [&](const ast::Yield&) { emit(&instructions::yield); },
+                   [&](const ast::Try& s) { attempt(s); }, [&](const ast::Return& s) { giveBack(s); },
+                   [&](const ast::If& s) { choose(s); }, [&](const ast::While& s) { repeat(s); },
+                   [&](const ast::For& s) { repeat(s); }, [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
         statement.what);
+}
+
+/** For what it does. An assignment has done it. */
+void Unit::evaluate(const ast::Expression& expression) {
+    const Operand value = this->expression(expression);
+    if (!std::holds_alternative<ast::Assignment>(expression.what)) discard(value);
 }
 
 void Unit::end() { emit(&instructions::leave); }
 
 void Unit::attempt(const ast::Try& attempt) {
     const std::size_t from = code_.size();
-    discard(expression(*attempt.attempt));
+    evaluate(*attempt.attempt);
     const std::size_t until = code_.size();
     if (until == from) return;
     const std::size_t over = jump();
@@ -78,14 +83,19 @@ void Unit::choose(const ast::If& statement) {
 void Unit::repeat(const ast::While& statement) { loop(statement.condition.get(), statement.body, nullptr); }
 
 void Unit::repeat(const ast::For& statement) {
-    if (statement.first) {
-        // Loops one after the other may use one variable.
-        if (const auto* const declaration = std::get_if<ast::Declaration>(&statement.first->what))
-            declare(*declaration, true);
-        else
-            this->statement(*statement.first);
+    const auto* const declaration = statement.first ? std::get_if<ast::Declaration>(&statement.first->what) : nullptr;
+    const auto mark = [&](Scope::Entry::Loop loop) {
+        for (const auto& declared : declaration->names) scope_->markLoop(declared.name.text, loop);
+    };
+    // Loops one after the other may use one variable.
+    if (declaration) {
+        declare(*declaration, true);
+        mark(Scope::Entry::Loop::Entered);
+    } else if (statement.first) {
+        this->statement(*statement.first);
     }
     loop(statement.condition.get(), statement.body, statement.next.get());
+    if (declaration) mark(Scope::Entry::Loop::Left);
 }
 
 void Unit::loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next) {
@@ -96,7 +106,7 @@ void Unit::loop(const ast::Expression* condition, const ast::Block& body, const 
     block(body);
     if (next) {
         code_.beginStatement(next->at);
-        discard(expression(*next));
+        evaluate(*next);
     }
     jumpBack(begin);
     land(out);

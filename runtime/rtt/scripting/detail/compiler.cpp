@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/unit.hpp>
 
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace RTT {
@@ -20,6 +22,9 @@ std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, 
         fill(unit);
         unit.end();
     } catch (const Unresolved&) {
+        // Reported.
+    } catch (const std::exception& thrown) {
+        where.sink->error({where.file, 0, 0}, "OPS119", std::string("cannot be compiled: ") + thrown.what());
     }
     if (where.sink->errorCount() != errors) return nullptr;
     return code;
@@ -72,11 +77,12 @@ std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, con
 base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expression, const Scope& scope) {
     base::DataSourceBase::shared_ptr found;
     Scope own("", &scope);
-    codeOf(*state_, state_->where, own, [&](Unit& unit) {
+    const auto code = codeOf(*state_, state_->where, own, [&](Unit& unit) {
         const Operand operand = unit.expression(expression);
         if (operand.assignable()) found = operand.source;
     });
-    return found;
+    // What has to be executed first, such as to compute an index, would be gone.
+    return code && code->size() == 1 ? found : nullptr;
 }
 
 std::unique_ptr<Activation> Compiler::function(const FunctionDefinition& definition) {
@@ -87,6 +93,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     const ast::Function& tree = *definition.tree;
     Surroundings there = where;
     there.file = definition.file;
+    if (definition.functions) there.functions = definition.functions.get();
     const std::size_t errors = where.sink->errorCount();
     auto activation = std::make_unique<Activation>();
     activation->name = definition.name;
@@ -98,11 +105,17 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
 }
 
 std::shared_ptr<Activation> Compiler::State::activate(const FunctionDefinition& definition) {
+    if (failed.count(&definition)) throw Unresolved();
     const auto known = activations.find(&definition);
     if (known != activations.end()) return known->second;
     activations[&definition] = nullptr;
+    ++quiet;  // its warnings were given where it was defined
     std::shared_ptr<Activation> made = compile(definition);
-    if (!made) throw Unresolved();
+    --quiet;
+    if (!made) {
+        failed.insert(&definition);
+        throw Unresolved();
+    }
     return activations[&definition] = std::move(made);
 }
 

@@ -15,6 +15,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace RTT {
@@ -25,7 +26,8 @@ class TaskContext;
 namespace scripting {
 namespace detail {
 
-/** The declarations of a script, a program, a function, a state machine or a state. */
+/** The declarations of a script, a program, a function, a state machine or a state. A function may be compiled by any thread
+    while its script goes on and declares more: what is found here stays as and where it is. */
 class Scope {
 public:
     /** What a `var SendHandle` refers to, from its first assignment on. */
@@ -40,6 +42,8 @@ public:
         const Scope* scope = nullptr;
         std::shared_ptr<Handle> handle;
         ast::Place at;
+        /** Of a variable that the head of a `for` declared: later loops may use it again. */
+        enum class Loop { No, Entered, Left } loop = Loop::No;
     };
     /** `name` is for messages: "program 'p'". */
     explicit Scope(std::string name, const Scope* parent = nullptr) : name_(std::move(name)), parent_(parent) {}
@@ -48,16 +52,19 @@ public:
 
     const std::string& name() const { return name_; }
     const Scope* parent() const { return parent_; }
-    /** Here or in a parent; null if there is none. */
-    const Entry* find(const std::string& name) const;
+    /** Here or in a parent, but not `other`; null if there is none. */
+    const Entry* find(const std::string& name, const Entry* other = nullptr) const;
     const Entry* findHere(const std::string& name) const;
+    void markLoop(const std::string& name, Entry::Loop loop);
     /** False if there is one here. */
     bool add(const std::string& name, Entry entry);
-    const std::map<std::string, Entry>& entries() const { return entries_; }
+    /** Those of now. */
+    std::map<std::string, Entry> entries() const;
 
 private:
     std::string name_;
     const Scope* parent_;
+    mutable std::mutex mutex_;  // of the map, held for no longer than it is looked at
     std::map<std::string, Entry> entries_;
 };
 
@@ -67,6 +74,8 @@ struct FunctionDefinition {
     std::shared_ptr<const ast::Function> tree;
     std::shared_ptr<const Scope> scope;  ///< of the file it stands in
     oroforge::diag::FileName file;
+    /** Those it may call. Null: those that its caller may call. */
+    std::shared_ptr<const std::map<std::string, std::shared_ptr<const FunctionDefinition>>> functions;
 };
 typedef std::map<std::string, std::shared_ptr<const FunctionDefinition>> Functions;
 

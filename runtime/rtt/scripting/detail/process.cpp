@@ -11,6 +11,8 @@ namespace detail {
 
 Process::Process(const Code& code) : code_(code), next_(code.begin()) {}
 
+const Code& Process::codeOf(const Activation* function) const { return function ? function->code : code_; }
+
 template <class Until>
 Process::Outcome Process::execute(Until until) {
     if (failed_) return Outcome::Failed;
@@ -36,12 +38,18 @@ Process::Outcome Process::execute(Until until) {
 }
 
 Process::Outcome Process::run() {
-    return execute([](const Instruction*) { return false; });
+    finishing_ = false;
+    const Outcome outcome = execute([](const Instruction*) { return false; });
+    if (!finishing_) return outcome;
+    // pause() was called within a statement: to its end.
+    execute([this](const Instruction* next) { return codeOf(function_).beginsStatement(next); });
+    if (outcome_ == Outcome::Yielded) outcome_ = Outcome::Paused;
+    return outcome_;
 }
 
 Process::Outcome Process::runStatement() {
-    return execute(
-        [this](const Instruction* next) { return (function_ ? function_->code : code_).beginsStatement(next); });
+    pause_.store(false, std::memory_order_relaxed);
+    return execute([this](const Instruction* next) { return codeOf(function_).beginsStatement(next); });
 }
 
 void Process::restart() {
@@ -83,7 +91,11 @@ void Process::show(const Instruction* at) {
 
 const Instruction* Process::pauseAt(const Instruction* next) {
     pause_.store(false, std::memory_order_relaxed);
-    return stop(Outcome::Paused, next);
+    if (codeOf(function_).beginsStatement(next)) return stop(Outcome::Paused, next);
+    if (finishing_) return next;
+    finishing_ = true;
+    next_ = next;
+    return nullptr;
 }
 
 const Instruction* Process::exceed() {
@@ -101,7 +113,7 @@ const Instruction* Process::catchFailure() {
     Activation* const innermost = function_;
     const Instruction* at = at_;
     for (;;) {
-        const Code& code = function_ ? function_->code : code_;
+        const Code& code = codeOf(function_);
         if (const Instruction* const handler = code.handlerOf(at)) {
             message_.clear();
             return handler;
@@ -113,7 +125,7 @@ const Instruction* Process::catchFailure() {
     }
     function_ = innermost;
     failed_ = true;
-    return stop(Outcome::Failed, at_);
+    return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
 
 const Instruction* Process::enter(Activation& function, const Instruction* returnTo) {

@@ -37,7 +37,7 @@ public:
     Outcome runStatement();
     /** Back to the beginning; clears a failure. Variables keep their values. */
     void restart();
-    /** After Failed: has run() execute the failed statement again, in the function it is in. */
+    /** After Failed: has run() execute the failed statement again from its beginning, in the function it is in. */
     void retry();
     /** True from the first run() until Finished, or restart(). */
     bool started() const { return started_; }
@@ -59,7 +59,7 @@ public:
     const Instruction* finish() { return stop(Outcome::Finished, nullptr); }
     /** The statement fails. */
     const Instruction* fail(std::string message);
-    /** Called between statements: `next`, or null if pause() was called. */
+    /** Called after calls: `next`, or null if pause() was called. */
     const Instruction* proceed(const Instruction* next) {
         return pause_.load(std::memory_order_relaxed) ? pauseAt(next) : next;
     }
@@ -72,6 +72,7 @@ public:
     const Instruction* leave();
 
 private:
+    const Code& codeOf(const Activation* function) const;
     const Instruction* stop(Outcome outcome, const Instruction* next);
     void show(const Instruction* at);
     const Instruction* pauseAt(const Instruction* next);
@@ -89,6 +90,7 @@ private:
     std::atomic<unsigned> line_{0}, column_{0};
     unsigned rounds_ = 0, round_limit_ = 0;
     bool started_ = false, failed_ = false;
+    bool finishing_ = false;  // a statement within which pause() was called
     std::string message_;
 };
 

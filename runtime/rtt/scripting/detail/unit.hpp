@@ -9,6 +9,7 @@
 #include <rtt/scripting/detail/operand.hpp>
 #include <rtt/types/detail/conversion_watch.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct Compiler::State {
     Surroundings where;
     /** Null while it is being compiled. */
     std::map<const FunctionDefinition*, std::shared_ptr<Activation>> activations;
+    std::set<const FunctionDefinition*> failed;  ///< have errors, which were reported
+    unsigned quiet = 0;                          ///< warnings are not given
 
     /** That of this root, made when it is first asked for; null if the function calls itself. Throws Unresolved if it has
         errors. */
@@ -87,6 +90,7 @@ private:
     };
 
     // compile_statement.cpp
+    void evaluate(const ast::Expression& expression);
     void attempt(const ast::Try& attempt);
     void giveBack(const ast::Return& statement);
     void choose(const ast::If& statement);
@@ -123,6 +127,8 @@ private:
     bool variableNamed(const Parts& parts, Operand& found);
     bool valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
     Operand members(Operand of, const Parts& parts, std::size_t from);
+    Operand valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name);
+    bool isElsewhere(const Parts& parts, const Operand& variable) const;
     [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
     std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
     void checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name);
@@ -134,6 +140,7 @@ private:
     bool handleCall(const ast::Name& name, ast::Place at, Operand& result);
     Operand callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     [[noreturn]] void failRecursive(const std::string& function, ast::Place at);
+    [[noreturn]] void failUnsent(const ast::Identifier& handle);
     Operand callFunction(const FunctionDefinition& function, const ast::Name& name, ast::Place at);
     Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
@@ -164,8 +171,9 @@ private:
     Scope* scope_;
     Activation* function_;
     std::vector<std::vector<std::size_t>>
-        breaks_;            // of the loops around: jumps to be landed; 'break' stands in loops only
-    unsigned aliases_ = 0;  // being looked up
+        breaks_;                           // of the loops around: jumps to be landed; 'break' stands in loops only
+    unsigned aliases_ = 0;                 // being looked up
+    const Scope::Entry* alias_ = nullptr;  // the innermost of them: in its value its name stands for something else
 };
 
 template <class Convert>

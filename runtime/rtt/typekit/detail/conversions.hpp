@@ -4,6 +4,7 @@
 #define ORO_BUILTIN_CONVERSIONS_HPP
 
 #include <rtt/types/TemplateConstructor.hpp>
+#include <rtt/types/detail/number_conversion.hpp>
 
 namespace RTT {
 namespace types {
@@ -17,7 +18,7 @@ struct Conversion {
 
 template <class To, class From>
 bool convertNumber(const void*, const void* const* arguments, void* result) {
-    *static_cast<To*>(result) = static_cast<To>(*static_cast<const From*>(arguments[0]));
+    *static_cast<To*>(result) = types::detail::converted<To>(*static_cast<const From*>(arguments[0]));
     return true;
 }
 
