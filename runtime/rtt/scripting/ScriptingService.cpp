@@ -7,6 +7,7 @@
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 #include <rtt/scripting/detail/log_diagnostics.hpp>
+#include <rtt/scripting/detail/program.hpp>
 #include <rtt/scripting/detail/script_runner.hpp>
 #include <rtt/scripting/detail/script_text.hpp>
 
@@ -105,7 +106,7 @@ std::string ScriptingService::nameInUse(const std::string& name) const {
                              : hasStateMachine(name)                    ? "state machine"
                              : getOwner()->provides()->hasService(name) ? "service"
                                                                         : nullptr;
-    return kind ? "component '" + getOwner()->getName() + "' has a " + kind + " of that name already" : std::string();
+    return kind ? detail::nameTaken(*getOwner(), kind) : std::string();
 }
 
 void ScriptingService::announce(const std::string& what) const {
@@ -123,12 +124,14 @@ bool ScriptingService::refuse(const std::string& what, const std::string& why) {
     return false;
 }
 
-// What is unloaded by the step that executes it has to live until that step is over.
+// What is unloaded while it is executed has to live until that is over: by this thread, or by another one that came to
+// the removal while it was waiting for something.
 void ScriptingService::retire(boost::shared_ptr<base::ExecutableInterface> executed) {
-    if (getOwner() && getOwner()->engine()->isStepping())
-        loaded_->retired.push_back(std::move(executed));
-    else
-        loaded_->retired.clear();
+    const bool stepping = getOwner() && getOwner()->engine()->isStepping();
+    const bool program = dynamic_cast<const detail::Program*>(executed.get()) != nullptr;
+    // A state machine has been brought down, and programs that were written in C++ do not keep themselves alive.
+    if (program || stepping) loaded_->retired.add(std::move(executed), !program);
+    if (!stepping) loaded_->retired.dropUnused();
 }
 
 }  // namespace scripting

@@ -38,13 +38,13 @@ bool ScriptingService::addMachine(const StateMachinePtr& machine) {
     return true;
 }
 
-// Those of a machine last, because it commands them.
+// Those of a machine last, because it commands them. It stays known until all of them are out, so that one can try again.
 bool ScriptingService::removeMachine(const StateMachinePtr& machine) {
     ExecutionEngine* const engine = machine->getEngine();
     if (engine && !engine->removeFunction(machine.get())) return false;
-    loaded_->machines.remove(machine->getName());
     for (const StateMachinePtr& child : machine->getChildren())
         if (!removeMachine(child)) return false;
+    loaded_->machines.remove(machine->getName());
     return true;
 }
 
@@ -61,11 +61,7 @@ bool ScriptingService::unloadStateMachine(const std::string& name) {
 // While it goes down the engine still has it, because its programs may command its sub machines.
 bool ScriptingService::takeOutMachine(const StateMachinePtr& machine) {
     if (!getOwner()) return removeMachine(machine);
-    if (!machine->bringDown()) {
-        log(Critical) << "state machine '" << machine->getName() << "' cannot be unloaded: it does not leave state '"
-                      << machine->getCurrentStateName() << "', line " << machine->getLineNumber() << endlog();
-        return false;
-    }
+    if (!machine->bringDown()) return false;
     if (!removeMachine(machine)) {
         log(Error) << "state machine '" << machine->getName() << "' cannot be unloaded: its engine does not let it go"
                    << endlog();

@@ -39,14 +39,14 @@ bool ScriptingService::unloadProgram(const std::string& name) {
 }
 
 bool ScriptingService::takeOutProgram(const std::string& name) {
-    const ProgramInterfacePtr program = getProgram(name);
+    ProgramInterfacePtr program = getProgram(name);
     if (!program) return false;
     program->stop();
     ExecutionEngine* const engine = program->getEngine();
     if (engine && !engine->removeFunction(program.get())) return false;
     if (getOwner()) getOwner()->provides()->removeService(name);
     loaded_->programs.remove(name);
-    retire(program);
+    retire(std::move(program));
     return true;
 }
 

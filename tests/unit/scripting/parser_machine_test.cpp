@@ -43,6 +43,16 @@ TEST(ScriptMachine, Preconditions) {
               "precondition (a > 1); precondition b; precondition c");
 }
 
+TEST(ScriptMachine, APreconditionMayHaveTheNextItemBehindIt) {
+    EXPECT_EQ(inState("precondition a >= 0  entry { b }"), "entry { b }; precondition (a >= 0)");
+    EXPECT_EQ(inState("precondition a precondition b transition select C"),
+              "precondition a; precondition b; transition select C");
+    EXPECT_EQ(complaints("StateMachine T { state S { precondition a b } }"),
+              "test.ops:1:43: error: [OPS002] found 'b', expected a new line or ';' at the end of the statement\n"
+              "StateMachine T { state S { precondition a b } }\n"
+              "                                          ^\n");
+}
+
 TEST(ScriptMachine, SelectionsOfPreconditionsAreIgnored) {
     EXPECT_EQ(
         complaints("StateMachine T { state S { preconditions {\n if a then select F else { b } select G\n} } }"),

@@ -104,4 +104,32 @@ TEST_F(CheckedScripts, AFileIsCheckedLikeAText) {
     EXPECT_EQ("/nowhere/x.ops: error: [OPS411] cannot read the script: No such file or directory\n", missing.str());
 }
 
+TEST_F(CheckedScripts, NamesThatAreTakenAreFound) {
+    EXPECT_EQ(check("void eval() { }\n"),
+              "x.ops:1:6: error: [OPS204] function 'eval' cannot be added: 'scripting' has an operation of that name, "
+              "which no script defined\n"
+              "void eval() { }\n"
+              "     ^\n");
+    EXPECT_THAT(check("export void note() { }\n"), StartsWith("x.ops:1:13: error: [OPS204]"));
+    EXPECT_EQ(check("program scripting { }\n"),
+              "x.ops:1:9: error: [OPS203] program 'scripting' cannot be loaded: component 'host' has a service of that "
+              "name already\n"
+              "program scripting { }\n"
+              "        ^\n");
+    EXPECT_EQ(check("program m { }\nStateMachine T { initial state a { } final state b { } }\nRootMachine T m\n"),
+              "x.ops:3:15: error: [OPS303] state machine 'm' cannot be loaded: component 'host' has a program of that "
+              "name already\n"
+              "RootMachine T m\n"
+              "              ^\n"
+              "x.ops:1:9: note: first defined here\n"
+              "program m { }\n"
+              "        ^\n");
+}
+
+TEST_F(CheckedScripts, AComponentThatRanTheScriptMayCheckIt) {
+    const std::string text = "void f() { }\nprogram p { f() }\n";
+    EXPECT_TRUE(eval(text));
+    EXPECT_THAT(check(text), IsEmpty());
+}
+
 }  // namespace

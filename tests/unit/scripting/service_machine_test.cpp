@@ -210,4 +210,11 @@ TEST_F(MachinesOfService, GoAwayWithTheirService) {
     EXPECT_FALSE(service->loadStateMachine(nullptr));
 }
 
+TEST_F(MachinesOfService, OfATextWithAnErrorAreNotLoaded) {
+    EXPECT_FALSE(service->loadStateMachineText(std::string(kLamp) + "RootMachine Lamp one\nRootMachine Lmap two\n"));
+    EXPECT_THAT(service->getStateMachineList(), IsEmpty());
+    EXPECT_FALSE(host.provides()->hasService("one"));
+    EXPECT_TRUE(service->loadStateMachineText(std::string(kLamp) + "RootMachine Lamp one\n"));
+}
+
 }  // namespace

@@ -242,4 +242,29 @@ TEST_F(ProgramsOfService, AServiceMayOutliveItsComponent) {
     EXPECT_EQ("ERROR: a script cannot be run: service 'scripting' belongs to no component\n", logged());
 }
 
+TEST_F(ProgramsOfService, OfATextWithAnErrorAreNotLoaded) {
+    EXPECT_FALSE(service->loadProgramText("program p { }\nprogram q { cuont = 1 }\n"));
+    EXPECT_THAT(service->getProgramList(), IsEmpty());
+    EXPECT_TRUE(service->loadProgramText("program p { }\nprogram q { count = 1 }\n"));
+    EXPECT_THAT(service->getProgramList(), ElementsAre("p", "q"));
+}
+
+TEST_F(ProgramsOfService, MayCommandEachOtherAndGo) {
+    ASSERT_TRUE(eval("program p { }\nprogram q { p.start() }\n"));
+    const boost::weak_ptr<ProgramInterface> first = service->getProgram("p"), second = service->getProgram("q");
+    ASSERT_TRUE(service->unloadProgram("p"));
+    ASSERT_TRUE(eval("program p { q.start() }\n"));
+    EXPECT_TRUE(first.expired());
+    ASSERT_TRUE(service->unloadProgram("q"));
+    ASSERT_TRUE(eval("program q { p.start() }\n"));
+    EXPECT_TRUE(second.expired());
+}
+
+TEST_F(ProgramsOfService, ThatAreGoneTakeNoCommands) {
+    ASSERT_TRUE(eval("program p { }\n"));
+    RTT::OperationCaller<bool()> start(host.provides("p")->getOperation("start"));
+    ASSERT_TRUE(service->unloadProgram("p"));
+    EXPECT_FALSE(start());
+}
+
 }  // namespace

@@ -204,4 +204,31 @@ TEST_F(ScriptsOfService, AServiceWithoutComponentRunsNothing) {
     EXPECT_FALSE(lonely->loadProgram(nullptr));
 }
 
+TEST_F(ScriptsOfService, CannotRunThemselves) {
+    EXPECT_FALSE(runMain("count = count + 1\nscripting.runScript(\"main.ops\")\nscripting.runScript(\"main.ops\")\n"));
+    EXPECT_EQ(50, host.count);
+    EXPECT_EQ("ERROR: main.ops: error: [OPS414] scripts run each other more than 50 deep\n", logged());
+    EXPECT_TRUE(runMain("count = 1\n"));
+}
+
+TEST_F(ScriptsOfService, HandlesOfTheirFunctionsDoNotKeepThem) {
+    EXPECT_TRUE(eval("void f() { count = 5 }\nvar SendHandle h = scripting.f.send()\n"));
+    host.step();
+    EXPECT_EQ(5, host.count);
+    const boost::weak_ptr<const RTT::OperationInterfacePart> part =
+        RTT::OperationInterfacePart::hold(service->getPart("f"));
+    ASSERT_FALSE(part.expired());
+    service->clear();
+    EXPECT_TRUE(part.expired());
+}
+
+TEST_F(ScriptsOfService, FunctionsCallWhatTheyWereDefinedWith) {
+    EXPECT_TRUE(eval("int one() { return 1 }\nint f() { return one() }\n"));
+    EXPECT_TRUE(eval("int one() { return 2 }\ncount = scripting.f()\n"));
+    EXPECT_EQ(1, host.count);
+    EXPECT_TRUE(eval("program p { count = 10 + f() }\np.start()\n"));
+    host.step();
+    EXPECT_EQ(11, host.count);
+}
+
 }  // namespace

@@ -32,13 +32,18 @@ void checkCount(std::size_t wanted, std::size_t received) {
     throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
 }
 
-Service& homeOf(ast::Function::Scope scope, Service& scripting, TaskContext& component) {
+Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component) {
     switch (scope) {
-        case ast::Function::Scope::Exported: return *component.provides();
-        case ast::Function::Scope::Global: return *internal::GlobalService::Instance();
+        case ast::Function::Scope::Exported: return component.provides().get();
+        case ast::Function::Scope::Global: return internal::GlobalService::Instance().get();
         case ast::Function::Scope::Local: break;
     }
     return scripting;
+}
+
+oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
+    const ast::Place at = definition.tree->name.at;
+    return {definition.file, at.line, at.column};
 }
 
 }  // namespace
@@ -108,20 +113,24 @@ DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
     return makeCollectSource(pool_->owner(), handle, variable, std::move(blocking));
 }
 
+bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scope, Service* scripting,
+                 const Surroundings& where) {
+    Service* const home = homeOf(scope, scripting, *where.component);
+    const OperationInterfacePart* const taken = home ? home->getPart(definition.name) : nullptr;
+    if (!taken || dynamic_cast<const FunctionPart*>(taken)) return true;
+    where.sink->error(placeOf(definition), "OPS204",
+                      "function '" + definition.name + "' cannot be added: '" + home->getName() +
+                          "' has an operation of that name, which no script defined");
+    return false;
+}
+
 bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Function::Scope scope, Service& scripting,
                  const Surroundings& where) {
+    if (!hasFreeName(*definition, scope, &scripting, where)) return false;
     const std::string& name = definition->name;
-    const ast::Place at = definition->tree->name.at;
-    const oroforge::diag::Location place{definition->file, at.line, at.column};
-    Service& home = homeOf(scope, scripting, *where.component);
-    const OperationInterfacePart* const taken = home.getPart(name);
-    const auto* const known = dynamic_cast<const FunctionPart*>(taken);
-    if (taken && !known) {
-        where.sink->error(place, "OPS204",
-                          "function '" + name + "' cannot be added: '" + home.getName() +
-                              "' has an operation of that name, which no script defined");
-        return false;
-    }
+    const oroforge::diag::Location place = placeOf(*definition);
+    Service& home = *homeOf(scope, &scripting, *where.component);
+    const auto* const known = dynamic_cast<const FunctionPart*>(home.getPart(name));
     const auto pool = std::make_shared<FunctionPool>(std::move(definition), where);
     const FunctionCall::shared_ptr compiled = pool->take(*where.sink);
     if (!compiled) return false;

@@ -48,6 +48,11 @@ private:
         values_;  // of the types of the result, null for void, and the arguments
 };
 
+/** False, with an error in `*where.sink`, if there is an operation of its name in that scope that is no function of a
+    script. `scripting` may be null if the component has no such service. */
+bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scope, Service* scripting,
+                 const Surroundings& where);
+
 /**
  * Compiles the function, and adds it as operation to the service `scripting`, to the component or to the GlobalService. One
  * that is there is replaced for those who look it up from now on. False, with the errors in `*where.sink`, if it does not

@@ -10,7 +10,9 @@
 
 #include <boost/shared_ptr.hpp>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <string>
@@ -61,6 +63,31 @@ private:
     std::map<std::string, Pointer> items_;
 };
 
+/** What was unloaded and may still be executed. Thread safe. */
+class Retired {
+public:
+    typedef boost::shared_ptr<base::ExecutableInterface> Pointer;
+
+    /** `forGood`: nobody can tell when it is not executed any more. */
+    void add(Pointer item, bool forGood) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        (forGood ? kept_ : items_).push_back(std::move(item));
+    }
+    /** Destroys those that nobody else has: what is executed has itself. */
+    void dropUnused() {
+        std::vector<Pointer> unused;  // destroyed without the lock, as that may unload others
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const auto used =
+            std::partition(items_.begin(), items_.end(), [](const Pointer& item) { return item.use_count() > 1; });
+        std::move(used, items_.end(), std::back_inserter(unused));
+        items_.erase(used, items_.end());
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<Pointer> items_, kept_;
+};
+
 }  // namespace detail
 
 struct ScriptingService::Loaded {
@@ -74,8 +101,7 @@ struct ScriptingService::Loaded {
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit() const {
         return stepBudget.getAssignableDataSource();
     }
-    /** What was unloaded by the very step that executes it. */
-    std::vector<boost::shared_ptr<base::ExecutableInterface>> retired;
+    detail::Retired retired;
 };
 
 }  // namespace scripting

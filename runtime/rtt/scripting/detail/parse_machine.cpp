@@ -125,14 +125,18 @@ void Parser::stateProgram(ast::State& state) {
              "const", "alias"});
 }
 
-/** `precondition a`, `preconditions { a; b }`. */
+/** `precondition a`, `preconditions { a; b }`. The first one may have the next item of the state behind it. */
 void Parser::preconditions(ast::State& state) {
     const bool list = atWord("preconditions");
     advance();
     if (list) {
-        inBraces(&Parser::stateEndsHere, [&] { precondition(state); });
+        inBraces(&Parser::stateEndsHere, [&] {
+            precondition(state);
+            endStatement();
+        });
     } else {
         precondition(state);
+        if (!atStateItem()) endStatement();
     }
 }
 
@@ -147,7 +151,6 @@ void Parser::precondition(ast::State& state) {
         selection();
         if (acceptContinuation("else")) selection();
     }
-    endStatement();
 }
 
 }  // namespace detail

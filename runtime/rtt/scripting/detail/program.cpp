@@ -190,19 +190,37 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
                                        where.roundLimit);
 }
 
-Service::shared_ptr makeProgramService(ProgramInterfacePtr program, TaskContext& owner) {
+namespace {
+
+/** Code that calls an operation of the service keeps this, but not the program: programs may command each other. */
+template <class Function>
+struct OfProgram {
+    boost::weak_ptr<ProgramInterface> program;
+    Function function;
+    bool operator()() const {
+        const ProgramInterfacePtr present = program.lock();
+        return present && ((*present).*function)();
+    }
+};
+
+}  // namespace
+
+Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskContext& owner) {
     const auto service = boost::make_shared<Service>(program->getName(), &owner);
     service->doc("The program '" + program->getName() + "' of a script.");
-    service->addOperation("start", &ProgramInterface::start, program)
+    const auto add = [&](const char* name, auto function) -> auto& {
+        return service->addOperation(name, OfProgram<decltype(function)>{program, function});
+    };
+    add("start", &ProgramInterface::start)
         .doc("Has it run from its first statement, or go on if it is paused. False if it runs or failed.");
-    service->addOperation("pause", &ProgramInterface::pause, program)
+    add("pause", &ProgramInterface::pause)
         .doc("Has it wait before its next statement; if it is stopped, before its first.");
-    service->addOperation("step", &ProgramInterface::step, program)
+    add("step", &ProgramInterface::step)
         .doc("Has it execute one statement. False if it is not paused, or has not done the last one yet.");
-    service->addOperation("stop", &ProgramInterface::stop, program).doc("Ends it.");
-    service->addOperation("isRunning", &ProgramInterface::isRunning, program).doc("It executes statements.");
-    service->addOperation("isPaused", &ProgramInterface::isPaused, program).doc("It waits for start() or step().");
-    service->addOperation("inError", &ProgramInterface::inError, program).doc("It failed, and was not stopped since.");
+    add("stop", &ProgramInterface::stop).doc("Ends it.");
+    add("isRunning", &ProgramInterface::isRunning).doc("It executes statements.");
+    add("isPaused", &ProgramInterface::isPaused).doc("It waits for start() or step().");
+    add("inError", &ProgramInterface::inError).doc("It failed, and was not stopped since.");
     return service;
 }
 

@@ -67,7 +67,7 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
                                 const Surroundings& where);
 
 /** The service by which others command a program; not added to the component yet. */
-Service::shared_ptr makeProgramService(ProgramInterfacePtr program, TaskContext& owner);
+Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskContext& owner);
 
 }  // namespace detail
 }  // namespace scripting

@@ -5,6 +5,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/detail/find_calls.hpp>
+#include <rtt/scripting/detail/function_operation.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 #include <rtt/scripting/detail/machine_build.hpp>
 #include <rtt/scripting/detail/program.hpp>
@@ -20,6 +21,9 @@ namespace detail {
 namespace diag = oroforge::diag;
 
 namespace {
+
+const char* const kProgram = "program";
+const char* const kMachine = "state machine";
 
 /** Of errors that are none if somebody adds a name in time. */
 const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146", "OPS148"};
@@ -69,17 +73,37 @@ bool ScriptChecker::take(const ast::Item&, const ast::StatementPtr& statement) {
     return Compiler(unevaluated(*functions)).statement(*statement, file_->scope) != nullptr;
 }
 
-bool ScriptChecker::take(const ast::Item&, const ast::Function& function) {
+bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identifier& name) {
+    if (!isNew(kind, code, name)) return false;
+    const char* const other = kind == kProgram ? kMachine : kProgram;
+    if (hasDefined(other, name.text)) {
+        hasDefined(other, name.text, &refuse(kind, code, name, nameTaken(component_, other)));
+        return false;
+    }
+    // A component that has run this script may have it looked through again.
+    const auto scripting =
+        boost::dynamic_pointer_cast<ScriptingService>(component_.provides()->getService("scripting"));
+    const bool scripted = scripting && (scripting->hasProgram(name.text) || scripting->hasStateMachine(name.text));
+    if (scripted || !names_are_known_ || !component_.provides()->hasService(name.text)) return true;
+    refuse(kind, code, name, nameTaken(component_, "service"));
+    return false;
+}
+
+bool ScriptChecker::take(const ast::Item& item, const ast::Function& function) {
     if (!isNew("function", "OPS201", function.name)) return false;
-    auto definition = definitionOf(function);
     const auto functions = definitions_.functions();
-    if (!Compiler(unevaluated(*functions)).function(*definition)) return false;
+    auto definition = definitionOf(item, function, *functions);
+    const Surroundings where = unevaluated(*functions);
+    Service* const scripting = component_.provides()->getService("scripting").get();
+    // Unless a statement before may have removed the other one.
+    if (names_are_known_ && !hasFreeName(*definition, function.scope, scripting, where)) return false;
+    if (!Compiler(where).function(*definition)) return false;
     definitions_.define(std::move(definition));
     return true;
 }
 
 bool ScriptChecker::take(const ast::Item& item, const ast::Program& program) {
-    if (!isNew("program", "OPS203", program.name)) return false;
+    if (!isFree(kProgram, "OPS203", program.name)) return false;
     const auto functions = definitions_.functions();
     const ProgramInterfacePtr made = makeProgram(program, *file_, file_->textOf(item), unevaluated(*functions));
     if (!made || component_.provides()->hasService(made->getName())) return made != nullptr;
@@ -97,7 +121,7 @@ bool ScriptChecker::take(const ast::Item& item, const ast::StateMachine& type) {
 }
 
 bool ScriptChecker::take(const ast::Item&, const ast::Instance& machine) {
-    if (!isNew("state machine", "OPS303", machine.name)) return false;
+    if (!isFree(kMachine, "OPS303", machine.name)) return false;
     if (component_.provides()->hasService(machine.name.text)) return true;
     const auto functions = definitions_.functions();
     if (!makeMachine(machine, *definitions_.machineTypes(), *file_, unevaluated(*functions))) return false;

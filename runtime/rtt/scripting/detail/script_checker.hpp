@@ -31,6 +31,8 @@ private:
     bool take(const ast::Item& item, const ast::Program& program) override;
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
+    /** For a program or a state machine. */
+    bool isFree(const char* kind, const char* code, const ast::Identifier& name);
     Surroundings unevaluated(const Functions& functions);
     void keepWhatIsCertain(oroforge::diag::Sink& found);
 

@@ -12,6 +12,40 @@ namespace RTT {
 namespace scripting {
 namespace detail {
 
+namespace diag = oroforge::diag;
+
+namespace {
+
+bool hasAlias(const Scope* scope) {
+    for (; scope; scope = scope->parent())
+        for (const auto& named : scope->entries())
+            if (named.second.alias) return true;
+    return false;
+}
+
+/**
+ * The functions that a function may call. Those it cannot mean, because their names are not in its text, serve messages only:
+ * without what they call in turn, because a script that is run again and again would have each function keep all of its
+ * predecessors.
+ */
+std::shared_ptr<const Functions> callableIn(const std::string& text, const Scope& scope, const Functions& known) {
+    auto callable = std::make_shared<Functions>(known);
+    if (hasAlias(&scope)) return callable;  // an alias may call what the text does not name
+    for (auto& function : *callable) {
+        if (text.find(function.first) != std::string::npos) continue;
+        auto named = std::make_shared<FunctionDefinition>(*function.second);
+        named->functions = nullptr;
+        function.second = std::move(named);
+    }
+    return callable;
+}
+
+}  // namespace
+
+std::string nameTaken(const TaskContext& component, const char* kind) {
+    return "component '" + component.getName() + "' has a " + kind + " of that name already";
+}
+
 ScriptReader::ScriptReader(TaskContext& component, std::shared_ptr<SourceFile> file)
     : component_(component), file_(std::move(file)), compiler_(surroundings(internal::GlobalEngine::Instance())) {}
 
@@ -27,19 +61,27 @@ bool ScriptReader::parse() {
 }
 
 bool ScriptReader::isNew(const char* kind, const char* code, const ast::Identifier& name) {
-    const auto added = defined_.emplace(std::string(kind) + ' ' + name.text, name.at);
-    if (added.second) return true;
-    error(name.at, code, std::string(kind) + " '" + name.text + "' is defined twice in this script")
-        .note(at(added.first->second), "first defined here");
+    if (defined_.emplace(std::string(kind) + ' ' + name.text, name.at).second) return true;
+    hasDefined(kind, name.text,
+               &error(name.at, code, std::string(kind) + " '" + name.text + "' is defined twice in this script"));
     return false;
 }
 
-std::shared_ptr<const FunctionDefinition> ScriptReader::definitionOf(const ast::Function& function) const {
+bool ScriptReader::hasDefined(const char* kind, const std::string& name, diag::Diagnostic* error) const {
+    const auto found = defined_.find(std::string(kind) + ' ' + name);
+    if (found != defined_.end() && error) error->note(at(found->second), "first defined here");
+    return found != defined_.end();
+}
+
+std::shared_ptr<const FunctionDefinition> ScriptReader::definitionOf(const ast::Item& item,
+                                                                     const ast::Function& function,
+                                                                     const Functions& known) const {
     auto made = std::make_shared<FunctionDefinition>();
     made->name = function.name.text;
     made->tree = partOf(file_, function);
     made->scope = partOf(file_, file_->scope);
     made->file = file_->name;
+    made->functions = callableIn(file_->textOf(item), file_->scope, known);
     return made;
 }
 
@@ -69,6 +111,11 @@ Surroundings ScriptReader::inEngine(const Functions& functions) {
 
 oroforge::diag::Diagnostic& ScriptReader::error(ast::Place place, const char* code, const std::string& message) {
     return sink_.error(at(place), code, message);
+}
+
+diag::Diagnostic& ScriptReader::refuse(const char* kind, const char* code, const ast::Identifier& name,
+                                       const std::string& why) {
+    return error(name.at, code, std::string(kind) + " '" + name.text + "' cannot be loaded: " + why);
 }
 
 }  // namespace detail

@@ -17,6 +17,9 @@ namespace RTT {
 namespace scripting {
 namespace detail {
 
+/** Why a program or state machine cannot be loaded: what has its name already is a `kind`. */
+std::string nameTaken(const TaskContext& component, const char* kind);
+
 /** For one text, in one thread. */
 class ScriptReader {
 public:
@@ -38,7 +41,11 @@ protected:
     bool parse();
     /** False, with an error, if the text has defined it already. */
     bool isNew(const char* kind, const char* code, const ast::Identifier& name);
-    std::shared_ptr<const FunctionDefinition> definitionOf(const ast::Function& function) const;
+    /** True if it has defined that already; where, is noted at `*error` unless that is null. */
+    bool hasDefined(const char* kind, const std::string& name, oroforge::diag::Diagnostic* error = nullptr) const;
+    /** It may call what is known now, and goes on calling that. */
+    std::shared_ptr<const FunctionDefinition> definitionOf(const ast::Item& item, const ast::Function& function,
+                                                           const Functions& known) const;
     std::shared_ptr<const MachineType> typeOf(const ast::Item& item, const ast::StateMachine& type) const;
 
     Surroundings surroundings(ExecutionEngine* caller);
@@ -46,6 +53,9 @@ protected:
     Surroundings inEngine(const Functions& functions);
     oroforge::diag::Location at(ast::Place place) const { return {file_->name, place.line, place.column}; }
     oroforge::diag::Diagnostic& error(ast::Place place, const char* code, const std::string& message);
+    /** "program 'p' cannot be loaded: …" */
+    oroforge::diag::Diagnostic& refuse(const char* kind, const char* code, const ast::Identifier& name,
+                                       const std::string& why);
 
     TaskContext& component_;
     const std::shared_ptr<SourceFile> file_;

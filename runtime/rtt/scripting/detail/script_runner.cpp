@@ -23,12 +23,15 @@ namespace diag = oroforge::diag;
 
 namespace {
 
+constexpr unsigned kDeepest = 50;
 constexpr unsigned kMostYields = 10000;
 // What a script waits for is rarely there at once: after so many yields it waits a little with each.
 constexpr unsigned kEagerYields = 100;
 constexpr std::chrono::microseconds kPause(100);
 
 thread_local const ScriptRunner* innermost = nullptr;
+// Scripts went too deep: none of them goes on, because each might try again and again.
+thread_local bool unwinding = false;
 
 }  // namespace
 
@@ -36,11 +39,20 @@ ScriptRunner::ScriptRunner(ScriptingService& service, diag::FileName name, std::
     : ScriptReader(*service.getOwner(),
                    std::make_shared<SourceFile>(std::move(name), std::move(text), runningIn(service))),
       service_(service),
-      outer_(innermost) {
+      outer_(innermost),
+      depth_(outer_ ? outer_->depth_ + 1 : 1) {
     innermost = this;
 }
 
-ScriptRunner::~ScriptRunner() { innermost = outer_; }
+// A handle of a function that this script defined keeps the function, which keeps the script with the handle. The code
+// that uses it has what it needs.
+ScriptRunner::~ScriptRunner() {
+    innermost = outer_;
+    if (!outer_) unwinding = false;
+    for (const auto& named : file_->scope.entries())
+        if (named.second.handle && dynamic_cast<const FunctionPart*>(named.second.handle->operation.get()))
+            *named.second.handle = Scope::Handle();
+}
 
 SourceFilePtr ScriptRunner::runningIn(const ScriptingService& service) {
     const ScriptRunner* runner = innermost;
@@ -58,14 +70,28 @@ std::string ScriptRunner::locate(const std::string& file) {
 }
 
 bool ScriptRunner::run(Contents contents) {
-    if (parse()) checkContents(contents);
+    if (checkDepth() && parse()) checkContents(contents);
     bool good = !sink_.hadErrors();
     report();
     for (auto item = file_->tree.items.begin(); good && item != file_->tree.items.end(); ++item) {
-        good = take(*item);
+        good = take(*item) && !unwinding;
         report();
     }
+    if (!good && contents != Contents::Everything) unload();
     return good;
+}
+
+bool ScriptRunner::checkDepth() {
+    if (depth_ <= kDeepest) return true;
+    error({}, "OPS414", "scripts run each other more than " + std::to_string(kDeepest) + " deep");
+    unwinding = true;
+    return false;
+}
+
+void ScriptRunner::unload() {
+    for (const std::string& name : programs_) service_.takeOutProgram(name);
+    for (const std::string& name : machines_)
+        if (const StateMachinePtr machine = service_.getStateMachine(name)) service_.takeOutMachine(machine);
 }
 
 bool ScriptRunner::take(const ast::Item&, const ast::StatementPtr& statement) {
@@ -90,10 +116,10 @@ bool ScriptRunner::execute(const Code& code) {
     return false;
 }
 
-bool ScriptRunner::take(const ast::Item&, const ast::Function& function) {
+bool ScriptRunner::take(const ast::Item& item, const ast::Function& function) {
     if (!isNew("function", "OPS201", function.name)) return false;
-    auto definition = definitionOf(function);
     const auto functions = service_.loaded_->definitions.functions();
+    auto definition = definitionOf(item, function, *functions);
     if (!addFunction(definition, function.scope, service_, limited(*functions))) return false;
     service_.loaded_->definitions.define(std::move(definition));
     return true;
@@ -103,7 +129,9 @@ bool ScriptRunner::take(const ast::Item& item, const ast::Program& program) {
     if (!isFree("program", "OPS203", program.name)) return false;
     const auto functions = service_.loaded_->definitions.functions();
     const ProgramInterfacePtr made = makeProgram(program, *file_, file_->textOf(item), limited(*functions));
-    return made && service_.loadProgram(made);
+    if (!made || !service_.loadProgram(made)) return false;
+    programs_.push_back(made->getName());
+    return true;
 }
 
 bool ScriptRunner::take(const ast::Item& item, const ast::StateMachine& type) {
@@ -121,7 +149,9 @@ bool ScriptRunner::take(const ast::Item&, const ast::Instance& machine) {
     const Definitions& definitions = service_.loaded_->definitions;
     const auto functions = definitions.functions();
     const StateMachinePtr made = makeMachine(machine, *definitions.machineTypes(), *file_, limited(*functions));
-    return made && service_.loadStateMachine(made);
+    if (!made || !service_.loadStateMachine(made)) return false;
+    machines_.push_back(made->getName());
+    return true;
 }
 
 void ScriptRunner::checkContents(Contents contents) {
@@ -145,7 +175,7 @@ void ScriptRunner::checkContents(Contents contents) {
 bool ScriptRunner::isFree(const char* kind, const char* code, const ast::Identifier& name) {
     const std::string taken = service_.nameInUse(name.text);
     if (taken.empty()) return true;
-    error(name.at, code, std::string(kind) + " '" + name.text + "' cannot be loaded: " + taken);
+    refuse(kind, code, name, taken);
     return false;
 }
 

@@ -7,6 +7,7 @@
 #include <rtt/scripting/detail/script_reader.hpp>
 
 #include <string>
+#include <vector>
 
 namespace RTT {
 namespace scripting {
@@ -41,6 +42,9 @@ private:
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
     bool execute(const Code& code);
+    bool checkDepth();
+    /** The programs and state machines of this text. */
+    void unload();
     void checkContents(Contents contents);
     bool isFree(const char* kind, const char* code, const ast::Identifier& name);
     /** With the step budget. */
@@ -49,7 +53,9 @@ private:
     void report();
 
     ScriptingService& service_;
-    const ScriptRunner* const outer_;  // the one that this thread is in the midst of
+    const ScriptRunner* const outer_;               // the one that this thread is in the midst of
+    const unsigned depth_;                          // how many of those there are
+    std::vector<std::string> programs_, machines_;  // loaded so far
 };
 
 }  // namespace detail
