@@ -175,8 +175,9 @@ namespace {
 /** The component that provides an operation, and what keeps it from executing calls; for messages. */
 std::string whyRefused(const internal::EngineGate& gate) {
     const internal::EngineGate::Visit visit(gate);
-    if (!visit.engine()) return "the component that provides it was destroyed";
-    const TaskCore* const task = visit.engine()->getTaskCore();
+    ExecutionEngine* const engine = visit.engine();  // asked again, it may be gone
+    if (!engine) return "the component that provides it was destroyed";
+    const TaskCore* const task = engine->getTaskCore();
     const std::string who = task ? "component '" + task->TaskCore::getName() + "'" : std::string("the GlobalEngine");
     if (task && task->TaskCore::inFatalError()) return who + " is in FatalError";
     if (!visit.activity()) return who + " has no activity";
@@ -185,10 +186,11 @@ std::string whyRefused(const internal::EngineGate& gate) {
 
 void warnIfInactive(const internal::EngineGate& gate) {
     const internal::EngineGate::Visit visit(gate);
-    if (!visit.activity() || visit.activity()->isActive() || !visit.engine()->getTaskCore()) return;
-    log(Warning) << "a call waits until the activity of component '"
-                 << visit.engine()->getTaskCore()->TaskCore::getName() << "' is started, which is to execute it"
-                 << endlog();
+    base::ActivityInterface* const activity = visit.activity();
+    ExecutionEngine* const engine = visit.engine();  // asked again, it may be gone
+    if (!activity || activity->isActive() || !engine || !engine->getTaskCore()) return;
+    log(Warning) << "a call waits until the activity of component '" << engine->getTaskCore()->TaskCore::getName()
+                 << "' is started, which is to execute it" << endlog();
 }
 
 }  // namespace
