@@ -88,7 +88,8 @@ TEST(Constants, KeepAValueThatIsNoVariable) {
     number();
     EXPECT_EQ(Constant<int>(c.getConstant("number")).get(), 5);
     EXPECT_EQ(Constant<double>(c.getConstant("real")).get(), 3.0);
-    EXPECT_EQ(Constant<std::string>(component.provides()->getConstant("text")).get(), "a text that is longer than a short one");
+    EXPECT_EQ(Constant<std::string>(component.provides()->getConstant("text")).get(),
+              "a text that is longer than a short one");
     const auto* const own =
         dynamic_cast<internal::ConstantDataSource<int>*>(c.getConstant("number")->getDataSource().get());
     EXPECT_NE(own, nullptr);
