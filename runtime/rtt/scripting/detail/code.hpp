@@ -58,9 +58,8 @@ public:
     Code& operator=(const Code&) = delete;
 
     const Instruction* begin() const { return instructions_.data(); }
-    /** Null-terminated: the last instruction ends the process or returns from the function. */
+    /** The last instruction ends the process or returns from the function. */
     std::size_t size() const { return instructions_.size(); }
-    bool contains(const Instruction* at) const { return at >= begin() && at < begin() + size(); }
 
     /** Where the statement of that instruction begins. */
     ast::Place placeOf(const Instruction* at) const;

@@ -6,6 +6,7 @@
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/scripting/detail/arithmetic.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
+#include <rtt/scripting/detail/overloaded.hpp>
 #include <rtt/types/Operators.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -18,13 +19,6 @@ namespace scripting {
 namespace detail {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 template <class T>
 constexpr Kind kindFor() {

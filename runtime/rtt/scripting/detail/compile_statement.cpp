@@ -3,21 +3,11 @@
 #include <rtt/scripting/detail/unit.hpp>
 
 #include <rtt/scripting/detail/instructions.hpp>
+#include <rtt/scripting/detail/overloaded.hpp>
 
 namespace RTT {
 namespace scripting {
 namespace detail {
-
-namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
-
-}  // namespace
 
 void Unit::block(const ast::Block& block) {
     for (const auto& each : block.statements) {
