@@ -115,9 +115,14 @@ public:
     virtual void* getRawPointer();
     /** Address of the value last evaluated; null if there is none. */
     virtual const void* getRawConstPointer();
+    /** True if both addresses stay the same as long as this source exists. */
+    bool hasFixedAddress() const noexcept { return fixedAddress_; }
 
 protected:
     virtual ~DataSourceBase();
+
+    /** For constructors of sources that store their value, or refer to one that does not move. */
+    void addressIsFixed() noexcept { fixedAddress_ = true; }
 
     /** For copy(): what this source was copied to before; null if it was not. */
     DataSourceBase* knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
@@ -126,6 +131,7 @@ protected:
 
 private:
     mutable std::atomic<int> refs_;
+    bool fixedAddress_ = false;
 };
 
 RTT_API std::ostream& operator<<(std::ostream& os, const DataSourceBase::shared_ptr& source);

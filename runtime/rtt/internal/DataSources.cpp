@@ -109,11 +109,13 @@ bool ElementPlace::load(void* element) const {
 bool ElementPlace::store(const void* element) const {
     void* container = parent->getRawPointer();
     const std::size_t at = position();
-    if (!container || at >= ops->size(container)) return false;
+    if (!container || !ops->store || at >= ops->size(container)) return false;
     ops->store(container, at, element);
     parent->updated();
     return true;
 }
+
+bool ElementPlace::isAssignable() const { return (ops->at || ops->store) && parent->isAssignable(); }
 
 void* ElementPlace::address(bool forWriting) const {
     if (!ops->at) return nullptr;
@@ -122,9 +124,16 @@ void* ElementPlace::address(bool forWriting) const {
     return container && at < ops->size(container) ? ops->at(container, at) : nullptr;
 }
 
-std::ptrdiff_t partOffset(const void* part, base::DataSourceBase& parent) {
-    return static_cast<const char*>(part) - static_cast<const char*>(parent.getRawPointer());
+PartPlace::PartPlace(void* at, base::DataSourceBase::shared_ptr parent_)
+    : parent(std::move(parent_)),
+      at_(at),
+      offset_(static_cast<const char*>(at) - static_cast<const char*>(parent->getRawPointer())) {}
+
+void* PartPlace::addressIn(base::DataSourceBase& copyOfParent) const {
+    return static_cast<char*>(copyOfParent.getRawPointer()) + offset_;
 }
+
+void* PartPlace::moved() const { return addressIn(*parent); }
 
 }  // namespace internal
 }  // namespace RTT

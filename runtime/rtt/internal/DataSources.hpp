@@ -22,8 +22,8 @@ public:
     typedef typename AssignableDataSource<T>::reference_t reference_t;
     typedef typename DataSource<T>::const_reference_t const_reference_t;
 
-    ValueDataSource() : mdata() {}
-    explicit ValueDataSource(T value) : mdata(std::move(value)) {}
+    ValueDataSource() : mdata() { this->addressIsFixed(); }
+    explicit ValueDataSource(T value) : mdata(std::move(value)) { this->addressIsFixed(); }
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return mdata; }
@@ -88,8 +88,9 @@ public:
     typedef typename AssignableDataSource<T>::param_t param_t;
     typedef typename AssignableDataSource<T>::reference_t reference_t;
 
-    explicit ReferenceDataSource(reference_t ref) : mptr(std::addressof(ref)) {}
+    explicit ReferenceDataSource(reference_t ref) : mptr(std::addressof(ref)) { this->addressIsFixed(); }
 
+    /** To be called before members of the value are handed out. */
     void setReference(void* ref) override { mptr = static_cast<typename DataSource<T>::value_t*>(ref); }
     bool setReference(base::DataSourceBase::shared_ptr source) override {
         void* const at = source && this->hasTypeOf(*source) ? source->getRawPointer() : nullptr;

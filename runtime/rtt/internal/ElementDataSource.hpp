@@ -19,6 +19,7 @@ public:
     /** False, too, if the index is beyond the end. */
     bool load(void* element) const;
     bool store(const void* element) const;
+    bool isAssignable() const;
     /** Null if there is no such element, or elements have no address. */
     void* address(bool forWriting) const;
 
@@ -32,7 +33,7 @@ private:
 
 /**
  * An element of a container, found anew at each access, so that index and container may change.
- * Beyond the end a default value is read, and what is written is lost.
+ * Beyond the end a default value is read, and what is written is lost, as it is where elements cannot be changed.
  */
 template <typename E>
 class ElementDataSource : public AssignableDataSource<E> {
@@ -69,7 +70,7 @@ public:
         else
             place_.parent->updated();
     }
-    bool isAssignable() const override { return place_.parent->isAssignable(); }
+    bool isAssignable() const override { return place_.isAssignable(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
     ElementDataSource<E>* clone() const override {

@@ -11,85 +11,105 @@
 namespace RTT {
 namespace internal {
 
-/** How many bytes `part` lies behind the start of its parent's value. */
-RTT_API std::ptrdiff_t partOffset(const void* part, base::DataSourceBase& parent);
+/** What parts have in common, whatever their type: where they are in the value of their parent, which is kept alive. */
+class RTT_API PartPlace {
+public:
+    PartPlace(void* at, base::DataSourceBase::shared_ptr parent);
 
-/**
- * A part, stored inside the value of another source, which is kept alive. Changes are reported to the parent.
- * The parent's value must not move while parts of it are in use.
- */
+    /** Found anew if the parent's value may move, because it is an element of a container. */
+    void* address() const { return parent->hasFixedAddress() ? at_ : moved(); }
+    /** The place of this part in a copy of the parent. */
+    void* addressIn(base::DataSourceBase& copyOfParent) const;
+
+    const base::DataSourceBase::shared_ptr parent;
+
+private:
+    void* moved() const;
+
+    void* at_;
+    std::ptrdiff_t offset_;
+};
+
+/** A part, stored inside the value of another source. Changes are reported to the parent. */
 template <typename T>
 class PartDataSource : public AssignableDataSource<T> {
 public:
     typedef boost::intrusive_ptr<PartDataSource<T>> shared_ptr;
     typedef typename AssignableDataSource<T>::reference_t reference_t;
+    typedef typename DataSource<T>::value_t value_t;
 
     PartDataSource(reference_t ref, base::DataSourceBase::shared_ptr parent)
-        : ref_(std::addressof(ref)), parent_(std::move(parent)) {}
-
-    typename DataSource<T>::result_t get() const override { return *ref_; }
-    typename DataSource<T>::result_t value() const override { return *ref_; }
-    typename DataSource<T>::const_reference_t rvalue() const override { return *ref_; }
-    bool evaluate() const override { return parent_->evaluate(); }
-    void set(typename AssignableDataSource<T>::param_t value) override {
-        *ref_ = value;
-        parent_->updated();
+        : place_(std::addressof(ref), std::move(parent)) {
+        if (place_.parent->hasFixedAddress()) this->addressIsFixed();
     }
-    reference_t set() override { return *ref_; }
-    void updated() override { parent_->updated(); }
-    base::DataSourceBase::shared_ptr getParent() override { return parent_; }
 
-    PartDataSource<T>* clone() const override { return new PartDataSource<T>(*ref_, parent_); }
+    typename DataSource<T>::result_t get() const override { return part(); }
+    typename DataSource<T>::result_t value() const override { return part(); }
+    typename DataSource<T>::const_reference_t rvalue() const override { return part(); }
+    bool evaluate() const override { return place_.parent->evaluate(); }
+    void set(typename AssignableDataSource<T>::param_t value) override {
+        part() = value;
+        place_.parent->updated();
+    }
+    reference_t set() override { return part(); }
+    void updated() override { place_.parent->updated(); }
+    base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
+
+    PartDataSource<T>* clone() const override { return new PartDataSource<T>(part(), place_.parent); }
     PartDataSource<T>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<PartDataSource<T>*>(known);
-        base::DataSourceBase* parent = parent_->copy(cloned);
-        auto* at = static_cast<char*>(parent->getRawPointer()) + partOffset(ref_, *parent_);
-        auto* made = new PartDataSource<T>(*reinterpret_cast<typename DataSource<T>::value_t*>(at), parent);
+        base::DataSourceBase* parent = place_.parent->copy(cloned);
+        auto* made = new PartDataSource<T>(*static_cast<value_t*>(place_.addressIn(*parent)), parent);
         this->noteCopy(cloned, made);
         return made;
     }
 
 private:
-    typename DataSource<T>::value_t* ref_;
-    base::DataSourceBase::shared_ptr parent_;
+    value_t& part() const { return *static_cast<value_t*>(place_.address()); }
+
+    PartPlace place_;
 };
 
-/** An array inside the value of another source, which is kept alive; its value is a view on the array. */
+/** An array inside the value of another source; its value is a view on the array. */
 template <typename E>
 class ArrayPartDataSource : public AssignableDataSource<types::carray<E>> {
 public:
     typedef types::carray<E> T;
 
     ArrayPartDataSource(E* at, std::size_t count, base::DataSourceBase::shared_ptr parent)
-        : view_(at, count), parent_(std::move(parent)) {}
+        : place_(at, std::move(parent)), view_(at, count) {}
 
-    T get() const override { return view_; }
-    T value() const override { return view_; }
-    const T& rvalue() const override { return view_; }
-    bool evaluate() const override { return parent_->evaluate(); }
+    T get() const override { return view(); }
+    T value() const override { return view(); }
+    const T& rvalue() const override { return view(); }
+    bool evaluate() const override { return place_.parent->evaluate(); }
     void set(const T& value) override {
-        view_ = value;
-        parent_->updated();
+        view() = value;
+        place_.parent->updated();
     }
-    T& set() override { return view_; }
-    void updated() override { parent_->updated(); }
-    base::DataSourceBase::shared_ptr getParent() override { return parent_; }
+    T& set() override { return view(); }
+    void updated() override { place_.parent->updated(); }
+    base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
     ArrayPartDataSource<E>* clone() const override {
-        return new ArrayPartDataSource<E>(view_.address(), view_.count(), parent_);
+        return new ArrayPartDataSource<E>(view().address(), view_.count(), place_.parent);
     }
     ArrayPartDataSource<E>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ArrayPartDataSource<E>*>(known);
-        base::DataSourceBase* parent = parent_->copy(cloned);
-        auto* at = static_cast<char*>(parent->getRawPointer()) + partOffset(view_.address(), *parent_);
-        auto* made = new ArrayPartDataSource<E>(reinterpret_cast<E*>(at), view_.count(), parent);
+        base::DataSourceBase* parent = place_.parent->copy(cloned);
+        auto* made = new ArrayPartDataSource<E>(static_cast<E*>(place_.addressIn(*parent)), view_.count(), parent);
         this->noteCopy(cloned, made);
         return made;
     }
 
 private:
-    T view_;
-    base::DataSourceBase::shared_ptr parent_;
+    T& view() const {
+        view_.init(static_cast<E*>(place_.address()), view_.count());
+        return view_;
+    }
+
+    PartPlace place_;
+    mutable T view_;
 };
 
 }  // namespace internal
