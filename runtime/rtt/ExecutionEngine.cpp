@@ -149,9 +149,8 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
                     deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
                     deferred_ = true;
                 }
-            } else if (task_) {
-                guarded(here, "the callback of a port",
-                        [&] { task_->dataOnPortCallback(static_cast<base::PortInterface*>(item.what)); });
+            } else {
+                callPort(here, static_cast<base::PortInterface*>(item.what));
                 if (here.gone()) return;
             }
             if (depth == Depth::Step) callDeferredPorts(here);
@@ -179,7 +178,7 @@ void ExecutionEngine::callDeferredPorts(const Step& here) {
     if (!deferred_) return;
     // By index: a callback that waits for something may add to the list.
     for (std::size_t i = 0; i != deferred_ports_.size(); ++i) {
-        if (task_) guarded(here, "the callback of a port", [&] { task_->dataOnPortCallback(deferred_ports_[i]); });
+        callPort(here, deferred_ports_[i]);
         if (here.gone()) return;
     }
     deferred_ports_.clear();
@@ -188,8 +187,12 @@ void ExecutionEngine::callDeferredPorts(const Step& here) {
 
 // Whoever sets the flag has announced its port before, and triggers afterwards.
 void ExecutionEngine::callMissedPorts(const Step& here) {
-    if (!missed_ports_ || !missed_ports_.exchange(false) || !task_) return;
-    guarded(here, "the callback of a port", [&] { task_->missedPortCallbacks(); });
+    if (missed_ports_ && missed_ports_.exchange(false)) callPort(here, nullptr);
+}
+
+void ExecutionEngine::callPort(const Step& here, base::PortInterface* port) {
+    if (!task_ || !task_->port_step_) return;
+    guarded(here, "the callback of a port", [&] { task_->port_step_(*task_, port); });
 }
 
 void ExecutionEngine::processFunctions(const Step& here) {

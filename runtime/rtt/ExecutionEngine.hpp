@@ -140,6 +140,7 @@ private:
     void execute(const Step& here, internal::Mailbox::Item item, Depth depth);
     void callDeferredPorts(const Step& here);
     void callMissedPorts(const Step& here);
+    void callPort(const Step& here, base::PortInterface* port);
     void processFunctions(const Step& here);
     bool processAwaited(const Step& here);
     void processHooks(const Step& here);

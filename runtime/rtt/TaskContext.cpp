@@ -29,6 +29,7 @@ TaskContext::TaskContext(const std::string& name, TaskState initial_state)
     : TaskCore(initial_state, name),
       service_(boost::make_shared<Service>(name)),
       requester_(boost::make_shared<ServiceRequester>(name, this)) {
+    port_step_ = &TaskContext::portStep;
     service_->setOwner(this);
     service_->doc("The interface of this TaskContext.");
     addStandardInterface();
@@ -213,14 +214,24 @@ void TaskContext::dataOnPort(base::PortInterface* port) {
     (void)engine()->process(port, [this, port, announcement] { port_callbacks_.queued(port, announcement); });
 }
 
-void TaskContext::dataOnPortCallback(base::PortInterface* port) {
-    // stop() changes the target first and then waits for the step in progress, so every later step sees the change.
-    port_callbacks_.call(port, getTaskState() >= Running && getTargetState() >= Running);
+void TaskContext::dataOnPortCallback(base::PortInterface* port) { port_callbacks_.call(port, true); }
+
+void TaskContext::portStep(base::TaskCore& task, base::PortInterface* port) {
+    auto& self = static_cast<TaskContext&>(task);
+    if (port) return self.callbackOf(port);
+    std::uint64_t last = 0;
+    while (base::PortInterface* const next = self.port_callbacks_.nextAnnounced(last)) self.callbackOf(next);
 }
 
-void TaskContext::missedPortCallbacks() {
-    std::uint64_t last = 0;
-    while (base::PortInterface* const port = port_callbacks_.nextAnnounced(last)) dataOnPortCallback(port);
+// stop() changes the target first and then waits for the step in progress, so every later step sees the change. After it
+// the sub-class may be under destruction, so that its functions, too, are out of reach; unless its own hook wants to be called
+// while it is stopped.
+void TaskContext::callbackOf(base::PortInterface* port) {
+    const bool running = TaskCore::getTaskState() >= Running && TaskCore::getTargetState() >= Running;
+    if (running || !port_callbacks_.wasRunning(port))
+        dataOnPortCallback(port);
+    else
+        port_callbacks_.call(port, false);
 }
 
 void TaskContext::setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback) {

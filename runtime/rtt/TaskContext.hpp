@@ -180,10 +180,11 @@ protected:
     /** Decides whether data on an event port wakes this component. Called in the writer's thread. Default: isRunning(). */
     virtual bool dataOnPortHook(base::PortInterface* port);
     void dataOnPortCallback(base::PortInterface* port) override;
-    void missedPortCallbacks() override;
 
 private:
     friend class DataFlowInterface;
+    static void portStep(base::TaskCore& task, base::PortInterface* port);
+    void callbackOf(base::PortInterface* port);
     void dataOnPort(base::PortInterface* port);
     void setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback);
     void dataOnPortRemoved(base::PortInterface* port);

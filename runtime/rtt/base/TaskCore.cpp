@@ -288,7 +288,6 @@ void TaskCore::stopHook() {}
 void TaskCore::cleanupHook() {}
 void TaskCore::exceptionHook() {}
 void TaskCore::dataOnPortCallback(PortInterface*) {}
-void TaskCore::missedPortCallbacks() {}
 
 }  // namespace base
 }  // namespace RTT

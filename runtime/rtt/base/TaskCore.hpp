@@ -110,8 +110,11 @@ protected:
 
     /** Called by the engine with a port that has new data. */
     virtual void dataOnPortCallback(PortInterface* port);
-    /** Called by the engine when it had no room for some port: dataOnPortCallback() for each that has new data. */
-    virtual void missedPortCallbacks();
+
+    /** How the engine hands over a port with new data; null: all those it had no room for. No virtual function: the
+        component may be under destruction. Set by TaskContext. */
+    typedef void (*PortStep)(TaskCore& task, PortInterface* port);
+    PortStep port_step_ = nullptr;
 
     friend class RTT::ExecutionEngine;
     ExecutionEngine* ee;

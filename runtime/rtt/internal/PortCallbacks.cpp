@@ -94,6 +94,12 @@ void PortCallbacks::queued(base::PortInterface* port, std::uint64_t announcement
     if (Entry* entry = find(port)) entry->queuedRound.store(announcement, std::memory_order_release);
 }
 
+bool PortCallbacks::wasRunning(base::PortInterface* port) const {
+    Reclaimer::Guard guard;
+    const Entry* entry = find(port);
+    return entry && entry->whileRunning.load(std::memory_order_relaxed);
+}
+
 void PortCallbacks::call(base::PortInterface* port, bool running) {
     EntryPtr held;  // the callback may remove its own port
     {

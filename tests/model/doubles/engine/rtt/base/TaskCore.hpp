@@ -23,8 +23,7 @@ public:
     void updateHook() {}
     void errorHook() {}
     bool breakUpdateHook() { return true; }
-    void dataOnPortCallback(PortInterface*) {}
-    void missedPortCallbacks() {}
+    void (*port_step_)(TaskCore&, PortInterface*) = nullptr;
 
     std::atomic<bool> fatal{false};  // sequentially consistent, as the state of the real one is
     std::string name = "component";
