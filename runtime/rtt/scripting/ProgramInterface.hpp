@@ -28,8 +28,8 @@ namespace scripting {
  *     error     false         paused              false                 stopped
  *
  * stop() and start() count at once; pause() and step() in the next step of the engine, or after the statement that is
- * being executed. step() is false while an earlier one is still to come. After stop() at most the statement that was being
- * executed is finished.
+ * being executed. step() may follow a pause() that has not been done yet; it is false while an earlier step() is still to
+ * come. After stop() at most the statement that was being executed is finished.
  */
 class RTT_API ProgramInterface : public base::ExecutableInterface,
                                  public boost::enable_shared_from_this<ProgramInterface> {

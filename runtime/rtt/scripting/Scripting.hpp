@@ -5,6 +5,8 @@
 
 #include <rtt/OperationCaller.hpp>
 #include <rtt/ServiceRequester.hpp>
+#include <rtt/scripting/ProgramInterface.hpp>
+#include <rtt/scripting/StateMachine.hpp>
 
 #include <string>
 #include <vector>
@@ -19,6 +21,8 @@ public:
     typedef OperationCaller<int(const std::string&)> NumberOfName;
     typedef OperationCaller<std::string(const std::string&)> TextOfName;
     typedef OperationCaller<std::vector<std::string>()> Names;
+    typedef scripting::ProgramInterface::ProgramStatus ProgramStatus;
+    typedef scripting::StateMachine::StateMachineStatus StateMachineStatus;
 
     explicit Scripting(TaskContext* owner = nullptr) : ServiceRequester("scripting", owner) {
         for (auto* caller : {&eval,
@@ -56,6 +60,8 @@ public:
                              &getStateMachineState})
             addOperationCaller(*caller);
         for (auto* caller : {&getProgramList, &getStateMachineList}) addOperationCaller(*caller);
+        addOperationCaller(getProgramStatus);
+        addOperationCaller(getStateMachineStatus);
     }
 
     OfName eval{"eval"};
@@ -75,6 +81,7 @@ public:
     OfName isProgramRunning{"isProgramRunning"};
     OfName isProgramPaused{"isProgramPaused"};
     OfName inProgramError{"inProgramError"};
+    OperationCaller<ProgramStatus(const std::string&)> getProgramStatus{"getProgramStatus"};
     TextOfName getProgramStatusStr{"getProgramStatusStr"};
     NumberOfName getProgramLine{"getProgramLine"};
     TextOfName getProgramText{"getProgramText"};
@@ -97,6 +104,7 @@ public:
     OfName inStateMachineError{"inStateMachineError"};
     OfNameAndState inStateMachineState{"inStateMachineState"};
     TextOfName getStateMachineState{"getStateMachineState"};
+    OperationCaller<StateMachineStatus(const std::string&)> getStateMachineStatus{"getStateMachineStatus"};
     TextOfName getStateMachineStatusStr{"getStateMachineStatusStr"};
     NumberOfName getStateMachineLine{"getStateMachineLine"};
     TextOfName getStateMachineText{"getStateMachineText"};

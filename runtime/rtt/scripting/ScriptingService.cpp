@@ -13,6 +13,7 @@
 
 #include <boost/make_shared.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace RTT {
@@ -49,7 +50,8 @@ ScriptingService::shared_ptr ScriptingService::Create(TaskContext* parent) {
 }
 
 ScriptingService::ScriptingService(TaskContext* parent)
-    : Service("scripting", parent), loaded_(std::make_unique<Loaded>()) {
+    : Service("scripting", parent),
+      loaded_(std::make_unique<Loaded>(parent ? parent->provides() : Service::shared_ptr())) {
     doc("Runs scripts in this component, and keeps the programs and state machines they define");
     addProperty("ZeroPeriodWarning", zero_period_warning_)
         .doc("Warn of programs and state machines that are loaded into a component without a period");
@@ -59,16 +61,42 @@ ScriptingService::ScriptingService(TaskContext* parent)
     addStateMachineOperations();
 }
 
+namespace {
+
+void outliveExecution(StateMachine& machine) {
+    machine.outliveExecution();
+    for (const StateMachinePtr& child : machine.getChildren()) outliveExecution(*child);
+}
+
+}  // namespace
+
 // What state machines would do on their way to the end needs a component that is there.
 ScriptingService::~ScriptingService() {
-    for (const std::string& name : loaded_->machines.names())
-        if (const StateMachinePtr machine = getStateMachine(name)) removeMachine(machine);
-    for (const std::string& name : loaded_->programs.names()) takeOutProgram(name);
+    const Service::shared_ptr component = loaded_->component.lock();
+    const bool alive = component && component->getOwner();
+    const auto removeFrom = [&component](const std::string& name) {
+        if (component) component->removeService(name);
+    };
+    for (const std::string& name : rootMachines()) {
+        const StateMachinePtr machine = getStateMachine(name);
+        if (alive) machine->bringDown();
+        removeMachine(machine);
+        outliveExecution(*machine);
+        if (machine->getService()) removeFrom(name);
+    }
+    for (const std::string& name : loaded_->programs.names())
+        if (takeOutProgram(name)) removeFrom(name);
+}
+
+std::vector<std::string> ScriptingService::rootMachines() const {
+    std::vector<std::string> names = loaded_->machines.names();
+    const auto isPart = [](const std::string& name) { return name.find('.') != std::string::npos; };
+    names.erase(std::remove_if(names.begin(), names.end(), isPart), names.end());
+    return names;
 }
 
 void ScriptingService::clear() {
-    for (const std::string& name : loaded_->machines.names())
-        if (name.find('.') == std::string::npos) takeOutMachine(getStateMachine(name));
+    for (const std::string& name : rootMachines()) takeOutMachine(getStateMachine(name));
     for (const std::string& name : loaded_->programs.names()) takeOutProgram(name);
     loaded_->definitions.clear();
     Service::clear();
@@ -110,6 +138,7 @@ std::string ScriptingService::nameInUse(const std::string& name) const {
 }
 
 void ScriptingService::announce(const std::string& what) const {
+    loaded_->retired.dropUnused();
     const std::string& component = getOwner()->getName();
     log(Info) << "loading " << what << " into component '" << component << "'" << endlog();
     if (zero_period_warning_ && getOwner()->getPeriod() == 0)
@@ -126,12 +155,17 @@ bool ScriptingService::refuse(const std::string& what, const std::string& why) {
 
 // What is unloaded while it is executed has to live until that is over: by this thread, or by another one that came to
 // the removal while it was waiting for something.
-void ScriptingService::retire(boost::shared_ptr<base::ExecutableInterface> executed) {
-    const bool stepping = getOwner() && getOwner()->engine()->isStepping();
-    const bool program = dynamic_cast<const detail::Program*>(executed.get()) != nullptr;
-    // A state machine has been brought down, and programs that were written in C++ do not keep themselves alive.
-    if (program || stepping) loaded_->retired.add(std::move(executed), !program);
-    if (!stepping) loaded_->retired.dropUnused();
+void ScriptingService::retire(const StateMachinePtr& machine) {
+    machine->outliveExecution();
+    loaded_->retired.add(machine);
+    for (const StateMachinePtr& child : machine->getChildren()) retire(child);
+}
+
+void ScriptingService::retire(ProgramInterfacePtr program) {
+    if (dynamic_cast<const detail::Program*>(program.get()))
+        loaded_->retired.add(std::move(program));
+    else if (getOwner() && getOwner()->engine()->isStepping())
+        loaded_->retired.keep(std::move(program));  // it was written in C++
 }
 
 }  // namespace scripting

@@ -124,14 +124,16 @@ private:
     void addProgramOperations();
     void addStateMachineOperations();
     bool takeOutProgram(const std::string& name);
-    bool takeOutMachine(const StateMachinePtr& machine);
+    bool takeOutMachine(StateMachinePtr machine);
     bool addMachine(const StateMachinePtr& machine);
     bool removeMachine(const StateMachinePtr& machine);
     /** Who has that name in the component; empty if nobody has. */
     std::string nameInUse(const std::string& name) const;
     void announce(const std::string& what) const;
     static bool refuse(const std::string& what, const std::string& why);
-    void retire(boost::shared_ptr<base::ExecutableInterface> executed);
+    std::vector<std::string> rootMachines() const;
+    void retire(const StateMachinePtr& machine);
+    void retire(ProgramInterfacePtr program);
 
     std::unique_ptr<Loaded> loaded_;
     bool zero_period_warning_ = true;

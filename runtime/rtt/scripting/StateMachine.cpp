@@ -11,6 +11,7 @@
 #include <rtt/scripting/detail/log_diagnostics.hpp>
 #include <rtt/scripting/detail/machine_claim.hpp>
 #include <rtt/scripting/detail/machine_core.hpp>
+#include <rtt/scripting/detail/machine_event.hpp>
 
 #include <diag/print.hpp>
 
@@ -69,6 +70,8 @@ public:
         const os::MutexLock lock(error_lock_);
         return error_;
     }
+    /** For who has the machine. True if a transition follows from one of them. */
+    bool takeEvents();
     /** For who has the machine: stops and deactivates it; false if that takes too long. */
     bool goDown();
     detail::MachineState* find(const std::string& name) {
@@ -80,6 +83,9 @@ public:
     const std::unique_ptr<detail::MachineModel> model;
     detail::MachineCore core;
     detail::MachineOwner owner{0};
+    // Of the engine's thread.
+    bool executing = false;
+    boost::shared_ptr<StateMachine> self;  ///< while it is executed, after it was unloaded
 
 private:
     mutable os::Mutex error_lock_;  // not taken unless something failed
@@ -92,11 +98,31 @@ StateMachine::~StateMachine() {
     if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
 }
 
+namespace {
+
+// Without a period, nobody else would have the engine execute a cycle.
+void wake(ExecutionEngine* engine) {
+    if (!engine) return;
+    const internal::EngineGate::Visit visit(*engine->gate());
+    if (visit.activity()) visit.activity()->timeout();
+}
+
+}  // namespace
+
 template <class Command>
 bool StateMachine::command(const char* name, Command command) {
     if (!isLoaded()) return false;
-    const auto claim = detail::MachineClaim::within(execution_->owner, kPatience);
-    if (claim) return command(execution_->core);
+    bool claimed = false, done = false;
+    if (const auto claim = detail::MachineClaim::within(execution_->owner, kPatience); claim) {
+        done = command(execution_->core);
+        claimed = true;
+    }
+    if (claimed) {
+        std::atomic_thread_fence(std::memory_order_seq_cst);  // see takeEvents()
+        const auto& events = execution_->model->queue;
+        if (events && !events->empty()) wake(getEngine());
+        return done;
+    }
     log(Error) << "state machine '" << getName() << "': " << name << "() waited for " << kPatience / 1000000000
                << " s and gave up: a program that began in line " << getLineNumber() << " does not return" << endlog();
     return false;
@@ -126,17 +152,6 @@ bool StateMachine::pause() { return isLoaded() && execution_->core.pause(); }
 bool StateMachine::step() { return isLoaded() && execution_->core.step(); }
 bool StateMachine::stop() { return isLoaded() && execution_->core.stop(); }
 
-namespace {
-
-// Without a period, nobody else would have the engine execute a cycle.
-void wake(ExecutionEngine* engine) {
-    if (!engine) return;
-    const internal::EngineGate::Visit visit(*engine->gate());
-    if (visit.activity()) visit.activity()->timeout();
-}
-
-}  // namespace
-
 bool StateMachine::requestState(const std::string& state) {
     detail::MachineState* const target = execution_->find(state);
     const bool accepted =
@@ -145,11 +160,31 @@ bool StateMachine::requestState(const std::string& state) {
     return accepted;
 }
 
-bool StateMachine::react(detail::MachineEvent& event) {
+bool StateMachine::react(detail::OperationEvent& event, void* const* arguments) {
     const auto claim = detail::MachineClaim::soon(execution_->owner);
-    if (!claim) execution_->core.missed();
-    const bool accepted = claim && isLoaded() && execution_->core.happened(event);
+    if (!claim) return false;
+    bool accepted = !claim.nested() && execution_->takeEvents();  // those before
+    event.hold(arguments);
+    accepted = (isLoaded() && execution_->core.happened(event)) || accepted;
     if (accepted) wake(getEngine());
+    return true;
+}
+
+void StateMachine::takeEvents() {
+    // Either this finds the machine free, or who gives it back finds the events.
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    const auto claim = detail::MachineClaim::soon(execution_->owner);
+    if (claim && isLoaded() && execution_->takeEvents()) wake(getEngine());
+}
+
+bool StateMachine::Execution::takeEvents() {
+    bool accepted = false;
+    if (!model->queue) return accepted;
+    model->queue->takeAll([&](detail::MachineEvent& event) { accepted = core.happened(event) || accepted; });
+    if (const unsigned lost = model->queue->takeLost())
+        log(Warning) << "state machine '" << model->name << "' has lost " << lost << (lost == 1 ? " event" : " events")
+                     << ": of each operation, " << detail::OperationEvent::kMostWaiting
+                     << " calls can wait for it, and then another thread had it, or its component was busy" << endlog();
     return accepted;
 }
 
@@ -206,9 +241,22 @@ boost::shared_ptr<Service> StateMachine::getService() const { return execution_-
 
 bool StateMachine::execute() {
     // Skipped while a thread gives a command; that does what the machine has to do.
-    const auto claim = detail::MachineClaim::now(execution_->owner);
-    if (claim && !claim.nested()) execution_->core.cycle();
+    boost::shared_ptr<StateMachine> self;
+    const bool outer = !execution_->executing;
+    execution_->executing = true;
+    if (const auto claim = detail::MachineClaim::now(execution_->owner); claim && !claim.nested()) {
+        execution_->takeEvents();
+        execution_->core.cycle();
+    }
+    if (outer) {
+        execution_->executing = false;
+        if (execution_->self) self.swap(execution_->self);
+    }
     return true;
+}
+
+void StateMachine::outliveExecution() {
+    if (execution_->executing) execution_->self = shared_from_this();
 }
 
 bool StateMachine::Execution::goDown() {

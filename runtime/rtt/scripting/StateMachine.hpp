@@ -18,8 +18,8 @@ class Service;
 namespace scripting {
 
 namespace detail {
-class EventAction;
-class MachineEvent;
+class EventQueue;
+class OperationEvent;
 struct MachineModel;
 }  // namespace detail
 
@@ -35,7 +35,7 @@ struct MachineModel;
  *     reactive()         not inactive, error                 active: only events and requestState() change the state
  *     pause()            not inactive, deactivating          paused, from the next cycle on; while it is stopping, as soon as
  *                                                            it has stopped
- *     step()             paused                              one statement, or one transition, in the next cycle
+ *     step()             paused, or after pause()            one statement, or one transition, in the next cycle
  *                        active                              looks at all transitions once, in the next cycle
  *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped.
  *                                                            Takes back a pause() or step() that has not taken effect
@@ -130,10 +130,17 @@ public:
         cycles that follow; or if a program of the machine calls this: then nothing is done. */
     bool bringDown();
 
+    /** Is not destroyed before an execute() that may be in progress has returned: one of its own programs may unload it. In
+        the engine's thread, or when the engine does not execute it any more. */
+    void outliveExecution();
+
 private:
     class Execution;
-    friend class detail::EventAction;
-    bool react(detail::MachineEvent& event);
+    friend class detail::EventQueue;
+    /** False if another thread has the machine: then the call has to wait. */
+    bool react(detail::OperationEvent& event, void* const* arguments);
+    /** Those that wait, unless another thread has the machine. */
+    void takeEvents();
     template <class Command>
     bool command(const char* name, Command command);
 

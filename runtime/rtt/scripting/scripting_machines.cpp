@@ -49,8 +49,8 @@ bool ScriptingService::removeMachine(const StateMachinePtr& machine) {
 }
 
 bool ScriptingService::unloadStateMachine(const std::string& name) {
-    const StateMachinePtr machine = getStateMachine(name);
-    if (machine && name.find('.') == std::string::npos) return takeOutMachine(machine);
+    StateMachinePtr machine = getStateMachine(name);
+    if (machine && name.find('.') == std::string::npos) return takeOutMachine(std::move(machine));
     log(Error) << "state machine '" << name << "' cannot be unloaded: "
                << (machine ? "it is part of '" + name.substr(0, name.find('.')) + "'"
                            : "there is none of that name" + oroforge::diag::didYouMean(name, loaded_->machines.names()))
@@ -59,7 +59,7 @@ bool ScriptingService::unloadStateMachine(const std::string& name) {
 }
 
 // While it goes down the engine still has it, because its programs may command its sub machines.
-bool ScriptingService::takeOutMachine(const StateMachinePtr& machine) {
+bool ScriptingService::takeOutMachine(StateMachinePtr machine) {
     if (!getOwner()) return removeMachine(machine);
     if (!machine->bringDown()) return false;
     if (!removeMachine(machine)) {
@@ -69,6 +69,8 @@ bool ScriptingService::takeOutMachine(const StateMachinePtr& machine) {
     }
     if (machine->getService()) getOwner()->provides()->removeService(machine->getName());
     retire(machine);
+    machine.reset();
+    loaded_->retired.dropUnused();
     return true;
 }
 

@@ -47,6 +47,7 @@ bool ScriptingService::takeOutProgram(const std::string& name) {
     if (getOwner()) getOwner()->provides()->removeService(name);
     loaded_->programs.remove(name);
     retire(std::move(program));
+    loaded_->retired.dropUnused();
     return true;
 }
 

@@ -167,7 +167,11 @@ std::string textOf(const ast::Expression& expression) {
             [](const ast::Member& e) { return "(" + textOf(*e.of) + ")." + e.member.text; },
             [](const ast::Index& e) { return "(" + textOf(*e.of) + ")[" + textOf(*e.index) + "]"; },
             [](const ast::Unary& e) { return "(" + std::string(1, e.op) + textOf(*e.operand) + ")"; },
-            [](const ast::Binary& e) { return "(" + textOf(*e.left) + " " + e.op + " " + textOf(*e.right) + ")"; },
+            [](const ast::Binary& e) {
+                std::string row = textOf(*e.first);
+                for (const auto& step : e.steps) row = "(" + row + " " + step.op + " " + textOf(*step.right) + ")";
+                return row;
+            },
             [](const ast::Assignment& e) { return "(" + textOf(*e.to) + " = " + textOf(*e.value) + ")"; }},
         expression.what);
 }

@@ -102,6 +102,24 @@ TEST(MachineCommand, AutomaticAfterPauseGoesOnWhereItWas) {
     EXPECT_EQ(machine.cycle(), "A.run/2");
 }
 
+TEST(MachineCommand, StepMayFollowAPauseThatHasNotTakenEffect) {
+    FakeMachine machine;
+    machine.add("A", machine.transition("go", {"B"}));
+    machine.core->activate();
+    machine.cycle();
+    EXPECT_TRUE(machine.core->pause() && machine.core->step());
+    EXPECT_FALSE(machine.core->step()) << "the last one is still to come";
+    EXPECT_EQ(machine.core->status(), Status::active);
+    EXPECT_EQ(machine.cycle(), "go?");
+    EXPECT_EQ(machine.core->status(), Status::paused);
+    EXPECT_EQ(machine.cycle(), "");
+    machine.core->automatic();
+    EXPECT_TRUE(machine.core->pause() && machine.core->step() && machine.core->stop()) << "takes both back";
+    machine.cycle();
+    EXPECT_EQ(machine.core->status(), Status::stopped);
+    EXPECT_EQ(machine.cycle(), "");
+}
+
 TEST(MachineCommand, ReactiveMachinesDoNotLookAtTransitions) {
     FakeMachine machine;
     machine.add("A", machine.transition("go", {"B"}));

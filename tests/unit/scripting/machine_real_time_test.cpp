@@ -113,4 +113,25 @@ TEST_F(MachineRealTime, EventsInItsOwnThread) {
     EXPECT_EQ(m->getCurrentStateName(), "B");
 }
 
+TEST_F(MachineRealTime, EventsOfOtherThreads) {
+    OROFORGE_NEEDS_REAL_TIME_TRAP();
+    const StateMachinePtr m = load(R"(
+        StateMachine T {
+            var int key
+            initial state A { transition pressed(key) { count = count + key } }
+            final state Z { }
+        }
+        RootMachine T m
+    )");
+    m->activate();
+    RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
+    ASSERT_TRUE(station.setActivity(new RTT::Activity(0, 0.0, nullptr, "station")));
+    station.getActivity()->start();
+    pressed(1);
+    expectRealTime([&] {
+        for (int i = 0; i != 40; ++i) pressed(1);
+    });
+    station.getActivity()->stop();
+}
+
 }  // namespace

@@ -152,35 +152,103 @@ TEST_F(MachineThreads, CommandOfAComponentThatTheMachineCallsDoesNotDeadlock) {
     EXPECT_EQ(station.count, 5);
 }
 
-TEST_F(MachineThreads, EventThatIsLostBecauseAnotherThreadHasTheMachineIsTraced) {
+/** A machine that another thread is executing, until release(). */
+struct BusyMachine : MachineThreads {
+    StateMachinePtr hold() {
+        const StateMachinePtr m = load(R"(
+            StateMachine T {
+                var int key
+                initial state A { run { if busy() then act() } transition pressed(key) if seen(key) then select Z }
+                final state Z { }
+            }
+            RootMachine T m
+        )");
+        m->activate();
+        station.does = [this] {
+            inside.set_value();
+            released.get_future().wait();
+        };
+        other = std::thread([m] { m->execute(); });
+        inside.get_future().wait();
+        return m;
+    }
+    void release() {
+        busy = false;
+        released.set_value();
+        other.join();
+    }
+    BusyMachine() {
+        station.addOperation("busy", [this] { return busy.load(); });
+        station.addOperation("seen", [this](int key) { return keys.push_back(key), false; });
+    }
+
+    std::vector<int> keys;  // of the events
+    std::atomic<bool> busy{true};
+    std::promise<void> inside, released;
+    std::thread other;
+};
+
+TEST_F(BusyMachine, TakesEventsLaterInTheirOrder) {
+    const StateMachinePtr m = hold();
+    RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
+    for (int key = 1; key != 4; ++key) pressed(key);
+    EXPECT_THAT(keys, testing::IsEmpty());
+    release();
+    pressed(4);
+    EXPECT_THAT(keys, testing::ElementsAre(1, 2, 3, 4));
+    EXPECT_EQ(attribute<int>("key"), 4);
+    EXPECT_EQ(logged("ERROR|Warning"), "");
+}
+
+TEST_F(BusyMachine, TellsHowManyEventsWereLost) {
+    RTT::Logger::Instance()->setLogLevel(RTT::Logger::Warning);
+    const StateMachinePtr m = hold();
+    logged();
+    RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
+    for (int key = 1; key != 20; ++key) pressed(key);
+    release();
+    station.step();
+    EXPECT_EQ(keys.size(), 16u);
+    EXPECT_EQ(logged("Warning"),
+              "state machine 'm' has lost 3 events: of each operation, 16 calls can wait for it, and then another "
+              "thread had it, or its component was busy\n");
+    for (int key = 20; key != 40; ++key) pressed(key);
+    EXPECT_EQ(keys.size(), 36u);
+    EXPECT_EQ(logged("Warning"), "");
+}
+
+TEST_F(MachineThreads, NoEventIsLostWhileAnotherGivesCommands) {
+    std::atomic<int> sum{0}, sent{0};
+    station.addOperation("counted", [&](int key) { return sum += key, false; });
     const StateMachinePtr m = load(R"(
         StateMachine T {
             var int key
-            initial state A { run { act() } transition pressed(key) select Z }
+            initial state A { transition pressed(key) if counted(key) then select Z }
             final state Z { }
         }
         RootMachine T m
     )");
+    runIn(station, 0);
     m->activate();
-    std::promise<void> inside, release;
-    station.does = [&] {
-        inside.set_value();
-        release.get_future().wait();
-    };
-    std::thread other([&] { m->execute(); });
-    inside.get_future().wait();
-    RTT::Logger::Instance()->setLogLevel(RTT::Logger::Info);
-    RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
-    pressed(1);
-    EXPECT_EQ(logged("Info"), "") << "not traced";
-    m->trace(true);
-    pressed(2);
-    EXPECT_EQ(logged("Info"), "[active] state machine 'm' is busy and misses an event in state 'A'\n");
-    m->trace(false);
-    release.set_value();
-    other.join();
-    EXPECT_EQ(attribute<int>("key"), 0);
-    EXPECT_EQ(m->getCurrentStateName(), "A");
+    std::atomic<bool> stop{false};
+    std::thread commander([&] {
+        while (!stop) m->requestState("A"), m->reactive();
+    });
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread != 2; ++thread)
+        threads.emplace_back([&] {
+            RTT::OperationCaller<void(int)> pressed(station.getOperation("pressed"));
+            for (int i = 0; i != 400; ++i) {
+                ++sent;
+                pressed(1);
+                // So few that they find room.
+                if (!eventually([&] { return sent - sum < 10; })) return;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_TRUE(eventually([&] { return sum == 800; })) << sum;
+    stop = true;
+    commander.join();
 }
 
 TEST_F(MachineThreads, EventWakesAComponentWithoutPeriod) {

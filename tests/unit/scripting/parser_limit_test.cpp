@@ -52,14 +52,26 @@ TEST(ScriptLimits, CallsIndicesAndAssignmentsNest) {
     EXPECT_EQ(errorsIn(repeated("f = ", kMost) + "a"), 1u);
 }
 
-/// Operators in a row nest to the left, although nothing is open while they are read.
-TEST(ScriptLimits, OperatorsInARowNest) {
-    EXPECT_EQ(complaints("a" + repeated(" + a", kMost)), "");
-    EXPECT_EQ(errorsIn("a" + repeated(" + a", kMost + 1)), 1u);
+/// Members and elements in a row nest to the left, although nothing is open while they are read.
+TEST(ScriptLimits, MembersAndElementsInARowNest) {
     EXPECT_EQ(complaints("a" + repeated("[0]", kMost)), "");
     EXPECT_EQ(errorsIn("a" + repeated("[0]", kMost + 1)), 1u);
     EXPECT_EQ(errorsIn("f()" + repeated(".a", kMost + 1)), 1u);
-    EXPECT_EQ(errorsIn("a" + repeated(" * a + a", 20000) + "\nb c"), 2u);
+}
+
+/// As scripts that were generated have them.
+TEST(ScriptLimits, OperatorsInARowDoNotNest) {
+    EXPECT_EQ(errorsIn("a" + repeated(" + a", 5000)), 0u);
+    EXPECT_EQ(errorsIn("a" + repeated(" * a + a", 20000)), 0u);
+    EXPECT_EQ(errorsIn("f(" + repeated("b + ", 5000) + "a)"), 0u);
+    EXPECT_EQ(errorsIn(repeated("a + (", 150) + "a" + repeated(" - a", 5000) + repeated(")", 150)), 0u);
+    EXPECT_EQ(errorsIn("a" + repeated("+a", 100000)), 0u);
+}
+
+TEST(ScriptLimits, OperatorsInARowAreLimited) {
+    const std::string error = complaints("a" + repeated("+a", 100001));
+    EXPECT_EQ(firstLine(error), "test.ops:1:200002: error: [OPS010] found more than 100000 operators in a row\n");
+    EXPECT_EQ(errorsIn("a" + repeated("+a", 150000) + "\nb c"), 2u);
 }
 
 TEST(ScriptLimits, PathsMayBeLong) { EXPECT_EQ(complaints("a" + repeated(".a", 10000)), ""); }

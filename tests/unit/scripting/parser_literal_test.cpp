@@ -19,6 +19,17 @@ TEST(ScriptLiteral, WholeNumbers) {
     EXPECT_EQ(parsed("18446744073709551615ull"), "18446744073709551615ull");
 }
 
+/// Their magnitudes do not fit.
+TEST(ScriptLiteral, TheLeastNumbersAreWrittenWithTheirSign) {
+    EXPECT_EQ(parsed("-2147483648"), "-2147483648");
+    EXPECT_EQ(parsed("- 2147483648 + 1"), "(-2147483648 + 1)");
+    EXPECT_EQ(parsed("-9223372036854775808ll"), "-9223372036854775808ll");
+    EXPECT_EQ(parsed("-2147483648ll"), "(-2147483648ll)");
+    EXPECT_EQ(parsed("-2147483647"), "(-2147483647)");
+    for (const char* wrong : {"-2147483649", "-(2147483648)", "a - 2147483648", "-!2147483648", "-9223372036854775808"})
+        EXPECT_NE(complaints(wrong), "") << wrong;
+}
+
 TEST(ScriptLiteral, HexadecimalNumbersAreUnsigned) {
     EXPECT_EQ(parsed("0xFF"), "255u");
     EXPECT_EQ(parsed("0XdeadBEEF"), "3735928559u");

@@ -60,7 +60,9 @@ TEST_F(ScriptPlace, OperationsAreAtTheirOperator) {
     EXPECT_EQ(at(expression(0).at), "1:4");
     const auto& sum = *std::get<ast::Assignment>(expression(0).what).value;
     EXPECT_EQ(at(sum.at), "1:9");
-    const auto& minus = *std::get<ast::Binary>(sum.what).right;
+    const auto& step = std::get<ast::Binary>(sum.what).steps[0];
+    EXPECT_EQ(at(step.at), "1:9");
+    const ast::Expression& minus = *step.right;
     EXPECT_EQ(at(minus.at), "1:11");
     EXPECT_EQ(at(std::get<ast::Unary>(minus.what).operand->at), "1:16");
 }

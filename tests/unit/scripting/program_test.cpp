@@ -121,6 +121,37 @@ TEST_F(Programs, APauseThatWasNotMadeYetIsTakenBackByStart) {
     EXPECT_EQ(count, 2);
 }
 
+TEST_F(Programs, StepMayFollowAPauseThatWasNotMadeYet) {
+    load("program p {\n  count = 1\n  yield\n  count = 2\n  count = 3\n  yield\n  count = 4\n}");
+    EXPECT_TRUE(p().start());
+    step();
+    EXPECT_TRUE(p().pause() && p().step());
+    EXPECT_FALSE(p().step()) << "the last one is still to come";
+    step(2);
+    EXPECT_EQ(status(), "paused");
+    EXPECT_EQ(count, 2);
+    EXPECT_TRUE(p().start() && p().pause() && p().step() && p().start()) << "takes both back";
+    step();
+    EXPECT_EQ(status(), "running");
+    EXPECT_EQ(count, 3);
+    EXPECT_TRUE(p().stop() && p().pause() && p().step());
+    EXPECT_EQ(status(), "stopped");
+    step();
+    EXPECT_EQ(status(), "paused");
+    EXPECT_EQ(p().getLineNumber(), 3);
+    EXPECT_EQ(count, 1);
+}
+
+TEST_F(Programs, PauseAndStepByOneOfTheirStatements) {
+    host.addOperation("halt", [this] { return p().pause() && p().step(); });
+    load("program p {\n  halt()\n  count = 1\n  count = 2\n}");
+    EXPECT_TRUE(p().start());
+    step(2);
+    EXPECT_EQ(status(), "paused");
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(p().getLineNumber(), 4);
+}
+
 TEST_F(Programs, StepExecutesOneStatement) {
     load("program p {\n  count = 1\n  count = 2\n  count = 3\n}");
     EXPECT_TRUE(p().pause());

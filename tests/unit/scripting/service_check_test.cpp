@@ -126,6 +126,17 @@ TEST_F(CheckedScripts, NamesThatAreTakenAreFound) {
               "        ^\n");
 }
 
+TEST_F(CheckedScripts, ATypeOfStateMachinesMayComeFromAnotherScript) {
+    EXPECT_THAT(check("scripting.runScript(\"types.osd\")\nRootMachine T m\nm.activate()\n"), IsEmpty());
+    EXPECT_THAT(check("RootMachine T m\n"), StartsWith("x.ops:1:13: error: [OPS305]"));
+    EXPECT_EQ(
+        check("StateMachine T {\n  initial state a { transition select c }\n  final state b { }\n}\nRootMachine T m\n"),
+        "x.ops:2:39: error: [OPS306] there is no state 'c' in 'T'\n"
+        "  initial state a { transition select c }\n"
+        "                                      ^\n")
+        << "and nothing about what follows from that";
+}
+
 TEST_F(CheckedScripts, AComponentThatRanTheScriptMayCheckIt) {
     const std::string text = "void f() { }\nprogram p { f() }\n";
     EXPECT_TRUE(eval(text));

@@ -210,6 +210,55 @@ TEST_F(MachinesOfService, GoAwayWithTheirService) {
     EXPECT_FALSE(service->loadStateMachine(nullptr));
 }
 
+TEST_F(MachinesOfService, GoWhenTheirServiceIsTakenFromTheComponent) {
+    ASSERT_TRUE(loadLamp());
+    ASSERT_TRUE(eval("program p { yield }\np.start()\nlamp.activate()\n"));
+    const auto machine = service->getStateMachine("lamp");
+    const auto program = service->getProgram("p");
+    service.reset();
+    host.provides()->removeService("scripting");
+    EXPECT_FALSE(machine->isLoaded());
+    EXPECT_FALSE(program->isLoaded());
+    EXPECT_FALSE(host.provides()->hasService("lamp"));
+    EXPECT_FALSE(host.provides()->hasService("p"));
+    EXPECT_THAT(host.notes, ElementsAre("off", "gone")) << "stopped, since the component is alive";
+    EXPECT_EQ("", logged());
+    EXPECT_TRUE(RTT::scripting::ScriptingService::Create(&host)->eval("program p { }\n"));
+}
+
+TEST_F(MachinesOfService, ThatWereUnloadedByTheirComponentAreFreed) {
+    host.addOperation("unload", [this] { return service->unloadStateMachine("lamp"); });
+    boost::weak_ptr<StateMachine> machine, part;
+    for (int round = 0; round != 3; ++round) {
+        ASSERT_TRUE(eval(std::string(kLamp) +
+                         "StateMachine House { SubMachine Lamp part\n initial state a { } final state b { } }\n"
+                         "RootMachine House lamp\nprogram p { unload() }\np.start()\n"));
+        EXPECT_TRUE(machine.expired() && part.expired()) << round;
+        machine = service->getStateMachine("lamp");
+        part = service->getStateMachine("lamp.part");
+        host.step();
+        EXPECT_FALSE(service->hasStateMachine("lamp"));
+        ASSERT_TRUE(service->unloadProgram("p"));
+    }
+    EXPECT_TRUE(machine.expired() && part.expired());
+}
+
+TEST_F(MachinesOfService, ThatWereUnloadedWhileTheyAreExecutedStayUntilThen) {
+    // As a message that comes while a program of the machine waits: another thread unloads it by force.
+    host.addOperation("leave", [this] { host.provides()->removeService("scripting"); });
+    ASSERT_TRUE(
+        eval("StateMachine T { initial state a { run { leave(); count = count + 1 } } final state b { } }\n"
+             "RootMachine T m\nm.activate()\n"));
+    boost::weak_ptr<StateMachine> machine = service->getStateMachine("m");
+    service.reset();
+    host.step();
+    EXPECT_EQ(1, host.count);
+    EXPECT_TRUE(machine.expired());
+    EXPECT_EQ("ERROR: state machine 'm' cannot be unloaded: one of its own programs asks for it\n", logged());
+    host.step();
+    EXPECT_EQ(1, host.count);
+}
+
 TEST_F(MachinesOfService, OfATextWithAnErrorAreNotLoaded) {
     EXPECT_FALSE(service->loadStateMachineText(std::string(kLamp) + "RootMachine Lamp one\nRootMachine Lmap two\n"));
     EXPECT_THAT(service->getStateMachineList(), IsEmpty());

@@ -47,6 +47,8 @@ TEST_F(RequesterOfService, CommandsProgramsAndStateMachines) {
     EXPECT_EQ(1, host.count);
     EXPECT_TRUE(scripting->isProgramRunning("p"));
     EXPECT_EQ("running", scripting->getProgramStatusStr("p"));
+    EXPECT_EQ(RTT::scripting::ProgramInterface::Status::running, scripting->getProgramStatus("p"));
+    EXPECT_EQ(RTT::scripting::ProgramInterface::Status::unknown, scripting->getProgramStatus("q"));
     EXPECT_EQ(3, scripting->getProgramLine("p"));
     EXPECT_THAT(scripting->getProgramList(), ElementsAre("p"));
     EXPECT_TRUE(
@@ -54,6 +56,7 @@ TEST_F(RequesterOfService, CommandsProgramsAndStateMachines) {
     EXPECT_TRUE(scripting->activateStateMachine("m"));
     EXPECT_TRUE(scripting->inStateMachineState("m", "a"));
     EXPECT_EQ("a", scripting->getStateMachineState("m"));
+    EXPECT_EQ(RTT::scripting::StateMachine::Status::active, scripting->getStateMachineStatus("m"));
     EXPECT_THAT(scripting->getStateMachineList(), ElementsAre("m"));
     EXPECT_TRUE(scripting->unloadStateMachine("m"));
     EXPECT_TRUE(scripting->unloadProgram("p"));

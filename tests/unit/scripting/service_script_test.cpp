@@ -231,4 +231,31 @@ TEST_F(ScriptsOfService, FunctionsCallWhatTheyWereDefinedWith) {
     EXPECT_EQ(11, host.count);
 }
 
+TEST_F(ScriptsOfService, OfAnotherComponentsThreadReportTheirErrorsThere) {
+    Host other("other");
+    const auto there = other.getProvider<RTT::scripting::ScriptingService>("scripting");
+    other.addOperation("runs", [&](const std::string& text) { return there->evalInternal("there.ops", text); });
+    other.provides()->setOperationThread("runs", RTT::OwnThread);
+    ASSERT_TRUE(other.setActivity(new RTT::Activity(0, 0.0, nullptr, "other")));
+    ASSERT_TRUE(other.getActivity()->start());
+    host.addPeer(&other);
+    logged();
+    EXPECT_FALSE(service->evalInternal("here.ops",
+                                       "var int x = 1\n"
+                                       "if other.runs(\"count = 3\") then count = x\n"
+                                       "if !other.runs(\"count = 4\\ncount = x\") then count = count + 1\n"
+                                       "count = y\n"));
+    other.getActivity()->stop();
+    EXPECT_EQ(
+        "ERROR: there.ops:2:9: error: [OPS133] component 'other' has no value or operation 'x'\n"
+        "count = x\n"
+        "        ^\n"
+        "ERROR: here.ops:4:9: error: [OPS133] component 'host' has no value or operation 'y'\n"
+        "count = y\n"
+        "        ^\n",
+        logged());
+    EXPECT_EQ(4, other.count);
+    EXPECT_EQ(2, host.count);
+}
+
 }  // namespace

@@ -55,16 +55,22 @@ struct Unary {
     char op;  ///< '+', '-', '!'
     ExpressionPtr operand;
 };
+/** Operators in a row, from left to right: `((first op right) op right) …`. As long as the script has it, and not deep. */
 struct Binary {
-    std::string op;  ///< as written, of && || != == >= > <= < + - % * /
-    ExpressionPtr left, right;
+    struct Step {
+        std::string op;  ///< && || != == >= > <= < + - % * /
+        Place at;        ///< the operator
+        ExpressionPtr right;
+    };
+    ExpressionPtr first;
+    std::vector<Step> steps;  ///< at least one
 };
 struct Assignment {
     ExpressionPtr to, value;
 };
 
 struct Expression {
-    Place at;  ///< its first letter; of a binary operation and an assignment, the operator
+    Place at;  ///< its first letter; of an assignment, the operator; of binary operations, the last of them
     std::variant<Literal, CurrentTime, Name, Member, Index, Unary, Binary, Assignment> what;
 };
 

@@ -26,6 +26,11 @@ void Code::guard(std::size_t from, std::size_t until, std::size_t handler) {
         {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(until), static_cast<std::uint32_t>(handler)});
 }
 
+void Code::moveLast(std::size_t to) {
+    const auto begin = instructions_.begin() + static_cast<std::ptrdiff_t>(to);
+    std::rotate(begin, instructions_.end() - 1, instructions_.end());
+}
+
 void Code::truncate(std::size_t size) {
     instructions_.resize(size);
     while (!marks_.empty() && marks_.back().at > size) marks_.pop_back();

@@ -79,6 +79,8 @@ public:
     /** What fails in [from, until) goes on at `handler`. Inner ones are added first. */
     void guard(std::size_t from, std::size_t until, std::size_t handler);
     Cell* newCell();
+    /** The last instruction becomes the one with that index. No jumps lead from and to those between. */
+    void moveLast(std::size_t to);
     /** Takes back what was added since its size was `size`. */
     void truncate(std::size_t size);
     /** Keeps it alive as long as the code. */

@@ -122,7 +122,7 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
         failRecursive(function_->name, at);
     const Callable whole = callable(name.parts, count, nodes, false);
     if (whole.function) {
-        result = callFunction(*whole.function, name, at);
+        result = callFunction(whole.function, name, at);
         return true;
     }
     if (whole.part) {
@@ -134,7 +134,7 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
     if (last != "send" && last != "call" && last != "cmd") return false;
     const Callable called = callable(name.parts, count - 1, nodes, last != "call");
     if (called.function) {
-        result = callFunction(*called.function, name, at);
+        result = callFunction(called.function, name, at);
     } else if (called.part) {
         result = last == "call"   ? callOperation(*called.part, name, at)
                  : last == "send" ? sent(*called.part, name, at)
@@ -174,12 +174,14 @@ base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at
 
 Operand Unit::callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
     const auto sources = arguments(name, part);
+    ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
     return fromSource(made(name, at, [&] { return part.produce(sources, where_.caller); }), at);
 }
 
 Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
     const auto sources = arguments(name, part);
+    ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
     return fromSource(made(name, at, [&] { return part.produceSend(sources, where_.caller); }), at);
 }
@@ -221,15 +223,17 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     const std::string& what = name.parts[1].text;
     const bool blocking = what == "collect";
     if (!blocking && what != "collectIfDone") return false;
-    const Scope::Entry* const entry = scope_->find(name.parts[0].text);
+    const Scope::Entry* const entry = declared(name.parts[0].text);
     if (!entry) return false;
     const std::string handle = "'" + name.parts[0].text + "'";
     if (!entry->handle)
         error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
-    if (!entry->handle->operation) failUnsent(name.parts[0]);
+    const auto operation = entry->handle->operation();
+    const Source handleSource = entry->handle->source();
+    if (!operation || !handleSource) failUnsent(name.parts[0]);
     OperationInterfacePart::Args sources = arguments(name.arguments);
-    sources.insert(sources.begin(), entry->handle->source);
-    const OperationInterfacePart& part = *entry->handle->operation;
+    sources.insert(sources.begin(), handleSource);
+    const OperationInterfacePart& part = *operation;
     const unsigned wanted = part.collectArity();
     if (sources.size() != 1 && sources.size() != wanted + 1)
         error(at, "OPS142",
@@ -238,13 +242,14 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     result = fromSource(
         made(name, at, [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); }),
         at);
+    ++executions_;
     return true;
 }
 
 bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
     const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
     if (!to || to->called || to->parts.size() != 1) return false;
-    const Scope::Entry* const entry = scope_->find(to->parts[0].text);
+    const Scope::Entry* const entry = declared(to->parts[0].text);
     if (!entry || !entry->handle) return false;
     result = sendInto(*entry->handle, to->parts[0].text, *assignment.value, at);
     return true;
@@ -259,16 +264,18 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
         if (sends) expression(value);  // says what is unknown
         error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
     }
-    if (handle.operation && handle.operation.get() != called.part)
+    const auto operation = handle.operation();
+    if (operation && operation.get() != called.part)
         error(at, "OPS150",
-              "the handle '" + name + "' belongs to operation '" + handle.operation->getName() +
+              "the handle '" + name + "' belongs to operation '" + operation->getName() +
                   "'; declare another one for '" + called.part->getName() + "'");
     const Operand call = sent(*called.part, *from, value.at);
-    if (!handle.operation) {
-        handle.source = made(*from, value.at, [&] { return called.part->produceHandle(); });
-        handle.operation = OperationInterfacePart::hold(called.part);
+    Source source = handle.source();
+    if (!source) {
+        source = made(*from, value.at, [&] { return called.part->produceHandle(); });
+        handle.set(OperationInterfacePart::hold(called.part), source);
     }
-    const Operand result = fromSource(handle.source, at);
+    const Operand result = fromSource(source, at);
     store(result, call, "the handle");
     return result;
 }
@@ -281,10 +288,11 @@ void Unit::failRecursive(const std::string& function, ast::Place at) {
     error(at, "OPS151", "function '" + function + "' calls itself, directly or through another one");
 }
 
-Operand Unit::callFunction(const FunctionDefinition& function, const ast::Name& name, ast::Place at) {
-    const std::shared_ptr<Activation> activation = state_.activate(function);
+Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& definition, const ast::Name& name,
+                           ast::Place at) {
+    const FunctionDefinition& function = *definition;
+    Activation* const activation = state_.activate(definition);
     if (!activation) failRecursive(function.name, at);
-    code_.keep(activation);
     if (name.arguments.size() != activation->arguments.size())
         error(at, "OPS142",
               "'" + function.name + "' expects " + counted(activation->arguments.size()) + ", found " +
@@ -294,7 +302,8 @@ Operand Unit::callFunction(const FunctionDefinition& function, const ast::Name& 
     for (std::size_t i = 0; i != values.size(); ++i)
         store(fromSource(activation->arguments[i], values[i].at), values[i],
               "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
-    emit(&instructions::enter, nullptr, nullptr, activation.get());
+    emit(&instructions::enter, nullptr, nullptr, activation);
+    ++executions_;
     Operand result;
     result.at = at;
     if (!activation->result) return result;

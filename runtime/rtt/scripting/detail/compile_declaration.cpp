@@ -55,9 +55,8 @@ int Unit::sizeHint(const ast::Expression& size, const std::string& type, const a
               "'" + name.text + "' cannot have " + std::to_string(count) +
                   " elements; the number is computed once, before the script runs");
     if (count == 0)
-        where_.sink->warning(
-            locate(size.at), "OPS115",
-            "'" + name.text + "' is made with 0 elements; the number is computed once, before the script runs");
+        warn(size.at, "OPS115",
+             "'" + name.text + "' is made with 0 elements; the number is computed once, before the script runs");
     return count;
 }
 
@@ -109,16 +108,19 @@ void Unit::declareArgument(const ast::Function::Argument& argument) {
     addEntry(argument.name, std::move(entry));
 }
 
-void Unit::functionBody(const ast::Function& tree) {
+void Unit::functionHead(const ast::Function& tree) {
+    begin(tree.name.at);
+    for (const auto& argument : tree.arguments) declareArgument(argument);
+    if (tree.type.text == "void") return;
+    function_->result = newVariable(tree.type, tree.name, nullptr);
+    store(fromSource(function_->result, tree.name.at), fromSource(function_->result->clone(), tree.name.at),
+          "the result");
+}
+
+void Unit::function(const ast::Function& tree, bool withBody) {
     try {
-        begin(tree.name.at);
-        for (const auto& argument : tree.arguments) declareArgument(argument);
-        if (tree.type.text != "void") {
-            function_->result = newVariable(tree.type, tree.name, nullptr);
-            store(fromSource(function_->result, tree.name.at), fromSource(function_->result->clone(), tree.name.at),
-                  "the result");
-        }
-        block(tree.body);
+        functionHead(tree);
+        if (withBody) block(tree.body);
         end();
     } catch (const Unresolved&) {
         // Reported.
@@ -163,6 +165,7 @@ void Unit::declareAlias(const ast::Declaration& declaration, const ast::Declarat
     Scope::Entry entry;
     entry.alias = declarator.value.get();
     entry.scope = scope_;
+    entry.file = where_.file;
     addEntry(declarator.name, std::move(entry));
 }
 

@@ -20,6 +20,8 @@ namespace detail {
 
 namespace {
 
+constexpr unsigned kDeepestSource = 100;
+
 template <class T>
 constexpr Kind kindFor() {
     if (std::is_same_v<T, bool>) return Kind::Bool;
@@ -35,15 +37,15 @@ constexpr Kind kindFor() {
 
 Operand Unit::expression(const ast::Expression& expression) {
     const ast::Place at = expression.at;
-    return std::visit(Overloaded{[&](const ast::Literal& e) { return literal(e, at); },
-                                 [&](const ast::CurrentTime&) { return currentTime(at); },
-                                 [&](const ast::Name& e) { return name(e, at); },
-                                 [&](const ast::Member& e) { return member(this->expression(*e.of), e.member); },
-                                 [&](const ast::Index& e) { return element(e, at); },
-                                 [&](const ast::Unary& e) { return unary(e, at); },
-                                 [&](const ast::Binary& e) { return binary(e, at); },
-                                 [&](const ast::Assignment& e) { return assignment(e, at); }},
-                      expression.what);
+    return std::visit(
+        Overloaded{[&](const ast::Literal& e) { return literal(e, at); },
+                   [&](const ast::CurrentTime&) { return currentTime(at); },
+                   [&](const ast::Name& e) { return name(e, at); },
+                   [&](const ast::Member& e) { return member(this->expression(*e.of), e.member); },
+                   [&](const ast::Index& e) { return element(e, at); },
+                   [&](const ast::Unary& e) { return unary(e, at); }, [&](const ast::Binary& e) { return binary(e); },
+                   [&](const ast::Assignment& e) { return assignment(e, at); }},
+        expression.what);
 }
 
 Operand Unit::literal(const ast::Literal& literal, ast::Place at) {
@@ -182,23 +184,57 @@ Operand Unit::unary(const ast::Unary& operation, ast::Place at) {
     error(at, "OPS125", std::string("operator '") + operation.op + "' does not exist for type " + typeName(operand));
 }
 
-Operand Unit::binary(const ast::Binary& operation, ast::Place at) {
-    Operand left = expression(*operation.left);
+Operand Unit::binary(const ast::Binary& row) {
+    Operand left = expression(*row.first);
+    unsigned depth = 0;
+    for (const ast::Binary::Step& step : row.steps) {
+        left = operation(std::move(left), step);
+        // Sources in sources are evaluated and destroyed by recursion.
+        depth = isDirect(left.kind) ? 0 : depth + 1;
+        if (depth < kDeepestSource) continue;
+        left = copied(left, code_.size());
+        depth = 0;
+    }
+    return left;
+}
+
+Operand Unit::operation(Operand left, const ast::Binary::Step& step) {
     if (isDirect(left.kind)) left = load(left);
-    Operand right = expression(*operation.right);
+    const std::size_t before = code_.size();
+    const unsigned executions = executions_;
+    Operand right = expression(*step.right);
+    // What is called there may change what is read here.
+    if (executions_ != executions) left = copied(left, before);
     if (isDirect(right.kind)) right = load(right);
     if (isDirect(left.kind) && isDirect(right.kind)) {
-        const Operation direct = binaryOperation(operation.op, left.kind);
+        const Operation direct = binaryOperation(step.op, left.kind);
         if (direct.act && conversion(right.kind, left.kind) != Conversion::None)
-            return computedBy(direct.act, left.address, loadAs(right, left.kind).address, direct.result, at);
+            return computedBy(direct.act, left.address, loadAs(right, left.kind).address, direct.result, step.at);
     }
     if (left.kind != Kind::None && right.kind != Kind::None)
         if (auto* const made = watched(right.at, [&] {
-                return types::operators()->applyBinary(operation.op, sourceOf(left).get(), sourceOf(right).get());
+                return types::operators()->applyBinary(step.op, sourceOf(left).get(), sourceOf(right).get());
             }))
-            return fromSource(made, at);
-    error(at, "OPS126",
-          "operator '" + operation.op + "' does not exist for types " + typeName(left) + " and " + typeName(right));
+            return fromSource(made, step.at);
+    error(step.at, "OPS126",
+          "operator '" + step.op + "' does not exist for types " + typeName(left) + " and " + typeName(right));
+}
+
+/** The value as it was before the instructions from `at` on, which belong to the present expression. */
+Operand Unit::copied(const Operand& value, std::size_t at) {
+    if (value.constant || value.computed || value.kind == Kind::None) return value;
+    if (isDirect(value.kind)) {
+        const Operand copy =
+            computedBy(conversionAction(value.kind, value.kind), value.address, nullptr, value.kind, value.at);
+        code_.moveLast(at);
+        return copy;
+    }
+    const Source variable = value.source->getTypeInfo()->buildValue();
+    if (!variable) return value;
+    const Operand copy = fromSource(variable, value.at);
+    store(copy, value, "its copy");
+    code_.moveLast(at);
+    return copy;
 }
 
 Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
@@ -209,6 +245,7 @@ Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
         error(assignment.to->at, "OPS127",
               to.source ? "this is a constant or a result and cannot be assigned to" : "this cannot be assigned to");
     store(to, expression(*assignment.value), "a variable");
+    ++executions_;
     return to;
 }
 
@@ -254,7 +291,7 @@ const types::TypeInfo& Unit::type(const ast::Identifier& name) {
     return *found;
 }
 
-void Unit::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
+void Unit::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) const {
     if (aliases_ != 0 || state_.quiet != 0) return;
     auto& warning = where_.sink->warning(locate(at), code, message);
     if (!hint.empty()) warning.hint(hint);
@@ -271,7 +308,10 @@ void Unit::warnOfConversion(ast::Place at, const std::string& from, const std::s
 }
 
 void Unit::error(ast::Place at, const char* code, const std::string& message) {
-    where_.sink->error(locate(at), code, message);
+    auto& error = where_.sink->error(locate(at), code, message);
+    if (alias_)
+        error.note({where_.file, used_alias_->at.line, used_alias_->at.column},
+                   "alias '" + used_alias_->text + "' is used here");
     throw Unresolved();
 }
 

@@ -16,7 +16,8 @@ namespace detail {
 
 namespace {
 
-constexpr unsigned kMaxAliases = 50;
+// Aliases in aliases: how deep, and how many of them one use of an alias is made of.
+constexpr unsigned kDeepestAlias = 50, kMostAliases = 10000;
 
 base::DataSourceBase::shared_ptr valueIn(const ConfigurationInterface& values, const std::string& name) {
     if (base::AttributeBase* const attribute = values.getValue(name)) return attribute->getDataSource();
@@ -61,8 +62,8 @@ std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
         } else if (used == 0 && internal::GlobalService::Instance()->hasService(part)) {
             next.service = internal::GlobalService::Instance()->getService(part);
         } else if (here.component && (part == "states" || part == "programs")) {
-            where_.sink->warning(locate(parts[used].at), "OPS130",
-                                 "'" + part + "' is not needed here; programs and state machines are services");
+            warn(parts[used].at, "OPS130",
+                 "'" + part + "' is not needed here; programs and state machines are services");
             next.component = here.component;
             next.service = here.service;
         }
@@ -83,6 +84,10 @@ Operand Unit::name(const ast::Name& name, ast::Place at) {
     unknownName(nodes, name);
 }
 
+const Scope::Entry* Unit::declared(const std::string& name) const {
+    return scope_->find(name, alias_ ? alias_->declared : Scope::kEver);
+}
+
 /** The value of an alias, from where it was declared. */
 Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name) {
     struct Elsewhere {
@@ -96,7 +101,19 @@ Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& nam
         Scope* const scope;
         const Scope::Entry* const entry;
     } elsewhere(*this);
-    if (aliases_ > kMaxAliases) error(name.at, "OPS131", "alias '" + name.text + "' refers to too many others");
+    if (!alias_) {
+        used_alias_ = &name;
+        alias_uses_ = 0;
+    }
+    // Each use is compiled for itself: aliases that use others twice would double with each of them.
+    if (++alias_uses_ > kMostAliases || aliases_ > kDeepestAlias) {
+        alias_ = nullptr;
+        error(used_alias_->at, "OPS131",
+              "alias '" + used_alias_->text + "' is made of more than " +
+                  (aliases_ > kDeepestAlias ? std::to_string(kDeepestAlias) + " others in each other"
+                                            : std::to_string(kMostAliases) + " others") +
+                  "; assign one of them to a variable, and use that");
+    }
     scope_ = const_cast<Scope*>(alias.scope);  // expressions declare nothing
     alias_ = &alias;
     return expression(*alias.alias);
@@ -109,12 +126,13 @@ bool Unit::isElsewhere(const Parts& parts, const Operand& variable) const {
 }
 
 bool Unit::variableNamed(const Parts& parts, Operand& found) {
-    const Scope::Entry* const entry = scope_->find(parts[0].text, alias_);
+    const Scope::Entry* const entry = declared(parts[0].text);
     if (!entry) return false;
     if (entry->handle) {
         if (parts.size() != 1) return false;
-        if (!entry->handle->source) failUnsent(parts[0]);
-        found = fromSource(entry->handle->source, parts[0].at);
+        const Source handle = entry->handle->source();
+        if (!handle) failUnsent(parts[0]);
+        found = fromSource(handle, parts[0].at);
         return true;
     }
     if (entry->alias) {
@@ -134,7 +152,11 @@ bool Unit::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operan
         if (node->used == parts.size()) continue;
         Source source;
         if (node->used == 0 && where_.service) source = valueIn(*where_.service, parts[0].text);
-        if (!source) source = valueIn(*node->service, parts[node->used].text);
+        if (!source) {
+            source = valueIn(*node->service, parts[node->used].text);
+            const TaskContext* const owner = node->service->getOwner();
+            if (source && where_.peers && owner && owner != where_.component) where_.peers->add(*owner);
+        }
         if (!source && node->used == 0) source = valueIn(*types::GlobalsRepository::Instance(), parts[0].text);
         if (!source) continue;
         found = members(fromSource(source, parts[0].at), parts, node->used + 1);
@@ -165,8 +187,9 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
         add(internal::GlobalService::Instance()->getOperationNames());
         if (where_.component->provides()->hasService("scripting"))
             add(where_.component->provides()->getService("scripting")->getOperationNames());
-        if (where_.functions)
-            for (const auto& function : *where_.functions) known.push_back(function.first);
+        for (const Functions* const functions : {where_.functions, where_.known})
+            if (functions)
+                for (const auto& function : *functions) known.push_back(function.first);
         if (called) add(types::Types()->getDottedTypes());
     }
     if (isLast && called) return known;
@@ -207,9 +230,24 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const char* const expected = !isLast       ? "no peer, service or value '"
                                  : name.called ? "no operation '"
                                                : "no value or operation '";
+    const unsigned later = parts.size() == 1 ? lineOfLaterFunction(part) : 0;
     error(part.at, isLast && name.called ? "OPS134" : "OPS133",
           owner + " has " + expected + part.text + "'" +
-              oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called)));
+              (later ? " yet: the function is defined later, in line " + std::to_string(later)
+                     : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))));
+}
+
+/** Where the function of that name is defined, which cannot be called before; 0 if there is none. */
+unsigned Unit::lineOfLaterFunction(const ast::Identifier& name) const {
+    const Scope* scope = scope_;
+    while (scope && !scope->script()) scope = scope->parent();
+    if (!scope) return 0;
+    for (const ast::Item& item : scope->script()->items) {
+        const auto* const function = std::get_if<ast::Function>(&item.what);
+        if (function && function->name.text == name.text && function->name.at.line > name.at.line)
+            return function->name.at.line;
+    }
+    return 0;
 }
 
 }  // namespace detail

@@ -17,6 +17,7 @@ template <class Fill>
 std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, Scope& scope, Fill fill) {
     const std::size_t errors = where.sink->errorCount();
     auto code = std::make_unique<Code>();
+    code->keep(state.activations);
     Unit unit(state, where, *code, scope);
     try {
         fill(unit);
@@ -86,37 +87,83 @@ base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expre
 }
 
 std::unique_ptr<Activation> Compiler::function(const FunctionDefinition& definition) {
-    return state_->compile(definition);
+    try {
+        state_->activateCalls(definition);
+    } catch (const Unresolved&) {
+        // Reported; found again below.
+    }
+    auto made = state_->compile(definition);
+    if (made) made->code.keep(state_->activations);
+    return made;
+}
+
+std::unique_ptr<Activation> Compiler::check(const FunctionDefinition& definition) {
+    state_->callsOnly = state_->where.checkOnly = true;
+    auto made = state_->compile(definition);
+    definition.calls = std::move(state_->calls);
+    definition.size = 1;
+    for (const auto& called : definition.calls) definition.size += called->size;
+    return made;
 }
 
 std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& definition) {
     const ast::Function& tree = *definition.tree;
     Surroundings there = where;
     there.file = definition.file;
-    if (definition.functions) there.functions = definition.functions.get();
+    if (definition.functions) {
+        there.known = where.functions;
+        there.functions = definition.functions.get();
+    }
     const std::size_t errors = where.sink->errorCount();
     auto activation = std::make_unique<Activation>();
     activation->name = definition.name;
-    Scope scope("function '" + definition.name + "'", definition.scope.get());
+    Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
     Unit unit(*this, there, activation->code, scope, activation.get());
-    unit.functionBody(tree);
+    unit.function(tree, !(callsOnly && quiet != 0));
     if (where.sink->errorCount() != errors) return nullptr;
     return activation;
 }
 
-std::shared_ptr<Activation> Compiler::State::activate(const FunctionDefinition& definition) {
-    if (failed.count(&definition)) throw Unresolved();
-    const auto known = activations.find(&definition);
-    if (known != activations.end()) return known->second;
-    activations[&definition] = nullptr;
+void Compiler::State::activateCalls(const FunctionDefinition& definition) {
+    struct Step {
+        const FunctionDefinition* of;
+        std::size_t next;
+    };
+    std::vector<Step> steps{{&definition, 0}};
+    while (!steps.empty()) {
+        Step& step = steps.back();
+        if (step.next < step.of->calls.size()) {
+            const FunctionDefinition* const called = step.of->calls[step.next].get();
+            if (activations->of.count(called) || failed.count(called))
+                ++step.next;
+            else if (called->calls.empty())
+                activate(step.of->calls[step.next++]);
+            else
+                steps.push_back({called, 0});
+            continue;
+        }
+        steps.pop_back();
+        if (!steps.empty()) activate(steps.back().of->calls[steps.back().next++]);
+    }
+}
+
+Activation* Compiler::State::activate(const std::shared_ptr<const FunctionDefinition>& definition) {
+    if (failed.count(definition.get())) throw Unresolved();
+    const auto known = activations->of.find(definition.get());
+    if (known != activations->of.end()) return known->second.get();
+    if (callsOnly)
+        calls.push_back(definition);
+    else
+        activateCalls(*definition);
+    activations->of[definition.get()] = nullptr;
     ++quiet;  // its warnings were given where it was defined
-    std::shared_ptr<Activation> made = compile(definition);
+    std::unique_ptr<Activation> made = compile(*definition);
     --quiet;
     if (!made) {
-        failed.insert(&definition);
+        failed.insert(definition.get());
         throw Unresolved();
     }
-    return activations[&definition] = std::move(made);
+    return (activations->of[definition.get()] = std::move(made)).get();
 }
 
 }  // namespace detail

@@ -7,16 +7,19 @@
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/scripting/detail/ast.hpp>
 #include <rtt/scripting/detail/code.hpp>
+#include <rtt/scripting/detail/peers.hpp>
 #include <rtt/scripting/detail/process.hpp>
 
 #include <diag/sink.hpp>
 
 #include <boost/shared_ptr.hpp>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace RTT {
 class ExecutionEngine;
@@ -30,40 +33,62 @@ namespace detail {
     while its script goes on and declares more: what is found here stays as and where it is. */
 class Scope {
 public:
-    /** What a `var SendHandle` refers to, from its first assignment on. */
-    struct Handle {
-        boost::shared_ptr<const OperationInterfacePart> operation;
-        base::DataSourceBase::shared_ptr source;
+    /** What a `var SendHandle` refers to, from its first assignment on. Thread safe, since functions are. */
+    class Handle {
+    public:
+        /** Null before. */
+        boost::shared_ptr<const OperationInterfacePart> operation() const;
+        base::DataSourceBase::shared_ptr source() const;
+        void set(boost::shared_ptr<const OperationInterfacePart> operation, base::DataSourceBase::shared_ptr source);
+        void clear() { set(nullptr, nullptr); }
+
+    private:
+        mutable std::mutex mutex_;
+        boost::shared_ptr<const OperationInterfacePart> operation_;
+        base::DataSourceBase::shared_ptr source_;
     };
+    /** When something was declared: later ones are greater, whatever their scopes. */
+    typedef std::uint64_t Time;
+    static Time now();
+    static constexpr Time kEver = ~Time{0};
+
     struct Entry {
         base::DataSourceBase::shared_ptr source;  ///< null for an alias and a handle
         bool constant = false;
-        const ast::Expression* alias = nullptr;  ///< compiled with each use, in `scope`
+        const ast::Expression* alias = nullptr;  ///< compiled with each use, in `scope`, by what was declared before it
         const Scope* scope = nullptr;
+        oroforge::diag::FileName file;  ///< of an alias
+        Time declared = 0;              ///< set when it is added
         std::shared_ptr<Handle> handle;
         ast::Place at;
         /** Of a variable that the head of a `for` declared: later loops may use it again. */
         enum class Loop { No, Entered, Left } loop = Loop::No;
     };
-    /** `name` is for messages: "program 'p'". */
-    explicit Scope(std::string name, const Scope* parent = nullptr) : name_(std::move(name)), parent_(parent) {}
+    /** `name` is for messages: "program 'p'". Of the parent, it sees what was declared before `since`. */
+    explicit Scope(std::string name, const Scope* parent = nullptr, Time since = kEver)
+        : name_(std::move(name)), parent_(parent), since_(since) {}
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
     const std::string& name() const { return name_; }
     const Scope* parent() const { return parent_; }
-    /** Here or in a parent, but not `other`; null if there is none. */
-    const Entry* find(const std::string& name, const Entry* other = nullptr) const;
+    /** Here or in a parent, declared before `since`; null if there is none. */
+    const Entry* find(const std::string& name, Time since = kEver) const;
     const Entry* findHere(const std::string& name) const;
     void markLoop(const std::string& name, Entry::Loop loop);
     /** False if there is one here. */
     bool add(const std::string& name, Entry entry);
     /** Those of now. */
     std::map<std::string, Entry> entries() const;
+    /** The text of which it has the variables between the items; null for all others. */
+    const ast::Script* script() const { return script_; }
+    void belongsTo(const ast::Script& script) { script_ = &script; }
 
 private:
     std::string name_;
     const Scope* parent_;
+    Time since_;
+    const ast::Script* script_ = nullptr;
     mutable std::mutex mutex_;  // of the map, held for no longer than it is looked at
     std::map<std::string, Entry> entries_;
 };
@@ -74,6 +99,10 @@ struct FunctionDefinition {
     std::shared_ptr<const ast::Function> tree;
     std::shared_ptr<const Scope> scope;  ///< of the file it stands in
     oroforge::diag::FileName file;
+    Scope::Time defined = Scope::now();  ///< it sees what was declared before
+    // Known once it has been checked, before others know it.
+    mutable std::vector<std::shared_ptr<const FunctionDefinition>> calls;
+    mutable std::size_t size = 1;  ///< how many functions are to be compiled for it, at most
     /** Those it may call. Null: those that its caller may call. */
     std::shared_ptr<const std::map<std::string, std::shared_ptr<const FunctionDefinition>>> functions;
 };
@@ -84,6 +113,7 @@ struct Surroundings {
     TaskContext* component = nullptr;
     ExecutionEngine* caller = nullptr;     ///< of the operations it calls
     const Functions* functions = nullptr;  ///< of the component, callable by name in its own engine
+    const Functions* known = nullptr;      ///< more of them, whose names are for messages; or null
     Service* service = nullptr;            ///< of a state machine: where paths are looked up first; or null
     oroforge::diag::FileName file;
     oroforge::diag::Sink* sink = nullptr;
@@ -91,6 +121,8 @@ struct Surroundings {
         Null without limit. */
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit;
     bool checkOnly = false;  ///< nothing is evaluated while it is compiled
+    /** Gets those it refers to, for the process that executes it; or null. */
+    std::shared_ptr<Peers> peers;
 };
 
 /**
@@ -120,6 +152,9 @@ public:
     base::DataSourceBase::shared_ptr variable(const ast::Expression& expression, const Scope& scope);
     /** The function itself, for those who call it from outside of a script. */
     std::unique_ptr<Activation> function(const FunctionDefinition& definition);
+    /** Reports errors and warnings of the function itself; those it calls are known by what they take and give, and nothing is
+        evaluated. What is returned has arguments and result of the right types, and cannot be executed. Sets `calls` and `size`. */
+    std::unique_ptr<Activation> check(const FunctionDefinition& definition);
 
     struct State;
 

@@ -6,6 +6,7 @@
 
 #include <rtt/scripting/detail/source_file.hpp>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -42,27 +43,38 @@ public:
     }
     void clear() {
         const std::lock_guard<std::mutex> lock(mutex_);
-        functions_ = std::make_shared<const Functions>();
-        machine_types_ = std::make_shared<const MachineTypes>();
+        functions_ = std::make_shared<Shared<Functions>>();
+        machine_types_ = std::make_shared<Shared<MachineTypes>>();
     }
 
 private:
     template <class Map>
-    std::shared_ptr<const Map> read(const std::shared_ptr<const Map>& map) const {
+    struct Shared {
+        Map map;
+        std::atomic<int> readers{0};
+    };
+    template <class Map>
+    std::shared_ptr<const Map> read(const std::shared_ptr<Shared<Map>>& shared) const {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return map;
+        shared->readers.fetch_add(1, std::memory_order_relaxed);
+        // release: with the load in put(), which changes what nobody reads any more.
+        return {&shared->map, [held = shared](const Map*) { held->readers.fetch_sub(1, std::memory_order_release); }};
     }
+    /** Copies the map only if somebody has it: thousands of functions would be copied with each that is added. */
     template <class Map, class Value>
-    void put(std::shared_ptr<const Map>& map, const std::string& name, Value value) {
+    void put(std::shared_ptr<Shared<Map>>& shared, const std::string& name, Value value) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const auto changed = std::make_shared<Map>(*map);
-        (*changed)[name] = std::move(value);
-        map = changed;
+        if (shared->readers.load(std::memory_order_acquire) != 0) {
+            auto copy = std::make_shared<Shared<Map>>();
+            copy->map = shared->map;
+            shared = std::move(copy);
+        }
+        shared->map[name] = std::move(value);
     }
 
     mutable std::mutex mutex_;
-    std::shared_ptr<const Functions> functions_ = std::make_shared<const Functions>();
-    std::shared_ptr<const MachineTypes> machine_types_ = std::make_shared<const MachineTypes>();
+    std::shared_ptr<Shared<Functions>> functions_ = std::make_shared<Shared<Functions>>();
+    std::shared_ptr<Shared<MachineTypes>> machine_types_ = std::make_shared<Shared<MachineTypes>>();
 };
 
 }  // namespace detail

@@ -27,6 +27,7 @@ struct Finder {
     bool any(const List& list) const {
         return std::any_of(list.begin(), list.end(), [this](const auto& each) { return in(each); });
     }
+    bool in(const ast::Binary::Step& step) const { return in(step.right); }
     bool in(const ast::Declarator& declarator) const { return in(declarator.size) || in(declarator.value); }
 
     bool operator()(const ast::Literal&) const { return false; }
@@ -35,7 +36,7 @@ struct Finder {
     bool operator()(const ast::Member& member) const { return in(member.of); }
     bool operator()(const ast::Index& index) const { return in(index.of) || in(index.index); }
     bool operator()(const ast::Unary& operation) const { return in(operation.operand); }
-    bool operator()(const ast::Binary& operation) const { return in(operation.left) || in(operation.right); }
+    bool operator()(const ast::Binary& row) const { return in(row.first) || any(row.steps); }
     bool operator()(const ast::Assignment& assignment) const { return in(assignment.to) || in(assignment.value); }
 
     bool operator()(const ast::Declaration& declaration) const { return any(declaration.names); }

@@ -47,11 +47,14 @@ void warnIfInactive(const FunctionOwner& owner) {
 
 }  // namespace
 
-FunctionCall::FunctionCall(std::shared_ptr<FunctionOwner> owner, std::unique_ptr<Activation> activation)
+FunctionCall::FunctionCall(std::shared_ptr<FunctionOwner> owner, std::unique_ptr<Activation> activation,
+                           std::shared_ptr<const Peers> peers)
     : owner_(std::move(owner)),
       activation_(std::move(activation)),
       noResult_(activation_->result ? activation_->result->clone() : nullptr),
-      process_(activation_->code) {}
+      process_(activation_->code) {
+    process_.watch(std::move(peers));
+}
 
 FunctionCall::~FunctionCall() = default;
 

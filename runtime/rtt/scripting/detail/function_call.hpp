@@ -47,7 +47,8 @@ public:
     typedef boost::intrusive_ptr<FunctionCall> shared_ptr;
     typedef base::DataSourceBase::shared_ptr Source;
 
-    FunctionCall(std::shared_ptr<FunctionOwner> owner, std::unique_ptr<Activation> activation);
+    FunctionCall(std::shared_ptr<FunctionOwner> owner, std::unique_ptr<Activation> activation,
+                 std::shared_ptr<const Peers> peers);
     ~FunctionCall() override;
 
     const FunctionOwner& owner() const { return *owner_; }

@@ -19,6 +19,16 @@ using base::DataSourceBase;
 
 namespace {
 
+// Of functions. A chain of those that call each other would be compiled again with each that is added to it.
+constexpr std::size_t kMostAtOnce = 50;
+
+/** The function is executed by the engine of its component. */
+Surroundings ofItself(Surroundings where, oroforge::diag::Sink& sink) {
+    where.caller = where.component->engine();
+    where.sink = &sink;
+    return where;
+}
+
 const types::TypeInfo* typeOf(const DataSourceBase::shared_ptr& value) {
     return value ? value->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
 }
@@ -48,9 +58,9 @@ oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
 
 }  // namespace
 
-FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const FunctionCall& pattern) : pool_(std::move(pool)) {
-    values_.emplace_back(pattern.result() ? pattern.result()->clone() : nullptr);
-    for (const auto& argument : pattern.arguments()) values_.emplace_back(argument->clone());
+FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern) : pool_(std::move(pool)) {
+    values_.emplace_back(pattern.result ? pattern.result->clone() : nullptr);
+    for (const auto& argument : pattern.arguments) values_.emplace_back(argument->clone());
 }
 
 std::string FunctionPart::getName() const { return pool_->definition().name; }
@@ -131,15 +141,23 @@ bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Func
     const oroforge::diag::Location place = placeOf(*definition);
     Service& home = *homeOf(scope, &scripting, *where.component);
     const auto* const known = dynamic_cast<const FunctionPart*>(home.getPart(name));
+    oroforge::diag::Sink found;
+    const std::unique_ptr<Activation> pattern = Compiler(ofItself(where, found)).check(*definition);
+    const bool isSmall = definition->size <= kMostAtOnce;
     const auto pool = std::make_shared<FunctionPool>(std::move(definition), where);
-    const FunctionCall::shared_ptr compiled = pool->take(*where.sink);
-    if (!compiled) return false;
+    if (isSmall) {
+        // Finds the same, and the first one who calls it need not wait until it is compiled.
+        if (!pool->take(*where.sink)) return false;
+    } else {
+        for (const auto& each : found.all()) where.sink->add(each);
+    }
+    if (!pattern) return false;
     if (known && !known->isLost())
         where.sink->warning(place, "OPS205",
                             "function '" + name +
                                 "' is defined again: what is loaded already goes on "
                                 "with the one it knows");
-    home.add(name, new FunctionPart(pool, *compiled));
+    home.add(name, new FunctionPart(pool, *pattern));
     if (scope == ast::Function::Scope::Exported)
         log(Info) << "component '" << where.component->getName() << "' has function '" << name << "' as operation now"
                   << endlog();

@@ -20,8 +20,8 @@ namespace detail {
     several. So calling and sending are as real-time safe as the function is. */
 class FunctionPart final : public OperationInterfacePart {
 public:
-    /** `pattern` is one of the pool's executions. */
-    FunctionPart(std::shared_ptr<FunctionPool> pool, const FunctionCall& pattern);
+    /** `pattern` has the types. */
+    FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern);
     /** The component that executes it was destroyed. */
     bool isLost() const { return pool_->owner()->gate->closed(); }
 
@@ -54,7 +54,7 @@ bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scop
                  const Surroundings& where);
 
 /**
- * Compiles the function, and adds it as operation to the service `scripting`, to the component or to the GlobalService. One
+ * Checks the function, and adds it as operation to the service `scripting`, to the component or to the GlobalService. One
  * that is there is replaced for those who look it up from now on. False, with the errors in `*where.sink`, if it does not
  * compile, or if there is an operation of its name that is no function of a script.
  */

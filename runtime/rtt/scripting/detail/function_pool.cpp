@@ -5,6 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/os/MutexLock.hpp>
+#include <rtt/types/detail/conversion_watch.hpp>
 
 #include <diag/print.hpp>
 
@@ -36,10 +37,11 @@ thread_local const Making* Making::innermost = nullptr;
 
 FunctionPool::FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const Surroundings& where)
     : definition_(std::move(definition)),
-      functions_(where.functions ? *where.functions : Functions()),
+      functions_(where.functions && !definition_->functions ? *where.functions : Functions()),
       where_(where),
       owner_(std::make_shared<FunctionOwner>()) {
     where_.functions = &functions_;
+    where_.known = nullptr;
     where_.caller = where.component->engine();
     where_.file = definition_->file;
     where_.sink = nullptr;
@@ -76,8 +78,9 @@ FunctionCall* FunctionPool::make(oroforge::diag::Sink& sink) {
     const Making making(this);
     Surroundings where = where_;
     where.sink = &sink;
+    const auto peers = where.peers = std::make_shared<Peers>();
     std::unique_ptr<Activation> activation = Compiler(std::move(where)).function(*definition_);
-    return activation ? new FunctionCall(owner_, std::move(activation)) : nullptr;
+    return activation ? new FunctionCall(owner_, std::move(activation), peers) : nullptr;
 }
 
 FunctionCall::shared_ptr FunctionPool::take(oroforge::diag::Sink& sink) {
@@ -88,6 +91,8 @@ FunctionCall::shared_ptr FunctionPool::take(oroforge::diag::Sink& sink) {
 }
 
 FunctionCall::shared_ptr FunctionPool::take() {
+    // What it converts was told where it was defined.
+    const types::detail::ConversionWatch unheard;
     oroforge::diag::Sink sink;
     FunctionCall::shared_ptr call = take(sink);
     if (call) return call;

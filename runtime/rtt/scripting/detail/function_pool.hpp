@@ -16,7 +16,7 @@ namespace detail {
 /** The executions of one function: compiles another one when all are taken. */
 class FunctionPool : public std::enable_shared_from_this<FunctionPool> {
 public:
-    /** Keeps a copy of the functions that can be called by it. */
+    /** Keeps the functions that can be called by it. */
     FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const Surroundings& where);
     ~FunctionPool();
     FunctionPool(const FunctionPool&) = delete;

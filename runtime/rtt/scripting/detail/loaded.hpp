@@ -9,6 +9,7 @@
 #include <rtt/scripting/detail/definitions.hpp>
 
 #include <boost/shared_ptr.hpp>
+#include <boost/weak_ptr.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -63,27 +64,36 @@ private:
     std::map<std::string, Pointer> items_;
 };
 
-/** What was unloaded and may still be executed. Thread safe. */
+/** What was unloaded and may still be executed: it has itself as long as that lasts. Thread safe. */
 class Retired {
 public:
     typedef boost::shared_ptr<base::ExecutableInterface> Pointer;
 
-    /** `forGood`: nobody can tell when it is not executed any more. */
-    void add(Pointer item, bool forGood) {
+    void add(Pointer item) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        (forGood ? kept_ : items_).push_back(std::move(item));
+        items_.push_back(std::move(item));
     }
-    /** Destroys those that nobody else has: what is executed has itself. */
-    void dropUnused() {
-        std::vector<Pointer> unused;  // destroyed without the lock, as that may unload others
+    /** What does not have itself: nobody can tell when it is not executed any more. */
+    void keep(Pointer item) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const auto used =
-            std::partition(items_.begin(), items_.end(), [](const Pointer& item) { return item.use_count() > 1; });
-        std::move(used, items_.end(), std::back_inserter(unused));
-        items_.erase(used, items_.end());
+        kept_.push_back(std::move(item));
+    }
+    /** Destroys those that nobody else has. Also within a step: the engine does not look at what was taken from it. */
+    void dropUnused() {
+        // Destroyed without the lock, as that may unload others; and again, because those may have had others.
+        for (std::vector<Pointer> unused = takeUnused(); !unused.empty(); unused = takeUnused()) unused.clear();
     }
 
 private:
+    std::vector<Pointer> takeUnused() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const auto used =
+            std::partition(items_.begin(), items_.end(), [](const Pointer& item) { return item.use_count() > 1; });
+        std::vector<Pointer> unused(std::make_move_iterator(used), std::make_move_iterator(items_.end()));
+        items_.erase(used, items_.end());
+        return unused;
+    }
+
     std::mutex mutex_;
     std::vector<Pointer> items_, kept_;
 };
@@ -91,6 +101,9 @@ private:
 }  // namespace detail
 
 struct ScriptingService::Loaded {
+    explicit Loaded(boost::weak_ptr<Service> of) : component(std::move(of)) {}
+
+    const boost::weak_ptr<Service> component;  ///< has an owner as long as that is not under destruction
     detail::Registry<ProgramInterface> programs;
     detail::Registry<StateMachine> machines;  ///< the root machines, and those below them as "root.sub"
     detail::Definitions definitions;

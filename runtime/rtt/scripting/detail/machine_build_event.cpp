@@ -3,7 +3,6 @@
 // Transitions that wait for a call of an operation, or for new data on a port.
 #include <rtt/scripting/detail/machine_builder.hpp>
 
-#include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -26,11 +25,11 @@ std::string counted(std::size_t number, const std::string& of) {
     return std::to_string(number) + " " + of + (number == 1 ? "" : "s");
 }
 
-/** False if it is known that nobody can listen to it. */
-bool mayBeSignal(const OperationInterfacePart& operation) {
+/** Null if nobody can listen to it. */
+std::shared_ptr<internal::SignalBase> signalOf(const OperationInterfacePart& operation) {
     const auto local = operation.getLocalOperation();
     const auto* const caller = dynamic_cast<const base::OperationCallerInterface*>(local.get());
-    return !caller || !caller->callee() || caller->callee()->signal();
+    return caller && caller->callee() ? caller->callee()->signal() : nullptr;
 }
 
 }  // namespace
@@ -129,7 +128,8 @@ void MachineBuilder::refuseOperation(const ast::Transition& tree) {
 void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation,
                                        const Scope& scope, const MachineState* state) {
     const ast::Identifier& name = tree.event.back();
-    if (!mayBeSignal(operation)) return refuseOperation(tree);
+    std::shared_ptr<internal::SignalBase> signal = signalOf(operation);
+    if (!signal) return refuseOperation(tree);
     if (operation.arity() != tree.arguments.size()) {
         error(name.at, "OPS314",
               "operation '" + pathOf(tree.event) + "' has " + counted(operation.arity(), "argument") + ", found " +
@@ -153,21 +153,8 @@ void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInt
     auto event = std::make_unique<OperationEvent>(std::move(arguments), std::move(assign));
     event->transition = transition(tree, scope);
     event->state = state;
-    listening_.push_back({event.get(), OperationInterfacePart::hold(&operation), &tree});
+    listening_.push_back({event.get(), std::move(signal)});
     model_->events.push_back(std::move(event));
-}
-
-void MachineBuilder::listen(const StateMachinePtr& machine) {
-    for (const Listening& each : listening_) {
-        try {
-            each.event->listenTo(*each.operation, machine, where_.component->engine());
-        } catch (const no_asynchronous_operation_exception&) {
-            refuseOperation(*each.tree);
-        } catch (const std::exception& thrown) {
-            error(each.tree->event.back().at, "OPS313",
-                  "operation '" + pathOf(each.tree->event) + "': " + thrown.what());
-        }
-    }
 }
 
 }  // namespace detail

@@ -49,13 +49,15 @@ StateMachinePtr MachineBuilder::build() {
     declare();
     makeSubMachines();
     makeStates();
-    StateMachinePtr machine;
     if (where_.sink->errorCount() == errors) {
-        machine = boost::make_shared<StateMachine>(std::move(model_));
+        if (!listening_.empty()) model_->queue = std::make_shared<EventQueue>(where_.component->engine()->gate());
+        const std::shared_ptr<EventQueue> queue = model_->queue;
+        const auto machine = boost::make_shared<StateMachine>(std::move(model_));
         *slot_ = machine;
-        listen(machine);
+        if (queue) queue->leadTo(machine);
+        for (const Listening& each : listening_) each.event->listenTo(*each.signal, queue);
+        return machine;
     }
-    if (where_.sink->errorCount() == errors) return machine;
     context_.service.removeService(instance_.name.text);
     return nullptr;
 }
@@ -109,7 +111,7 @@ void MachineBuilder::assignParameters() {
                         .assignment(parameter->source, *argument.value, "parameter '" + argument.name.text + "'",
                                     context_.scope);
         if (!code) continue;
-        RoutinePtr value = std::make_unique<CodeRoutine>(std::move(code), context_.where.file, where_.roundLimit);
+        RoutinePtr value = std::make_unique<CodeRoutine>(std::move(code), context_.where);
         if (now && value->run() != Routine::Outcome::Finished)
             context_.where.sink->error(
                 {context_.where.file, argument.value->at.line, argument.value->at.column}, "OPS316",
@@ -157,7 +159,7 @@ void MachineBuilder::fillState(const ast::State& tree, MachineState& state) {
 
 RoutinePtr MachineBuilder::routine(std::unique_ptr<Code> code) const {
     if (!code || code->statementCount() == 0) return nullptr;
-    return std::make_unique<CodeRoutine>(std::move(code), where_.file, where_.roundLimit);
+    return std::make_unique<CodeRoutine>(std::move(code), where_);
 }
 
 RoutinePtr MachineBuilder::program(const std::unique_ptr<ast::Block>& block, const std::string& name,
@@ -169,13 +171,15 @@ GuardPtr MachineBuilder::guard(const ast::Expression& condition, const Scope& sc
     const bool* result = nullptr;
     auto code = Compiler(where_).condition(condition, scope, result);
     if (!code) return nullptr;
-    return std::make_unique<CodeGuard>(std::move(code), result, where_.file, where_.roundLimit);
+    return std::make_unique<CodeGuard>(std::move(code), result, where_);
 }
 
 StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known, const SourceFile& file,
                             const Surroundings& where) {
     if (!checkInstance(root, known, file.name, where)) return nullptr;
-    const MachineBuilder::Context context{known, file.scope, where, *where.component->provides(), nullptr};
+    Surroundings here = where;
+    here.peers = std::make_shared<Peers>();
+    const MachineBuilder::Context context{known, file.scope, here, *where.component->provides(), nullptr};
     return MachineBuilder(root, context).build();
 }
 

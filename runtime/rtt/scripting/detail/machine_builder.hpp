@@ -4,7 +4,7 @@
 #define ORO_SCRIPTING_DETAIL_MACHINE_BUILDER_HPP
 
 #include <rtt/scripting/detail/machine_build.hpp>
-#include <rtt/scripting/detail/machine_code.hpp>
+#include <rtt/scripting/detail/machine_event.hpp>
 #include <rtt/scripting/detail/machine_service.hpp>
 
 #include <map>
@@ -73,8 +73,7 @@ private:
     };
     struct Listening {
         OperationEvent* event;
-        OperationInterfacePart::shared_constptr operation;
-        const ast::Transition* tree;
+        std::shared_ptr<internal::SignalBase> signal;
     };
     Source sourceOf(const ast::Transition& tree);
     void unknownEvent(const ast::Transition& tree, const Source& source);
@@ -83,7 +82,6 @@ private:
     void addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation, const Scope& scope,
                            const MachineState* state);
     ActionPtr assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from, const Scope& scope);
-    void listen(const StateMachinePtr& machine);
 
     const ast::Instance& instance_;
     const Context& context_;

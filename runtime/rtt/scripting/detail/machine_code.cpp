@@ -2,16 +2,14 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/machine_code.hpp>
 
-#include <rtt/OperationInterfacePart.hpp>
-
-#include <boost/weak_ptr.hpp>
-
 namespace RTT {
 namespace scripting {
 namespace detail {
 
-CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, oroforge::diag::FileName file, RoundLimit limit)
-    : code_(std::move(code)), file_(std::move(file)), limit_(std::move(limit)), process_(*code_) {}
+CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where)
+    : code_(std::move(code)), file_(where.file), limit_(where.roundLimit), process_(*code_) {
+    process_.watch(where.peers);
+}
 
 Routine::Outcome CodeRoutine::run() {
     limit();
@@ -32,9 +30,8 @@ oroforge::diag::Location CodeRoutine::where() const {
     return {file_, place.line, place.column};
 }
 
-CodeGuard::CodeGuard(std::unique_ptr<const Code> code, const bool* result, oroforge::diag::FileName file,
-                     RoundLimit limit)
-    : routine_(std::move(code), std::move(file), std::move(limit)), result_(result) {}
+CodeGuard::CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where)
+    : routine_(std::move(code), where), result_(result) {}
 
 Guard::Truth CodeGuard::check(unsigned) {
     const Routine::Outcome outcome = routine_.run();
@@ -68,40 +65,6 @@ Guard::Truth PortGuard::check(unsigned round) {
 
 std::string PortGuard::failure() const {
     return "the sample of port '" + reader_->name() + "' cannot be assigned to its variable";
-}
-
-/** Passes a call on to the machine, if that still exists. */
-class EventAction final : public base::ActionInterface {
-public:
-    EventAction(const StateMachinePtr& machine, MachineEvent& event) : machine_(machine), event_(event) {}
-    void readArguments() override {}
-    bool execute() override {
-        const StateMachinePtr machine = machine_.lock();
-        return machine && machine->react(event_);
-    }
-    base::ActionInterface* clone() const override { return new EventAction(machine_.lock(), event_); }
-
-private:
-    const boost::weak_ptr<StateMachine> machine_;
-    MachineEvent& event_;  // of the machine
-};
-
-OperationEvent::OperationEvent(std::vector<base::DataSourceBase::shared_ptr> arguments, std::vector<ActionPtr> assign)
-    : arguments_(std::move(arguments)), assign_(std::move(assign)) {}
-
-void OperationEvent::receive() {
-    for (const ActionPtr& assign : assign_) {
-        assign->readArguments();
-        assign->execute();
-    }
-}
-
-void OperationEvent::listenTo(const OperationInterfacePart& operation, const StateMachinePtr& machine,
-                              ExecutionEngine* engine) {
-    auto action = std::make_unique<EventAction>(machine, *this);
-    const Handle handle = operation.produceSignal(action.get(), arguments_, engine);
-    (void)action.release();
-    handle_ = std::make_unique<CleanupHandle>(handle);
 }
 
 }  // namespace detail

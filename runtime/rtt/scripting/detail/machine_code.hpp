@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Programs, conditions, ports and operations, as a state machine uses them.
+// Programs, conditions and ports, as a state machine uses them.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
 
 #include <rtt/FlowStatus.hpp>
-#include <rtt/Handle.hpp>
 #include <rtt/base/ActionInterface.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/internal/PortSources.hpp>
@@ -24,7 +23,7 @@ typedef decltype(Surroundings::roundLimit) RoundLimit;
 
 class CodeRoutine final : public Routine {
 public:
-    CodeRoutine(std::unique_ptr<const Code> code, oroforge::diag::FileName file, RoundLimit limit);
+    CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where);
     void restart() override { process_.restart(); }
     Outcome run() override;
     Outcome runStatement() override;
@@ -45,7 +44,7 @@ private:
 class CodeGuard final : public Guard {
 public:
     /** `result` is where the code leaves its truth. */
-    CodeGuard(std::unique_ptr<const Code> code, const bool* result, oroforge::diag::FileName file, RoundLimit limit);
+    CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where);
     Truth check(unsigned round) override;
     oroforge::diag::Location where() const override { return routine_.where(); }
     std::string failure() const override;
@@ -87,22 +86,6 @@ private:
     const std::shared_ptr<PortReader> reader_;
     const ActionPtr assign_;
     const oroforge::diag::Location where_;
-};
-
-/** Calls of an operation. */
-class OperationEvent final : public MachineEvent {
-public:
-    /** `arguments` take those of a call; `assign` copies them to variables of the script. */
-    OperationEvent(std::vector<base::DataSourceBase::shared_ptr> arguments, std::vector<ActionPtr> assign);
-    void receive() override;
-    /** From now on, as long as this exists, calls become events of the machine, executed by that engine. Throws
-        no_asynchronous_operation_exception if nobody can listen to the operation. */
-    void listenTo(const OperationInterfacePart& operation, const StateMachinePtr& machine, ExecutionEngine* engine);
-
-private:
-    const std::vector<base::DataSourceBase::shared_ptr> arguments_;
-    const std::vector<ActionPtr> assign_;
-    std::unique_ptr<CleanupHandle> handle_;
 };
 
 }  // namespace detail

@@ -26,6 +26,14 @@ bool MachineCore::pause() {
 }
 
 bool MachineCore::step() {
+    // After a pause that has not taken effect.
+    unsigned requests = requests_.load(std::memory_order_relaxed);
+    while ((requests & kPause) && !(requests & kStop)) {
+        if (requests & kStep) return false;
+        if (requests_.compare_exchange_weak(requests, requests | kStep, std::memory_order_release,
+                                            std::memory_order_relaxed))
+            return true;
+    }
     const StatusValue now = status();
     if (now == Status::paused) return !(requests_.fetch_or(kStep, std::memory_order_release) & kStep);
     StatusValue expected = Status::active;
@@ -81,11 +89,12 @@ void MachineCore::takeRequests() {
         requests_ = 0;
     } else if (requests & kStop) {
         beginStop();
-    } else if ((requests & kPause) && now != Status::paused) {
-        setStatus(Status::paused);
-        tell("pauses in", current_.load()->name);
-    } else if ((requests & kStep) && now == Status::paused) {
-        cycleOfPaused();
+    } else {
+        if ((requests & kPause) && now != Status::paused) {
+            setStatus(Status::paused);
+            tell("pauses in", current_.load()->name);
+        }
+        if ((requests & kStep) && status_.load(std::memory_order_relaxed) == Status::paused) cycleOfPaused();
     }
 }
 

@@ -20,7 +20,7 @@ namespace detail {
 class MachineObserver {
 public:
     virtual ~MachineObserver();
-    /** `what` and the name of a state. Only called while traced; by any thread if an event is missed. */
+    /** `what` and the name of a state. Only called while traced. */
     virtual void did(const char* what, const std::string& state) = 0;
     virtual void failed(const oroforge::diag::Location& where, const std::string& why) = 0;
 };
@@ -61,8 +61,6 @@ public:
     bool pause();
     bool step();
     bool stop();
-    /** An event comes while another thread has the machine. */
-    void missed();
 
     // -- The thread that has the machine --------------------------------------------------------------------
     void cycle();

@@ -51,6 +51,7 @@ public:
 };
 typedef std::unique_ptr<Guard> GuardPtr;
 
+class EventQueue;
 struct MachineState;
 
 /** Where a transition leads: to the first of `states` whose preconditions hold. None: the machine stays where it is. */
@@ -96,6 +97,7 @@ struct MachineModel {
     MachineState* last = nullptr;
     std::vector<StateMachinePtr> children;
     std::vector<std::unique_ptr<MachineEvent>> events;
+    std::shared_ptr<EventQueue> queue;  ///< of the events; null if there are none
     Service::shared_ptr service;
     SourceFilePtr source;  ///< of the type; or null
 };

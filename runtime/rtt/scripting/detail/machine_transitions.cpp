@@ -121,10 +121,6 @@ bool MachineCore::requestState(MachineState& target) {
     return true;
 }
 
-void MachineCore::missed() {
-    if (const MachineState* const present = state()) tell("is busy and misses an event in", present->name);
-}
-
 bool MachineCore::happened(MachineEvent& event) {
     const StatusValue now = status();
     const bool ready =

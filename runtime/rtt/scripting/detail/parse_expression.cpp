@@ -76,17 +76,23 @@ Parser::Tree Parser::assignment() {
 /** Of operators that bind at least that much. */
 Parser::Tree Parser::binary(int least) {
     Tree left = unary();
+    unsigned height = left.height;
+    ast::Binary row;
     while (!failed()) {
         const Operator found = binaryOperator(token().kind, text());
         if (found.precedence == 0 || found.precedence < least) break;
+        if (row.steps.size() == kMaxOperators)
+            failWith("OPS010", "found more than " + std::to_string(kMaxOperators) + " operators in a row");
         const ast::Place at = place();
         advance();
         Tree right = binary(found.precedence + 1);
-        const unsigned height = std::max(left.height, right.height) + 1;
-        left = tree(at, left.begin, height,
-                    ast::Binary{found.name, std::move(left.expression), std::move(right.expression)});
+        height = std::max(height, right.height);
+        row.steps.push_back({found.name, at, std::move(right.expression)});
     }
-    return left;
+    if (row.steps.empty()) return left;
+    row.first = std::move(left.expression);
+    const ast::Place last = row.steps.back().at;
+    return tree(last, left.begin, height + 1, std::move(row));
 }
 
 /** Each sign at most once, in this order. */
@@ -97,12 +103,16 @@ Parser::Tree Parser::unary() {
     const bool hasMinus = accept(TokenKind::Minus);
     const ast::Place negation = place();
     const bool hasNot = accept(TokenKind::Not) || acceptWord("not");
-    Tree result = operand();
+    // Its magnitude alone is no int.
+    ast::Value least;
+    const bool isLeast = hasMinus && !hasNot && at(TokenKind::Number) && readLeast(text(), least);
+    if (isLeast) advance();
+    Tree result = isLeast ? tree(minus, minus, 0, ast::Literal{std::move(least)}) : operand();
     const auto apply = [&](bool has, char op, ast::Place at) {
         if (has) result = tree(at, at, result.height + 1, ast::Unary{op, std::move(result.expression)});
     };
     apply(hasNot, '!', negation);
-    apply(hasMinus, '-', minus);
+    apply(hasMinus && !isLeast, '-', minus);
     apply(hasPlus, '+', plus);
     return result;
 }

@@ -143,6 +143,20 @@ Problem readNumber(std::string_view number, ast::Value& value) {
                      "' after a number with fraction or exponent, expected 'f' or nothing");
 }
 
+bool readLeast(std::string_view number, ast::Value& value) {
+    unsigned long long magnitude = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), magnitude);
+    if (read.ec != std::errc()) return false;
+    const std::string suffix = lower(number.substr(static_cast<std::size_t>(read.ptr - number.data())));
+    const auto isLeast = [&](auto least) {
+        if (magnitude != 0 - static_cast<unsigned long long>(least)) return false;
+        value = least;
+        return true;
+    };
+    if (suffix.empty()) return isLeast(std::numeric_limits<int>::min());
+    return suffix == "ll" && isLeast(std::numeric_limits<long long>::min());
+}
+
 Problem readText(std::string_view quoted, std::string& text) {
     const std::string_view body = quoted.substr(1, quoted.size() - 2);
     Problem first;

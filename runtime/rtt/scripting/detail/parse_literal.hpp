@@ -24,6 +24,10 @@ struct LiteralProblem {
 /** `12`, `0xFF`, `1u`, `1.5f`, `10ms`, …; what it means goes to `value`. */
 std::optional<LiteralProblem> readNumber(std::string_view number, ast::Value& value);
 
+/** True for `2147483648` and `9223372036854775808ll`, which are numbers after a '-' only; then the least int or llong goes to
+    `value`. */
+bool readLeast(std::string_view number, ast::Value& value);
+
 /** With its quotes. Reads to its end even if an escape is wrong; tells the first that is. */
 std::optional<LiteralProblem> readText(std::string_view quoted, std::string& text);
 

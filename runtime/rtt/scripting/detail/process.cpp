@@ -17,6 +17,11 @@ template <class Until>
 Process::Outcome Process::execute(Until until) {
     if (failed_) return Outcome::Failed;
     started_ = true;
+    if (const std::string* const lost = peers_ ? peers_->lost() : nullptr) {
+        at_ = next_;
+        loseSight(*lost);
+        return outcome_;
+    }
     rounds_ = 0;
     const Instruction* next = next_;
     outcome_ = Outcome::Yielded;
@@ -96,6 +101,13 @@ const Instruction* Process::pauseAt(const Instruction* next) {
     finishing_ = true;
     next_ = next;
     return nullptr;
+}
+
+const Instruction* Process::loseSight(const std::string& peer) {
+    message_ =
+        "component '" + peer + "' is gone, whose attributes or properties are used here; load this again without it";
+    failed_ = true;
+    return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
 
 const Instruction* Process::exceed() {

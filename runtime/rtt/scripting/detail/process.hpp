@@ -5,9 +5,12 @@
 #define ORO_SCRIPTING_DETAIL_PROCESS_HPP
 
 #include <rtt/scripting/detail/code.hpp>
+#include <rtt/scripting/detail/peers.hpp>
 
 #include <atomic>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace RTT {
 namespace scripting {
@@ -50,6 +53,10 @@ public:
     const std::string& message() const { return message_; }
     bool failed() const { return failed_; }
 
+    /** From now on it fails, and nothing catches that, instead of going on after one of these was destroyed: looked at
+        when it begins, and after calls. */
+    void watch(std::shared_ptr<const Peers> peers) { peers_ = std::move(peers); }
+
     /** How often loops may go round within one run(); 0: no limit. Beyond that it fails. */
     void setRoundLimit(unsigned limit) { round_limit_ = limit; }
 
@@ -61,12 +68,17 @@ public:
     const Instruction* fail(std::string message);
     /** Called after calls: `next`, or null if pause() was called. */
     const Instruction* proceed(const Instruction* next) {
+        if (peers_)
+            if (const std::string* const lost = peers_->lost()) return loseSight(*lost);
+        return goOn(next);
+    }
+    const Instruction* goOn(const Instruction* next) {
         return pause_.load(std::memory_order_relaxed) ? pauseAt(next) : next;
     }
     /** Called where a loop goes round. */
     const Instruction* goRound(const Instruction* next) {
         if (++rounds_ == round_limit_) return exceed();
-        return proceed(next);
+        return goOn(next);
     }
     const Instruction* enter(Activation& function, const Instruction* returnTo);
     const Instruction* leave();
@@ -77,11 +89,13 @@ private:
     void show(const Instruction* at);
     const Instruction* pauseAt(const Instruction* next);
     const Instruction* exceed();
+    const Instruction* loseSight(const std::string& peer);
     const Instruction* catchFailure();
     template <class Until>
     Outcome execute(Until until);
 
     const Code& code_;
+    std::shared_ptr<const Peers> peers_;
     const Instruction* next_;
     const Instruction* at_ = nullptr;  // being executed
     Activation* function_ = nullptr;   // the innermost that has been entered

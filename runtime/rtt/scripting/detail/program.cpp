@@ -29,14 +29,17 @@ State stateOf(unsigned word) { return static_cast<State>(word & kState); }
 
 }  // namespace
 
-Program::Program(std::string name, std::string component, Text text, std::unique_ptr<Code> code, RoundLimit limit)
+Program::Program(std::string name, std::string component, Text text, std::unique_ptr<Code> code, RoundLimit limit,
+                 std::shared_ptr<const Peers> peers)
     : name_(std::move(name)),
       component_(std::move(component)),
       text_(std::move(text)),
       code_(std::move(code)),
       limit_(std::move(limit)),
       process_(*code_),
-      state_(Stopped) {}
+      state_(Stopped) {
+    process_.watch(std::move(peers));
+}
 
 Program::~Program() {
     if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
@@ -59,7 +62,9 @@ bool Program::start() {
         switch (stateOf(now)) {
             case Stopped: next = Running | kRestart; return true;
             case Paused: next = Running; return true;
-            case Running: next = now & ~kPause; return (now & kPause) != 0;  // takes back what was not done yet
+            case Running:
+                next = now & ~(kPause | kStep);
+                return (now & kPause) != 0;  // takes back what was not done yet
             case Failed: break;
         }
         return false;
@@ -78,8 +83,8 @@ bool Program::pause() {
 
 bool Program::step() {
     return change([](unsigned now, unsigned& next) {
-        next = Paused | kStep;
-        return now == Paused;
+        next = now | kStep;
+        return now != next && (stateOf(now) == Paused || (now & kPause));
     });
 }
 
@@ -125,12 +130,13 @@ bool Program::execute() {
 bool Program::executeOnce() {
     unsigned now = state_.load();
     const auto become = [&](unsigned next) { return state_.compare_exchange_strong(now, next); };
-    if (now == (Stopped | kPause) || (now & kRestart)) {
-        if (become(now & kRestart ? now & ~kRestart : Paused)) process_.restart();
+    const unsigned paused = Paused | (now & kStep);
+    if ((stateOf(now) == Stopped && (now & kPause)) || (now & kRestart)) {
+        if (become(now & kRestart ? now & ~kRestart : paused)) process_.restart();
         return true;
     }
-    if (now == (Running | kPause)) {
-        become(Paused);
+    if (now & kPause) {
+        become(paused);
         return true;
     }
     if (now != Running && now != (Paused | kStep)) return false;
@@ -151,10 +157,10 @@ bool Program::settle(Process::Outcome outcome) {
             case Process::Outcome::Failed: next = Failed; break;
             // It may have been told to pause by somebody who changed his mind: then it goes on at once.
             case Process::Outcome::Paused:
-            case Process::Outcome::Yielded: next = state == Paused || (now & kPause) ? Paused : Running; break;
+            case Process::Outcome::Yielded: next = now & kPause ? Paused | (now & kStep) : state; break;
         }
     } while (!state_.compare_exchange_weak(now, next));
-    return outcome == Process::Outcome::Paused && next == Running;
+    return outcome == Process::Outcome::Paused && next != Paused;
 }
 
 void Program::reportFailure() {
@@ -174,7 +180,9 @@ void Program::reportFailure() {
 ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file, std::string text,
                                 const Surroundings& where) {
     const std::string& name = tree.name.text;
-    Compiler compiler(where);
+    Surroundings here = where;
+    here.peers = std::make_shared<Peers>();
+    Compiler compiler(here);
     std::unique_ptr<Code> code = compiler.program(tree.body, "program '" + name + "'", file.scope);
     if (!code) return nullptr;
     Program::Text source{where.file, std::move(text), {}};
@@ -187,7 +195,7 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
                      static_cast<unsigned>(begin - (newline == std::string::npos ? 0 : newline + 1)) + 1};
     }
     return boost::make_shared<Program>(name, where.component->getName(), std::move(source), std::move(code),
-                                       where.roundLimit);
+                                       where.roundLimit, here.peers);
 }
 
 namespace {

@@ -29,7 +29,8 @@ public:
         ast::Place at;  ///< of the first of them; {0, 0} if that is not known
     };
 
-    Program(std::string name, std::string component, Text text, std::unique_ptr<Code> code, RoundLimit limit);
+    Program(std::string name, std::string component, Text text, std::unique_ptr<Code> code, RoundLimit limit,
+            std::shared_ptr<const Peers> peers);
     /** Takes it out of its engine. */
     ~Program() override;
 

@@ -2,14 +2,44 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compiler.hpp>
 
+#include <rtt/OperationInterfacePart.hpp>
+
+#include <algorithm>
+#include <atomic>
+
 namespace RTT {
 namespace scripting {
 namespace detail {
 
-const Scope::Entry* Scope::find(const std::string& name, const Entry* other) const {
+boost::shared_ptr<const OperationInterfacePart> Scope::Handle::operation() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return operation_;
+}
+
+base::DataSourceBase::shared_ptr Scope::Handle::source() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return source_;
+}
+
+void Scope::Handle::set(boost::shared_ptr<const OperationInterfacePart> operation,
+                        base::DataSourceBase::shared_ptr source) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // What was there is destroyed without the lock, with the arguments.
+    operation_.swap(operation);
+    source_.swap(source);
+}
+
+// relaxed: who uses the number of another thread got it with the scope or function that has it, under a lock.
+Scope::Time Scope::now() {
+    static std::atomic<Time> last{0};
+    return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+const Scope::Entry* Scope::find(const std::string& name, Time since) const {
     for (const Scope* scope = this; scope; scope = scope->parent_) {
         const Entry* const found = scope->findHere(name);
-        if (found && found != other) return found;
+        if (found && found->declared < since) return found;
+        since = std::min(since, scope->since_);
     }
     return nullptr;
 }
@@ -28,6 +58,7 @@ const Scope::Entry* Scope::findHere(const std::string& name) const {
 
 bool Scope::add(const std::string& name, Entry entry) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    entry.declared = now();
     return entries_.emplace(name, std::move(entry)).second;
 }
 

@@ -26,7 +26,7 @@ const char* const kProgram = "program";
 const char* const kMachine = "state machine";
 
 /** Of errors that are none if somebody adds a name in time. */
-const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146", "OPS148"};
+const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146", "OPS148", "OPS305"};
 
 bool isAboutNames(const diag::Diagnostic& error) {
     return std::find(std::begin(kUnknownNames), std::end(kUnknownNames), error.code) != std::end(kUnknownNames);
@@ -91,13 +91,14 @@ bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identi
 
 bool ScriptChecker::take(const ast::Item& item, const ast::Function& function) {
     if (!isNew("function", "OPS201", function.name)) return false;
-    const auto functions = definitions_.functions();
+    auto functions = definitions_.functions();
     auto definition = definitionOf(item, function, *functions);
     const Surroundings where = unevaluated(*functions);
     Service* const scripting = component_.provides()->getService("scripting").get();
     // Unless a statement before may have removed the other one.
     if (names_are_known_ && !hasFreeName(*definition, function.scope, scripting, where)) return false;
-    if (!Compiler(where).function(*definition)) return false;
+    if (!Compiler(where).check(*definition)) return false;
+    functions.reset();  // else it is copied
     definitions_.define(std::move(definition));
     return true;
 }

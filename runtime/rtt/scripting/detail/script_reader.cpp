@@ -6,6 +6,8 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/scripting/detail/parser.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace RTT {
@@ -23,19 +25,18 @@ bool hasAlias(const Scope* scope) {
     return false;
 }
 
-/**
- * The functions that a function may call. Those it cannot mean, because their names are not in its text, serve messages only:
- * without what they call in turn, because a script that is run again and again would have each function keep all of its
- * predecessors.
- */
+bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/** The functions that a function may call: those that its text names. With all of them, a script that is run again and again
+    would have each function keep all of its predecessors. */
 std::shared_ptr<const Functions> callableIn(const std::string& text, const Scope& scope, const Functions& known) {
-    auto callable = std::make_shared<Functions>(known);
-    if (hasAlias(&scope)) return callable;  // an alias may call what the text does not name
-    for (auto& function : *callable) {
-        if (text.find(function.first) != std::string::npos) continue;
-        auto named = std::make_shared<FunctionDefinition>(*function.second);
-        named->functions = nullptr;
-        function.second = std::move(named);
+    if (hasAlias(&scope)) return std::make_shared<Functions>(known);  // an alias may call what the text does not name
+    auto callable = std::make_shared<Functions>();
+    for (auto at = text.begin(); at != text.end();) {
+        const auto begin = std::find_if(at, text.end(), isOfName);
+        at = std::find_if_not(begin, text.end(), isOfName);
+        const auto named = known.find(std::string(begin, at));
+        if (named != known.end()) callable->insert(*named);
     }
     return callable;
 }

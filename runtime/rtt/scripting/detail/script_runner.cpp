@@ -50,8 +50,8 @@ ScriptRunner::~ScriptRunner() {
     innermost = outer_;
     if (!outer_) unwinding = false;
     for (const auto& named : file_->scope.entries())
-        if (named.second.handle && dynamic_cast<const FunctionPart*>(named.second.handle->operation.get()))
-            *named.second.handle = Scope::Handle();
+        if (named.second.handle && dynamic_cast<const FunctionPart*>(named.second.handle->operation().get()))
+            named.second.handle->clear();
 }
 
 SourceFilePtr ScriptRunner::runningIn(const ScriptingService& service) {
@@ -91,7 +91,7 @@ bool ScriptRunner::checkDepth() {
 void ScriptRunner::unload() {
     for (const std::string& name : programs_) service_.takeOutProgram(name);
     for (const std::string& name : machines_)
-        if (const StateMachinePtr machine = service_.getStateMachine(name)) service_.takeOutMachine(machine);
+        if (StateMachinePtr machine = service_.getStateMachine(name)) service_.takeOutMachine(std::move(machine));
 }
 
 bool ScriptRunner::take(const ast::Item&, const ast::StatementPtr& statement) {
@@ -118,9 +118,10 @@ bool ScriptRunner::execute(const Code& code) {
 
 bool ScriptRunner::take(const ast::Item& item, const ast::Function& function) {
     if (!isNew("function", "OPS201", function.name)) return false;
-    const auto functions = service_.loaded_->definitions.functions();
+    auto functions = service_.loaded_->definitions.functions();
     auto definition = definitionOf(item, function, *functions);
     if (!addFunction(definition, function.scope, service_, limited(*functions))) return false;
+    functions.reset();  // else it is copied
     service_.loaded_->definitions.define(std::move(definition));
     return true;
 }

@@ -24,7 +24,9 @@ struct SourceFile {
         : name(std::move(name)),
           text(std::move(text)),
           caller(std::move(caller)),
-          scope("this script", this->caller ? &this->caller->scope : nullptr) {}
+          scope("this script", this->caller ? &this->caller->scope : nullptr) {
+        scope.belongsTo(tree);
+    }
 
     const oroforge::diag::FileName name;
     const std::string text;

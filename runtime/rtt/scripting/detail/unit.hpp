@@ -24,14 +24,23 @@ struct Compiler::State {
     explicit State(Surroundings surroundings) : where(std::move(surroundings)) {}
 
     Surroundings where;
-    /** Null while it is being compiled. */
-    std::map<const FunctionDefinition*, std::shared_ptr<Activation>> activations;
-    std::set<const FunctionDefinition*> failed;  ///< have errors, which were reported
-    unsigned quiet = 0;                          ///< warnings are not given
+    /** All of them belong to all code that was made. They do not own each other, as a chain of thousands would be destroyed
+        by recursion. */
+    struct Activations {
+        /** Null while it is being compiled. */
+        std::map<const FunctionDefinition*, std::unique_ptr<Activation>> of;
+    };
+    const std::shared_ptr<Activations> activations = std::make_shared<Activations>();
+    std::vector<std::shared_ptr<const FunctionDefinition>> calls;  ///< of a function that is checked, directly
+    std::set<const FunctionDefinition*> failed;                    ///< have errors, which were reported
+    unsigned quiet = 0;                                            ///< warnings are not given
+    bool callsOnly = false;                                        ///< of functions that are called, there is no code
 
     /** That of this root, made when it is first asked for; null if the function calls itself. Throws Unresolved if it has
         errors. */
-    std::shared_ptr<Activation> activate(const FunctionDefinition& definition);
+    Activation* activate(const std::shared_ptr<const FunctionDefinition>& definition);
+    /** Compiles those that it calls, and what they call in turn, so that nothing is compiled by recursion. */
+    void activateCalls(const FunctionDefinition& definition);
     /** Null if there are errors, which are reported. */
     std::unique_ptr<Activation> compile(const FunctionDefinition& definition);
 };
@@ -51,7 +60,7 @@ public:
     /** The last instruction. */
     void end();
     /** Arguments, result and statements. */
-    void functionBody(const ast::Function& function);
+    void function(const ast::Function& function, bool withBody);
     void declare(const ast::Declaration& declaration, bool again = false);
     /** A new variable of that type. */
     base::DataSourceBase::shared_ptr newVariable(const ast::Identifier& type, const ast::Identifier& name,
@@ -107,6 +116,7 @@ private:
     void declareAlias(const ast::Declaration& declaration, const ast::Declarator& declarator);
     void declareVariable(const ast::Declaration& declaration, const ast::Declarator& declarator, bool again);
     void declareHandle(const ast::Declarator& declarator);
+    void functionHead(const ast::Function& function);
     void declareArgument(const ast::Function::Argument& argument);
     void addEntry(const ast::Identifier& name, Scope::Entry entry);
     int sizeHint(const ast::Expression& size, const std::string& type, const ast::Identifier& name);
@@ -117,7 +127,9 @@ private:
     Operand member(const Operand& of, const ast::Identifier& name);
     Operand element(const ast::Index& index, ast::Place at);
     Operand unary(const ast::Unary& operation, ast::Place at);
-    Operand binary(const ast::Binary& operation, ast::Place at);
+    Operand binary(const ast::Binary& row);
+    Operand operation(Operand left, const ast::Binary::Step& step);
+    Operand copied(const Operand& value, std::size_t at);
     Operand assignment(const ast::Assignment& assignment, ast::Place at);
     Operand computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at);
 
@@ -127,6 +139,9 @@ private:
     bool variableNamed(const Parts& parts, Operand& found);
     bool valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
     Operand members(Operand of, const Parts& parts, std::size_t from);
+    /** What the name was declared as; where an alias is used, before that. Null if there is none. */
+    const Scope::Entry* declared(const std::string& name) const;
+    unsigned lineOfLaterFunction(const ast::Identifier& name) const;
     Operand valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name);
     bool isElsewhere(const Parts& parts, const Operand& variable) const;
     [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
@@ -141,7 +156,8 @@ private:
     Operand callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     [[noreturn]] void failRecursive(const std::string& function, ast::Place at);
     [[noreturn]] void failUnsent(const ast::Identifier& handle);
-    Operand callFunction(const FunctionDefinition& function, const ast::Name& name, ast::Place at);
+    Operand callFunction(const std::shared_ptr<const FunctionDefinition>& function, const ast::Name& name,
+                         ast::Place at);
     Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     OperationInterfacePart::Args arguments(const ast::Expressions& expressions);
@@ -155,12 +171,14 @@ private:
     auto watched(ast::Place at, Convert convert);
     void warnOfConversion(ast::Place at, const std::string& from, const std::string& to);
     /** Not where an alias is used: it was said where that is declared. */
-    void warn(ast::Place at, const char* code, const std::string& message, const std::string& hint = "");
+    void warn(ast::Place at, const char* code, const std::string& message, const std::string& hint = "") const;
     bool assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result);
     Operand sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at);
 
     [[noreturn]] void error(ast::Place at, const char* code, const std::string& message);
-    oroforge::diag::Location locate(ast::Place at) const { return {where_.file, at.line, at.column}; }
+    oroforge::diag::Location locate(ast::Place at) const {
+        return {alias_ ? alias_->file : where_.file, at.line, at.column};
+    }
     std::size_t emit(Action act, const void* a = nullptr, const void* b = nullptr, void* to = nullptr);
     /** For instructions that refer to it. */
     base::DataSourceBase* keep(Source source);
@@ -172,8 +190,11 @@ private:
     Activation* function_;
     std::vector<std::vector<std::size_t>>
         breaks_;                           // of the loops around: jumps to be landed; 'break' stands in loops only
+    unsigned executions_ = 0;              // operations and functions called, variables assigned to by expressions
     unsigned aliases_ = 0;                 // being looked up
-    const Scope::Entry* alias_ = nullptr;  // the innermost of them: in its value its name stands for something else
+    const Scope::Entry* alias_ = nullptr;  // the innermost of them
+    const ast::Identifier* used_alias_ = nullptr;  // the outermost of them
+    unsigned alias_uses_ = 0;                      // in that one
 };
 
 template <class Convert>

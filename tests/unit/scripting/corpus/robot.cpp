@@ -97,6 +97,8 @@ void Robot::addFunctions() {
     addOperation("refuse", &Robot::refuse, this, ClientThread);
     addOperation("fail", &Robot::fail, this, ClientThread);
     addOperation("truth", &Robot::truth, this, ClientThread).arg("name", "").arg("value", "");
+    addOperation("comeAndGo", &Robot::comeAndGo, this, ClientThread).arg("script", "");
+    addEventOperation(guessed_).arg("what", "");
     addEventOperation(moved_).arg("to", "");
     addEventOperation(measured_).arg("what", "").arg("value", "");
 }
@@ -116,6 +118,7 @@ void Robot::addPorts() {
     addPort(jobs_);
     addPort(work_);
     addPort(loose_);
+    addPort(opaque_);
     out_.createConnection(in_, ConnPolicy::data());
     jobs_.createConnection(work_, ConnPolicy::buffer(2));
 }
@@ -152,6 +155,14 @@ void Robot::step(int times) {
 }
 
 void Robot::fail() const { throw std::runtime_error("broken gripper"); }
+
+/** Has the script executed by a component that is destroyed then. */
+bool Robot::comeAndGo(const std::string& script) const {
+    TaskContext visitor("visitor");
+    if (!visitor.loadService("scripting")) return false;
+    OperationCaller<bool(const std::string&)> eval(visitor.provides("scripting")->getOperation("eval"), engine());
+    return eval.ready() && eval(script);
+}
 
 /** Tells that it was asked. */
 bool Robot::truth(const std::string& name, bool value) {

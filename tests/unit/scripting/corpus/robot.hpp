@@ -64,6 +64,10 @@ private:
     bool refuse() const { return false; }
     void fail() const;
     bool truth(const std::string& name, bool value);
+    bool comeAndGo(const std::string& script) const;
+
+    /** No typekit knows it. */
+    struct Secret {};
 
     mutable std::mutex mutex_;
     std::vector<std::string> notes_;
@@ -96,6 +100,8 @@ private:
     RTT::OutputPort<std::string> jobs_{"jobs"};
     RTT::InputPort<std::string> work_{"work"};
     RTT::OutputPort<int> loose_{"loose"};
+    RTT::InputPort<Secret> opaque_{"opaque"};
+    RTT::Operation<void(Secret)> guessed_{"guessed"};
     Worker other_{"other"};
 };
 

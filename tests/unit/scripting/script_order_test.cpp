@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// In what order the parts of an expression are read and executed, and how long it may be.
+#include "script_fixture.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace RTT;
+
+namespace {
+
+class Order : public ScriptTest {
+protected:
+    Order() {
+        component.addAttribute("x", x);
+        component.addAttribute("s", s);
+        component.addAttribute("v", v);
+        component.addOperation("f", [this] { return x = 10, s = "new", 1; });
+        component.addOperation("g", [this] { return s = "new", std::string("g"); });
+        component.addOperation("h", [this] { return s + "h"; });
+    }
+    std::size_t sizeOf(const std::string& statement) {
+        using namespace RTT::scripting::detail;
+        oroforge::diag::Sink found;
+        const ast::Script tree = parse(statement, "script.ops", found);
+        const auto code = Compiler(surroundings()).statement(*std::get<ast::StatementPtr>(tree.items[0].what), scope);
+        return code ? code->size() : 0;
+    }
+    static std::string repeated(const std::string& text, int times) {
+        std::string result;
+        for (int i = 0; i < times; ++i) result += text;
+        return result;
+    }
+
+    int x = 2;
+    std::string s = "old";
+    std::vector<double> v{1, 2};
+};
+
+}  // namespace
+
+TEST_F(Order, TheLeftOperandIsReadBeforeTheRightOneIsExecuted) {
+    EXPECT_EQ(result<int>("int", "x + f()"), 3);
+    x = 2;
+    EXPECT_EQ(result<int>("int", "x * 2 - f() - x"), -7);
+    x = 2;
+    EXPECT_FALSE(result<bool>("bool", "x > f() + 2"));
+    x = 2;
+    EXPECT_EQ(result<int>("int", "x + (x + f())"), 5);
+    x = 2;
+    EXPECT_EQ(result<int>("int", "x + (x = 30)"), 32);
+}
+
+TEST_F(Order, AlsoWithFunctionsAndAliases) {
+    ASSERT_TRUE(run("int change() { x = 10\n return 1 }\nvar int y = x + change()")) << messages();
+    EXPECT_EQ(value<int>("y"), 3);
+    ASSERT_TRUE(run("x = 2\nalias int changed = change()\nvar int z = x + changed")) << messages();
+    EXPECT_EQ(value<int>("z"), 3);
+    ASSERT_TRUE(run("x = 2\nvar int w = x + f")) << messages();
+    EXPECT_EQ(value<int>("w"), 3);
+}
+
+TEST_F(Order, AlsoTexts) {
+    EXPECT_EQ(result<std::string>("string", "s + g()"), "oldg");
+    ASSERT_TRUE(run("s = \"old\"\nstring change() { s = \"new\"\n return \"c\" }\nvar string t = s + change()"))
+        << messages();
+    EXPECT_EQ(value<std::string>("t"), "oldc");
+    ASSERT_TRUE(run("s = \"old\"\nt = h() + change() + s")) << messages();
+    EXPECT_EQ(value<std::string>("t"), "oldhcnew");
+    ASSERT_TRUE(run("s = \"old\"\nvar bool same = s == h()")) << messages();
+    EXPECT_FALSE(value<bool>("same"));
+}
+
+TEST_F(Order, OnlyCallsCostACopy) {
+    ASSERT_TRUE(run("var int a = 1, b = 2, c = 3"));
+    EXPECT_EQ(sizeOf("c = a + b * a"), 3u) << "two operations, and the end";
+    EXPECT_EQ(sizeOf("c = a + f()"), 4u) << "a copy, the call, the sum, and the end";
+    EXPECT_EQ(sizeOf("c = a * b + f()"), 4u) << "what was computed needs none";
+    EXPECT_EQ(sizeOf("c = 3 + f()"), 3u);
+}
+
+TEST_F(Order, LongChainsOfNumbers) {
+    EXPECT_EQ(result<int>("int", "1" + repeated(" + 1", 5000)), 5001);
+    EXPECT_EQ(result<double>("double", "1.0" + repeated(" * 2 - 1", 20000)), 2.0 - 2.0 * 19999 - 1.0);
+    EXPECT_TRUE(result<bool>("bool", "true" + repeated(" && x == x", 5000)));
+}
+
+TEST_F(Order, LongChainsOfTexts) {
+    EXPECT_EQ(result<std::string>("string", "\"a\"" + repeated(" + x", 20000)), "a" + repeated("2", 20000));
+}
+
+TEST_F(Order, ErrorsInLongChainsAreToldWhereTheyAre) {
+    EXPECT_FALSE(run("x = 1" + repeated(" + 1", 300) + " + v"));
+    EXPECT_EQ(messages(), "script.ops:1:1207: error: [OPS126] operator '+' does not exist for types int and array\n");
+}
+
+TEST_F(Order, TheLeastNumbersAreNumbers) {
+    EXPECT_EQ(result<int>("int", "-2147483648"), std::numeric_limits<int>::min());
+    EXPECT_EQ(result<int>("int", "-2147483648 + 1"), std::numeric_limits<int>::min() + 1);
+    EXPECT_EQ(result<int>("int", "-2147483648 / -1"), std::numeric_limits<int>::min());
+    EXPECT_EQ(result<long long>("llong", "-9223372036854775808ll"), std::numeric_limits<long long>::min());
+}
