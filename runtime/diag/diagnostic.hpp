@@ -48,10 +48,21 @@ bool operator<(const Location& a, const Location& b);
 
 enum class Severity { Error, Warning, Note };
 
+/// One change of a text: what stands from `begin` up to, but not including, `end` becomes `replacement`. Both lie in the
+/// file of `begin`; where they are equal, the replacement is inserted.
+struct Fix {
+    Location begin;
+    Location end;
+    std::string replacement;
+};
+
+bool operator==(const Fix& a, const Fix& b);
+
 /// A second place that explains a diagnostic ("first given here").
 struct Note {
     Location where;
     std::string message;
+    std::vector<Fix> fixes = {};  ///< a way out that the user may take, or not
 };
 
 struct Diagnostic {
@@ -59,11 +70,12 @@ struct Diagnostic {
     std::string code;  ///< for example "OM003"; empty if the message has none
     Location where;
     std::string message;  ///< lower case, no final full stop
-    std::vector<Note> notes;
+    std::vector<Note> notes = {};
+    std::vector<Fix> fixes = {};  ///< all of them together repair it, and nothing else is meant
 
     /// Adds a note and returns *this, so that notes can be chained.
     Diagnostic& note(Location at, std::string text) {
-        notes.push_back(Note{std::move(at), std::move(text)});
+        notes.push_back(Note{std::move(at), std::move(text), {}});
         return *this;
     }
     /// A hint without a place of its own.

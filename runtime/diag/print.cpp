@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <diag/print.hpp>
 
+#include <algorithm>
 #include <ostream>
 
 namespace oroforge::diag {
@@ -22,22 +23,91 @@ std::string prefixed(const Location& where, const std::string& rest) {
     return place.empty() ? rest : place + ": " + rest;
 }
 
+bool isInnerByte(char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; }
+
 /// White space as wide as the first `bytes` bytes of `line`: tabs stay tabs, and the
 /// continuation bytes of UTF-8 take no room.
 std::string padding(const std::string& line, std::size_t bytes) {
     std::string result;
     for (std::size_t i = 0; i < bytes && i < line.size(); ++i) {
-        const unsigned char c = static_cast<unsigned char>(line[i]);
-        if ((c & 0xC0U) != 0x80U) result += c == '\t' ? '\t' : ' ';
+        if (!isInnerByte(line[i])) result += line[i] == '\t' ? '\t' : ' ';
     }
     return result;
 }
 
-void printSource(std::ostream& out, const Location& where, SourceCache& sources) {
+std::string withoutLineEnd(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+    return text;
+}
+
+/// What the fixes put into this line, each below its place, as far as they do not run into each other.
+std::string belowLine(const std::string& line, const Location& where, const std::vector<Fix>& fixes) {
+    std::string below;
+    std::size_t end = 0;  // column in `line` up to which something is written already
+    std::vector<Fix> here;
+    for (const Fix& fix : fixes) {
+        const bool inLine = fix.begin.file == where.file && fix.begin.line == where.line && fix.begin.column != 0;
+        if (inLine && !fix.replacement.empty() && fix.replacement.find('\n') == std::string::npos) here.push_back(fix);
+    }
+    std::sort(here.begin(), here.end(), [](const Fix& a, const Fix& b) { return a.begin < b.begin; });
+    for (const Fix& fix : here) {
+        const std::size_t start = fix.begin.column - 1;
+        if (start < end || start > line.size()) continue;
+        below += padding(line, start).substr(padding(line, end).size()) + fix.replacement;
+        end = start + fix.replacement.size();
+    }
+    return below;
+}
+
+constexpr std::size_t kWidest = 300;  // bytes of a line that are shown
+constexpr std::size_t kBefore = 100;  // of them in front of the caret, if the line is longer
+
+/// The part of a very long line that is shown, "..." where something is left out; `shift` is what goes in front.
+std::string shownPart(const std::string& line, std::size_t column, std::size_t& shift) {
+    shift = 0;
+    if (line.size() <= kWidest) return line;
+    std::size_t end = kWidest;
+    if (column > kWidest && column <= line.size()) {
+        shift = column - kBefore;
+        while (isInnerByte(line[shift])) ++shift;
+        end = std::min(line.size(), shift + kWidest);
+    }
+    while (end < line.size() && isInnerByte(line[end])) ++end;
+    return (shift == 0 ? "" : "...") + line.substr(shift, end - shift) + (end == line.size() ? "" : "...");
+}
+
+void printSource(std::ostream& out, const Location& where, const std::vector<Fix>& fixes, SourceCache& sources) {
     const auto line = sources.line(where.file, where.line);
     if (!line) return;
-    out << *line << '\n';
-    if (where.column != 0) out << padding(*line, where.column - 1) << "^\n";
+    std::size_t shift = 0;
+    const std::string shown = shownPart(*line, where.column, shift);
+    out << shown << '\n';
+    if (where.column != 0) out << padding(shown, where.column - 1 - shift + (shift == 0 ? 0 : 3)) << "^\n";
+    const std::string below = shown == *line ? belowLine(*line, where, fixes) : "";
+    if (!below.empty()) out << below << '\n';
+}
+
+/// What stands there now, if it is within one line that can be read.
+std::string replacedText(const Fix& fix, SourceCache& sources) {
+    if (fix.begin.line != fix.end.line || fix.begin.column == 0 || fix.end.column < fix.begin.column) return {};
+    const auto line = sources.line(fix.begin.file, fix.begin.line);
+    if (!line || fix.begin.column > line->size()) return {};
+    return line->substr(fix.begin.column - 1, fix.end.column - fix.begin.column);
+}
+
+std::string quoted(const std::string& text) { return "'" + withoutLineEnd(text) + "'"; }
+
+void printFixes(std::ostream& out, const std::vector<Fix>& fixes, SourceCache& sources) {
+    for (const Fix& fix : fixes) {
+        std::string text = "insert " + quoted(fix.replacement);
+        if (fix.begin != fix.end) {
+            const std::string old = replacedText(fix, sources);
+            const std::string what =
+                old.empty() ? "all up to " + toString({{}, fix.end.line, fix.end.column}) : quoted(old);
+            text = fix.replacement.empty() ? "remove " + what : "replace " + what + " with " + quoted(fix.replacement);
+        }
+        out << prefixed(fix.begin, "fix-it: " + text) << '\n';
+    }
 }
 
 }  // namespace
@@ -59,10 +129,12 @@ std::string toString(const Diagnostic& diagnostic) {
 
 void print(std::ostream& out, const Diagnostic& diagnostic, SourceCache& sources) {
     out << toString(diagnostic) << '\n';
-    printSource(out, diagnostic.where, sources);
+    printSource(out, diagnostic.where, diagnostic.fixes, sources);
+    printFixes(out, diagnostic.fixes, sources);
     for (const Note& note : diagnostic.notes) {
         out << prefixed(note.where, "note: " + note.message) << '\n';
-        printSource(out, note.where, sources);
+        printSource(out, note.where, note.fixes, sources);
+        printFixes(out, note.fixes, sources);
     }
 }
 

@@ -7,6 +7,10 @@
 ///                    ^
 ///     tank.xml:6:20: note: first used here
 ///
+/// What a fix puts into the line stands below the caret, and each fix is told as a line of its own:
+///
+///     types.hpp:4:5: fix-it: replace 'const char*' with 'std::string'
+///
 /// What is unknown (file, line, column, code) is left out.
 #ifndef OROFORGE_DIAG_PRINT_HPP
 #define OROFORGE_DIAG_PRINT_HPP

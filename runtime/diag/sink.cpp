@@ -14,7 +14,7 @@ bool sameReport(const Diagnostic& a, const Diagnostic& b) {
 }
 
 Diagnostic make(Severity severity, Location&& where, std::string&& code, std::string&& message) {
-    return Diagnostic{severity, std::move(code), std::move(where), std::move(message), {}};
+    return Diagnostic{severity, std::move(code), std::move(where), std::move(message), {}, {}};
 }
 
 }  // namespace
