@@ -28,6 +28,8 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/detail/enum_table.cpp
   rtt/types/detail/sequence_constructor.cpp
   rtt/types/detail/sequence_table.cpp
+  rtt/types/detail/shown_table.cpp
   rtt/types/detail/struct_table.cpp
   rtt/types/detail/table_generator.cpp
+  rtt/types/detail/variant_table.cpp
   rtt/types/detail/type_names.cpp)

@@ -27,10 +27,10 @@ TypeInfoGenerator* makeEnumType(const char* name, const Enumerator* values, std:
     return detail::newEnumGenerator(name, values, count, doc, typeOps<E>(), typeThunks<E>(), enumOps<E>(), &typeRef<E>);
 }
 
-/** A container with size(), capacity(), resize() and operator[], such as std::vector. */
+/** A container: std::vector, std::array and the like, others by a table of ContainerTable.hpp. */
 template <class C>
-TypeInfoGenerator* makeSequenceType(const char* name) {
-    return detail::newSequenceGenerator(name, sequenceOps<C>(), typeOps<C>(), typeThunks<C>());
+TypeInfoGenerator* makeSequenceType(const char* name, const SequenceOps& elements = sequenceOps<C>()) {
+    return detail::newSequenceGenerator(name, elements, typeOps<C>(), typeThunks<C>());
 }
 
 /** The type of members declared E m[N] or std::array<E, N> m. */

@@ -19,6 +19,8 @@ public:
     /** Sets the number of elements; false if the type has a fixed size. */
     virtual bool resize(base::DataSourceBase::shared_ptr value, int size) const;
     virtual std::vector<std::string> getMemberNames() const;
+    /** What is known of a member beside its type: "comment [unit] (range)"; empty if that is nothing. */
+    virtual std::string describeMember(const std::string& name) const;
     /** A source that refers to the member, or null. */
     virtual base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                        const std::string& name) const;

@@ -109,19 +109,62 @@ SourcePtr SequenceMembers::getMember(SourcePtr item, SourcePtr id) const {
 SourcePtr SequenceMembers::decomposeType(SourcePtr source) const {
     boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
     result->set().setType(source->getTypeName());
-    const std::size_t size = sizeOf(source);
-    for (std::size_t i = 0; i != size; ++i) {
-        const SourcePtr element = elementAt(source, i);
-        if (!element) return nullptr;
+    std::size_t count = 0;
+    const bool complete = forEach(source, [&](const SourcePtr& element) {
         result->set().ownProperty(
-            element->getTypeInfo()->buildProperty("Element" + std::to_string(i), "Sequence Element", element));
+            element->getTypeInfo()->buildProperty("Element" + std::to_string(count++), "Sequence Element", element));
+    });
+    return complete ? result : nullptr;
+}
+
+bool SequenceMembers::forEach(const SourcePtr& source, const std::function<void(const SourcePtr&)>& action) const {
+    const std::size_t size = sizeOf(source);
+    const TypeThunks* const thunks = size ? elementThunks() : nullptr;
+    if (size && !thunks) return false;
+    if (!ops_.visit) {
+        for (std::size_t i = 0; i != size; ++i) action(elementAt(source, i));
+        return true;
     }
-    return result;
+    struct Context {
+        const TypeThunks* thunks;
+        const std::function<void(const SourcePtr&)>& action;
+    } context = {thunks, action};
+    const auto each = [](void* to, const void* element) {
+        const auto& [of, act] = *static_cast<Context*>(to);
+        const SourcePtr copy(of->value());
+        copy->assignValue(element);
+        act(copy);
+    };
+    if (size) ops_.visit(source->getRawConstPointer(), each, &context);
+    return true;
+}
+
+// Of two elements with one key the first stays, as in the container itself.
+bool SequenceMembers::insertAll(const PropertyBag& bag, void* container) const {
+    const TypeThunks* const thunks = elementThunks();
+    if (!thunks || !ops_.resize(container, 0)) return false;
+    for (const base::PropertyBase* item : bag) {
+        const SourcePtr element(thunks->value());
+        if (!detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
+        ops_.insert(container, element->getRawConstPointer());
+    }
+    return true;
+}
+
+bool SequenceMembers::reportElement(const SourcePtr& element, const base::PropertyBase& item) const {
+    log(Error) << "element " << item.getName() << " of type " << (element ? element->getTypeName() : "unknown_t")
+               << " cannot take a value of type " << item.getType() << endlog();
+    return false;
 }
 
 bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
     const auto* bag = static_cast<const PropertyBag*>(detail::valueOfType(source, typeid(PropertyBag)));
     if (!bag || !target->isAssignable()) return false;
+    if (ops_.insert) {
+        if (!insertAll(*bag, target->getRawPointer())) return false;
+        target->updated();
+        return true;
+    }
     if (ops_.resize) {
         if (!resize(target, static_cast<int>(bag->size()))) return false;
     } else if (sizeOf(target) != bag->size()) {
@@ -131,10 +174,7 @@ bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
     for (std::size_t i = 0; i != bag->size(); ++i) {
         const base::PropertyBase* item = bag->getItem(i);
         const SourcePtr element = elementAt(target, i);
-        if (element && detail::updateByAnyMeans(element, item->getDataSource())) continue;
-        log(Error) << "element " << i << " of type " << (element ? element->getTypeName() : "unknown_t")
-                   << " cannot take a value of type " << item->getType() << endlog();
-        return false;
+        if (!element || !detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
     }
     target->updated();
     return true;
@@ -142,13 +182,12 @@ bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
 
 std::ostream& SequenceMembers::write(std::ostream& os, SourcePtr source) const {
     os << '{';
-    const std::size_t size = sizeOf(source);
-    for (std::size_t i = 0; i != size; ++i) {
-        const SourcePtr element = elementAt(source, i);
-        if (!element) break;
+    const char* separator = "";
+    forEach(source, [&](const SourcePtr& element) {
         element->evaluate();
-        element->write(i ? os << ", " : os);
-    }
+        element->write(os << separator);
+        separator = ", ";
+    });
     return os << '}';
 }
 

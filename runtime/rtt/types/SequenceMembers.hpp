@@ -7,8 +7,13 @@
 #include "MemberFactory.hpp"
 #include "SequenceOps.hpp"
 #include "StreamFactory.hpp"
+#include <functional>
 
 namespace RTT {
+class PropertyBag;
+namespace base {
+class PropertyBase;
+}
 namespace types {
 
 struct TypeThunks;
@@ -39,6 +44,11 @@ private:
     const TypeThunks* elementThunks() const;
     base::DataSourceBase::shared_ptr elementAt(const base::DataSourceBase::shared_ptr& item, std::size_t index) const;
     std::size_t sizeOf(const base::DataSourceBase::shared_ptr& item) const;
+    /** False if the element type is not registered. */
+    bool forEach(const base::DataSourceBase::shared_ptr& source,
+                 const std::function<void(const base::DataSourceBase::shared_ptr&)>& action) const;
+    bool insertAll(const PropertyBag& bag, void* container) const;
+    bool reportElement(const base::DataSourceBase::shared_ptr& element, const base::PropertyBase& item) const;
 
     const SequenceOps& ops_;
 };

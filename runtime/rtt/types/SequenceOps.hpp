@@ -22,6 +22,10 @@ struct SequenceOps {
     void (*load)(const void* container, std::size_t index, void* element);
     void (*store)(void* container, std::size_t index, const void* element);
     TypeRef elementType;
+    /** Set: the container finds the place of an element itself; resize() only empties it. False if there was one already. */
+    bool (*insert)(void* container, const void* element) = nullptr;
+    /** Set: faster than load() of one index after the other. */
+    void (*visit)(const void* container, void (*each)(void* context, const void* element), void* context) = nullptr;
 };
 
 }  // namespace types

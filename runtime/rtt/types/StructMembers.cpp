@@ -40,6 +40,19 @@ const TypeInfo* typeOf(const Member& member) {
     return !type && member.whole ? Types()->getTypeById(member.whole()) : type;
 }
 
+std::string description(const Member& member) {
+    std::string text = member.doc;
+    const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : " ") + more; };
+    if (*member.unit) add("[" + std::string(member.unit) + "]");
+    if (*member.range) add("(" + std::string(member.range) + ")");
+    return text;
+}
+
+SourcePtr elementOf(const SourcePtr& item, std::size_t index, const TypeThunks& thunks, const SequenceOps& ops) {
+    auto* const which = new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(index));
+    return thunks.element(item.get(), which, &ops);
+}
+
 SourcePtr partOf(const SourcePtr& item, const Member& member, const TypeThunks& thunks) {
     char* at = static_cast<char*>(item->getRawPointer());
     return at ? thunks.part(at + member.offset, member.count, item.get()) : nullptr;
@@ -53,10 +66,20 @@ std::vector<std::string> StructMembers::getMemberNames() const {
     return names;
 }
 
-SourcePtr StructMembers::getMember(SourcePtr item, const std::string& name) const {
+const Member* StructMembers::find(const std::string& name) const {
     for (std::size_t i = 0; i != count_; ++i)
-        if (name == members_[i].name) return memberOf(item, members_[i]);
+        if (name == members_[i].name) return &members_[i];
     return nullptr;
+}
+
+std::string StructMembers::describeMember(const std::string& name) const {
+    const Member* const member = find(name);
+    return member ? description(*member) : std::string();
+}
+
+SourcePtr StructMembers::getMember(SourcePtr item, const std::string& name) const {
+    const Member* const member = find(name);
+    return member ? memberOf(item, *member) : nullptr;
 }
 
 SourcePtr StructMembers::getMember(SourcePtr item, SourcePtr id) const { return MemberFactory::getMember(item, id); }
@@ -70,14 +93,13 @@ SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) c
                    << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
         return nullptr;
     }
-    if (item->isAssignable()) return partOf(item, member, *type->getThunks());
-    if (type->getThunks()->element) {
-        auto* offset = new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(member.offset));
-        return type->getThunks()->element(item.get(), offset, &byteOffsetOps());
-    }
+    const TypeThunks& thunks = *type->getThunks();
+    if (member.access) return thunks.element ? elementOf(item, 0, thunks, *member.access) : nullptr;
+    if (item->isAssignable()) return partOf(item, member, thunks);
+    if (thunks.element) return elementOf(item, member.offset, thunks, byteOffsetOps());
     // An array in a value that cannot be changed: a view on a copy.
     const SourcePtr copy = thunks_.value();
-    return copy->update(item.get()) ? partOf(copy, member, *type->getThunks()) : nullptr;
+    return copy->update(item.get()) ? partOf(copy, member, thunks) : nullptr;
 }
 
 SourcePtr StructMembers::decomposeType(SourcePtr source) const {
@@ -86,8 +108,11 @@ SourcePtr StructMembers::decomposeType(SourcePtr source) const {
     bag.setType(source->getTypeName());
     for (std::size_t i = 0; i != count_; ++i) {
         // What is out of reach was reported; the others are worth keeping.
-        if (const SourcePtr member = memberOf(source, members_[i]))
-            bag.ownProperty(member->getTypeInfo()->buildProperty(members_[i].name, "Part", member));
+        if (const SourcePtr member = memberOf(source, members_[i])) {
+            const std::string text = description(members_[i]);
+            bag.ownProperty(
+                member->getTypeInfo()->buildProperty(members_[i].name, text.empty() ? "Part" : text, member));
+        }
     }
     return result;
 }

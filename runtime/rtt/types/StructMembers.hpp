@@ -22,6 +22,7 @@ public:
         : members_(members), count_(count), ops_(ops), thunks_(thunks) {}
 
     std::vector<std::string> getMemberNames() const override;
+    std::string describeMember(const std::string& name) const override;
     using MemberFactory::getMember;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,
                                                const std::string& name) const override;
@@ -37,6 +38,7 @@ public:
     bool isStreamable() const override { return false; }
 
 private:
+    const Member* find(const std::string& name) const;
     base::DataSourceBase::shared_ptr memberOf(const base::DataSourceBase::shared_ptr& item, const Member& member) const;
 
     const Member* members_;

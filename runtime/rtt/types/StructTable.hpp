@@ -29,8 +29,18 @@ struct Member {
     std::size_t count;  ///< 0: not an array
     const char* doc;
     const char* unit;
-    TypeRef whole = nullptr;  ///< of an array that is a class of its own, such as boost::array
+    TypeRef whole = nullptr;              ///< of an array that is a class of its own, such as boost::array
+    const SequenceOps* access = nullptr;  ///< of a field without address (see memberAccess()); there is no offset then
+    const char* range = "";               ///< legal values, as text: "0..5"
 };
+
+/** How to copy a field out of its struct and back: bit-fields, packed fields, fields behind functions. Without `store` it
+    cannot be changed. The index is not used. */
+constexpr SequenceOps memberAccess(void (*load)(const void* object, std::size_t, void* field),
+                                   void (*store)(void* object, std::size_t, const void* field)) {
+    constexpr auto any = [](const void*) { return ~std::size_t(0); };
+    return {any, any, nullptr, nullptr, load, store, nullptr};
+}
 
 struct Enumerator {
     const char* name;

@@ -43,6 +43,8 @@ bool MemberFactory::resize(base::DataSourceBase::shared_ptr, int) const { return
 
 std::vector<std::string> MemberFactory::getMemberNames() const { return {}; }
 
+std::string MemberFactory::describeMember(const std::string&) const { return {}; }
+
 base::DataSourceBase::shared_ptr MemberFactory::getMember(base::DataSourceBase::shared_ptr, const std::string&) const {
     return nullptr;
 }

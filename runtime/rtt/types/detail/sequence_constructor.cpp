@@ -46,7 +46,11 @@ public:
 private:
     bool fillElements() {
         void* container = result_->getRawPointer();
-        if (!ops_.resize(container, arguments_.size())) return false;
+        if (!ops_.resize(container, ops_.insert ? 0 : arguments_.size())) return false;
+        if (ops_.insert) {
+            for (const SourcePtr& argument : arguments_) ops_.insert(container, argument->getRawConstPointer());
+            return true;
+        }
         for (std::size_t i = 0; i != arguments_.size(); ++i)
             ops_.store(container, i, arguments_[i]->getRawConstPointer());
         return true;
