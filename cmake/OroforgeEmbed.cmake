@@ -6,6 +6,9 @@
 #       namespace oroforge::render { EmbeddedFiles <function>(); }
 #   Names are relative to templates/, without ".mustache". The target needs <render/embedded.hpp>.
 #
+# oroforge_embed_texts(<target> <function> <folder>)
+#   The same for the *.txt files of a folder of this project, without ".txt".
+#
 # As a script (cmake -P) it writes the .cpp: -DROOT= -DFILES=a|b -DFUNCTION= -DOUTPUT=
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   string(REPLACE "|" ";" files "${FILES}")
@@ -14,7 +17,7 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   string(APPEND code "EmbeddedFiles ${FUNCTION}() {\n    return {\n")
   foreach(file IN LISTS files)
     file(READ ${ROOT}/${file} text)
-    string(REGEX REPLACE "\\.mustache$" "" name "${file}")
+    string(REGEX REPLACE "\\.(mustache|txt)$" "" name "${file}")
     string(APPEND code "        {\"${name}\", R\"OROFORGE(${text})OROFORGE\"},\n")
   endforeach()
   string(APPEND code "    };\n}\n\n}  // namespace oroforge::render\n")
@@ -23,6 +26,19 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
 endif()
 
 set(_OROFORGE_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
+
+function(_oroforge_embed target function root what files)
+  list(SORT files)
+  list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE dependencies)
+  string(REPLACE ";" "|" joined "${files}")
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DROOT=${root} "-DFILES=${joined}" -DFUNCTION=${function} -DOUTPUT=${output}
+            -P ${_OROFORGE_EMBED_SCRIPT}
+    DEPENDS ${dependencies} ${_OROFORGE_EMBED_SCRIPT}
+    COMMENT "Embedding ${what}" VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()
 
 function(oroforge_embed_templates target function)
   set(root ${PROJECT_SOURCE_DIR}/templates)
@@ -34,14 +50,11 @@ function(oroforge_embed_templates target function)
     endif()
     list(APPEND files ${found})
   endforeach()
-  list(SORT files)
-  list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE dependencies)
-  string(REPLACE ";" "|" joined "${files}")
-  set(output ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
-  add_custom_command(OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DROOT=${root} "-DFILES=${joined}" -DFUNCTION=${function} -DOUTPUT=${output}
-            -P ${_OROFORGE_EMBED_SCRIPT}
-    DEPENDS ${dependencies} ${_OROFORGE_EMBED_SCRIPT}
-    COMMENT "Embedding templates ${ARGN}" VERBATIM)
-  target_sources(${target} PRIVATE ${output})
+  _oroforge_embed(${target} ${function} ${root} "templates ${ARGN}" "${files}")
+endfunction()
+
+function(oroforge_embed_texts target function folder)
+  set(root ${PROJECT_SOURCE_DIR}/${folder})
+  file(GLOB files RELATIVE ${root} CONFIGURE_DEPENDS ${root}/*.txt)
+  _oroforge_embed(${target} ${function} ${root} "texts of ${folder}" "${files}")
 endfunction()

@@ -15,11 +15,13 @@ oroforge_generator_library(oroforge_gen_view
   LIBS oroforge_gen_model oroforge_gen_emit oroforge_xml nlohmann_json::nlohmann_json)
 oroforge_generator_library(oroforge_gen_driver
   SOURCES driver/create.cpp driver/generate.cpp driver/options.cpp driver/package_files.cpp
-  LIBS oroforge_gen_manifest oroforge_gen_check oroforge_gen_view oroforge_gen_render oroforge_gen_emit CLI11::CLI11)
+  LIBS oroforge_gen_manifest oroforge_gen_check oroforge_gen_view oroforge_gen_render oroforge_gen_emit
+       oroforge_gen_report CLI11::CLI11)
 target_compile_definitions(oroforge_gen_driver PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 oroforge_embed_templates(oroforge_gen_driver componentTemplates component package partials)
 
 add_executable(orocreate-pkg driver/main.cpp)
 target_link_libraries(orocreate-pkg PRIVATE oroforge_gen_driver)
+target_compile_definitions(orocreate-pkg PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 set_target_properties(orocreate-pkg PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
 install(TARGETS orocreate-pkg RUNTIME DESTINATION bin)

@@ -45,6 +45,7 @@ LAYER_OF = {
     "generator/render/": "render",
     "generator/emit/": "emit",
     "generator/emit/banner.": "banner",     # text that views put on top of generated files; writes nothing
+    "generator/report/": "report",
     "generator/driver/": "driver",
     "typekit_gen/collect/": "collect",
     "typekit_gen/plan/": "plan",
@@ -55,7 +56,7 @@ LAYER_OF = {
 LEAFS = {"diag", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
-GENERATOR = {"diag", "model", "manifest", "clang", "check", "view", "render", "emit", "banner"}
+GENERATOR = {"diag", "model", "manifest", "clang", "check", "view", "render", "emit", "banner", "report"}
 OUTER = LEAFS | API | {"plugin"}
 DEPLOYER = RUNTIME | {"ocl"}
 UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
@@ -94,6 +95,7 @@ MAY_INCLUDE = {
     "view": LEAFS | {"model", "banner"},
     "render": {"diag"},
     "emit": {"diag", "banner"},
+    "report": {"diag", "render"},
     "driver": GENERATOR | {"xml"},
     "collect": {"diag", "model", "clang"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},

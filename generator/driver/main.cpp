@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 #include <iostream>
 
-#include <diag/print.hpp>
 #include <driver/create.hpp>
 #include <render/renderer.hpp>
+#include <report/report.hpp>
 
 namespace oroforge::render {
 EmbeddedFiles componentTemplates();
@@ -14,15 +14,15 @@ namespace {
 
 using namespace oroforge;
 
-void work(const driver::Options& options, diag::Sink& sink) {
+void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
     render::Templates templates(render::componentTemplates());
     if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
     const render::Renderer renderer(templates);
     try {
         if (options.generate.empty()) {
-            driver::createPackage(options, renderer, std::cout, sink);
+            driver::createPackage(options, renderer, out, sink);
         } else {
-            driver::generateComponents(options, renderer, std::cout, sink);
+            driver::generateComponents(options, renderer, out, sink);
         }
     } catch (const render::RenderError& error) {
         sink.error({"orocreate-pkg", 0, 0}, "OC007", std::string("template ") + error.what());
@@ -32,9 +32,13 @@ void work(const driver::Options& options, diag::Sink& sink) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const auto format = report::wantedFormat({argv + 1, argv + argc});
     diag::Sink sink;
     int status = 0;
-    if (const auto options = driver::parseOptions(argc, argv, sink, status)) work(*options, sink);
-    diag::print(std::cerr, sink);
+    const auto options = driver::parseOptions(argc, argv, sink, status);
+    // A document for programs stands alone on standard output.
+    if (options) work(*options, format == report::Format::Text ? std::cout : std::cerr, sink);
+    if (!options && status == 0) return 0;  // --help, --version
+    if (!report::write(format, {"orocreate-pkg", OROFORGE_VERSION}, sink, std::cout, std::cerr)) return 1;
     return sink.hadErrors() ? 1 : status;
 }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <diag/nearest_match.hpp>
+#include <report/report.hpp>
 
 namespace oroforge::driver {
 
@@ -39,6 +40,8 @@ void declare(CLI::App& app, Options& options) {
         ->type_name("DIR");
     app.add_option("--dump", options.dump, "Print an intermediate step of --generate as JSON: model or view")
         ->check(CLI::IsMember({"model", "view"}));
+    app.add_option("--format", options.format, "How errors and warnings are told: text, json or sarif")
+        ->check(CLI::IsMember(report::formatNames()));
     app.add_flag("-f,--force", options.force,
                  "Write into an existing directory; sources there are kept, build files are kept as *.old");
     app.set_version_flag("--version", "orocreate-pkg (Oroforge) " OROFORGE_VERSION);
@@ -74,6 +77,8 @@ void checkCombination(const Options& options, diag::Sink& sink) {
     const auto complain = [&](bool wrong, const char* text) {
         if (wrong) sink.error(here, "OC001", text).hint(kHelpHint);
     };
+    complain(options.format != "text" && (options.listOutputs || !options.dump.empty()),
+             "--format excludes --list-outputs and --dump: both write to standard output");
     if (options.generate.empty()) {
         complain(options.words.empty() && options.from.empty(),
                  "no package name given, expected orocreate-pkg NAME [KIND...]");

@@ -20,7 +20,8 @@ struct Options {
     std::string depfile;
     std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;
-    std::string dump;  ///< "model" or "view": print that step instead of writing files
+    std::string dump;             ///< "model" or "view": print that step instead of writing files
+    std::string format = "text";  ///< of diagnostics, see report::formatNames()
     bool listOutputs = false;
     bool force = false;
 };

@@ -35,7 +35,7 @@ void Templates::add(const EmbeddedFiles& files) {
 bool Templates::overrideFrom(const std::string& directory, diag::Sink& sink) {
     std::error_code error;
     if (!fs::is_directory(directory, error)) {
-        sink.error({directory, 0, 0}, "EMIT002", "not a directory; expected a directory of *.mustache templates");
+        sink.error({directory, 0, 0}, "EMIT003", "not a directory; expected a directory of *.mustache templates");
         return false;
     }
     for (const auto& entry : fs::recursive_directory_iterator(directory)) {
@@ -44,7 +44,7 @@ bool Templates::overrideFrom(const std::string& directory, diag::Sink& sink) {
         std::ostringstream text;
         text << in.rdbuf();
         if (!in) {
-            sink.error({entry.path().string(), 0, 0}, "EMIT002", "cannot read the template");
+            sink.error({entry.path().string(), 0, 0}, "EMIT003", "cannot read the template");
             return false;
         }
         std::string name = entry.path().lexically_relative(directory).generic_string();
