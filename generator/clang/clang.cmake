@@ -11,6 +11,7 @@ set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
 add_library(oroforge_gen_clang STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/check_headers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/check_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/classify.cpp
   ${CMAKE_CURRENT_LIST_DIR}/classify_standard.cpp
@@ -18,9 +19,13 @@ add_library(oroforge_gen_clang STATIC
   ${CMAKE_CURRENT_LIST_DIR}/describe_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnostic_bridge.cpp
   ${CMAKE_CURRENT_LIST_DIR}/doc_comment.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/find_accessors.cpp
   ${CMAKE_CURRENT_LIST_DIR}/find_roots.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/fix_it.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/header_edit.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rejection.cpp
   ${CMAKE_CURRENT_LIST_DIR}/resource_dir.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sound_types.cpp
   ${CMAKE_CURRENT_LIST_DIR}/source_places.cpp
   ${CMAKE_CURRENT_LIST_DIR}/type_names.cpp
   ${CMAKE_CURRENT_LIST_DIR}/type_reader.cpp)

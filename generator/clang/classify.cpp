@@ -11,22 +11,27 @@ namespace {
 Classified classifyBuiltin(clang::QualType type, const clang::BuiltinType& builtin, const clang::ASTContext& context) {
     Classified result;
     if (const auto name = nameOf(builtin, context)) {
-        result.use = model::TypeUse{model::TypeKind::Scalar, name->cpp, name->registry, {}};
+        model::TypeKind kind = model::TypeKind::Scalar;
+        if (type->isWideCharType() || type->isChar16Type() || type->isChar32Type()) kind = model::TypeKind::Character;
+        if (builtin.getKind() == clang::BuiltinType::LongDouble) kind = model::TypeKind::LongDouble;
+        result.use = model::TypeUse{kind, name->cpp, name->registry, {}, ""};
         return result;
-    }
-    if (type->isWideCharType() || type->isChar8Type() || type->isChar16Type() || type->isChar32Type()) {
-        return reject(Reason::CharacterType, type);
     }
     return reject(type->isArithmeticType() ? Reason::WideScalar : Reason::OtherType, type);
 }
 
 Classified classifyEnum(clang::QualType type, const clang::EnumDecl& declaration) {
+    if (isStandard(declaration) && declaration.getName() == "byte") {
+        Classified byte;
+        byte.use = model::TypeUse{model::TypeKind::Character, "std::byte", "/byte", {}, ""};
+        return byte;
+    }
     if (isStandard(declaration)) return reject(Reason::OtherStandard, type);
     const auto name = nameOf(declaration);
     if (!name) return reject(Reason::Unnamed, type);
     Classified result;
-    result.use = model::TypeUse{model::TypeKind::Enum, name->cpp, name->registry, {}};
-    result.enumeration = &declaration;
+    result.use = model::TypeUse{model::TypeKind::Enum, name->cpp, name->registry, {}, ""};
+    result.users = {&declaration};
     return result;
 }
 
@@ -40,17 +45,56 @@ Classified classifyRecord(clang::QualType type, const clang::CXXRecordDecl& reco
         return reject(instance ? Reason::TemplateArgument : Reason::Unnamed, type);
     }
     Classified result;
-    result.use = model::TypeUse{model::TypeKind::Struct, name->cpp, name->registry, {}};
-    result.record = &record;
+    result.use = model::TypeUse{model::TypeKind::Struct, name->cpp, name->registry, {}, ""};
+    result.users = {&record};
     return result;
 }
 
-Classified classifyArray(clang::QualType array, clang::QualType element, std::uint64_t count,
-                         const clang::ASTContext& context) {
-    if (count == 0) return reject(Reason::UnboundedArray, array);
-    Classified result = classifyMember(element, context);
-    if (result.use && result.count != 0) return reject(Reason::MultiDimArray, array);
-    result.count = count;
+/// Rows of `double m[3][4]` are seen as std::array<double, 4>.
+Classified asRow(Classified row) {
+    if (!row.use || row.count == 0) return row;
+    const std::string count = std::to_string(row.count);
+    const model::TypeUse element = *row.use;
+    row.use = model::TypeUse{model::TypeKind::Sequence,
+                             "std::array<" + element.cpp + ", " + count + ">",
+                             "/std/array<" + element.name + "," + count + ">",
+                             {element},
+                             ""};
+    row.count = 0;
+    return row;
+}
+
+/// The element type and size of `E m[N]` and std::array<E, N>; 0 elements: it is another type.
+struct ArrayShape {
+    clang::QualType element;
+    std::uint64_t count = 0;
+    bool isClass = false;
+};
+
+ArrayShape shapeOf(clang::QualType type, const clang::ASTContext& context) {
+    if (const auto* array = context.getAsConstantArrayType(type))
+        return {array->getElementType(), array->getSize().getZExtValue(), false};
+    const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+    if (instance == nullptr || !isStandard(*instance, "array")) return {};
+    const clang::TemplateArgumentList& arguments = instance->getTemplateArgs();
+    return {arguments[0].getAsType(), arguments[1].getAsIntegral().getZExtValue(), true};
+}
+
+Classified classifyArray(const ArrayShape& shape, const clang::ASTContext& context) {
+    Classified element = classifyMember(shape.element, context);
+    if (!element.use) return element;
+    const std::string inner = element.declared;
+    Classified result = asRow(std::move(element));
+    result.count = shape.count;
+    const std::string count = std::to_string(shape.count);
+    if (shape.isClass) {
+        result.declared = "std::array<" + inner + ", " + count + ">";
+    } else {
+        // The outer bound comes first: behind "double[4]" three of them are "double[3][4]".
+        const std::size_t bounds =
+            shape.element->isConstantArrayType() ? inner.rfind("[", inner.find("[")) : inner.size();
+        result.declared = inner.substr(0, bounds) + "[" + count + "]" + inner.substr(bounds);
+    }
     return result;
 }
 
@@ -64,7 +108,8 @@ Classified classifyValue(clang::QualType type, const clang::ASTContext& context)
     if (bare.isPointerType())
         return reject(bare.getPointeeType()->isCharType() ? Reason::CString : Reason::RawPointer, type);
     if (bare.isReferenceType()) return reject(Reason::Reference, type);
-    if (bare.isArrayType()) return reject(Reason::ArrayElement, type);
+    if (const ArrayShape shape = shapeOf(type, context); shape.count != 0) return asRow(classifyArray(shape, context));
+    if (bare.isArrayType()) return reject(Reason::UnboundedArray, type);
     if (const auto* tag = llvm::dyn_cast<clang::EnumType>(&bare)) return classifyEnum(type, *tag->getDecl());
     if (const auto* record = bare.getAsCXXRecordDecl()) return classifyRecord(type, *record, context);
     return reject(bare.isArithmeticType() ? Reason::WideScalar : Reason::OtherType, type);
@@ -72,18 +117,13 @@ Classified classifyValue(clang::QualType type, const clang::ASTContext& context)
 
 Classified classifyMember(clang::QualType type, const clang::ASTContext& context) {
     if (type->isReferenceType()) return reject(Reason::Reference, type);
-    if (const auto* array = context.getAsConstantArrayType(type)) {
-        return classifyArray(type, array->getElementType(), array->getSize().getZExtValue(), context);
-    }
+    if (const ArrayShape shape = shapeOf(type, context); shape.count != 0) return classifyArray(shape, context);
     if (type->isArrayType()) return reject(Reason::UnboundedArray, type);
     if (type.isVolatileQualified()) return reject(Reason::VolatileMember, type);
     if (type.isConstQualified()) return reject(Reason::ConstMember, type);
-    const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
-    if (instance != nullptr && isStandard(*instance, "array")) {
-        const clang::TemplateArgumentList& arguments = instance->getTemplateArgs();
-        return classifyArray(type, arguments[0].getAsType(), arguments[1].getAsIntegral().getZExtValue(), context);
-    }
-    return classifyValue(type, context);
+    Classified result = classifyValue(type, context);
+    if (result.use) result.declared = result.use->cpp;
+    return result;
 }
 
 }  // namespace oroforge::cxx

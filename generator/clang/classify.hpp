@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <model/type_model.hpp>
 
@@ -14,18 +15,18 @@
 namespace oroforge::cxx {
 
 struct Classified {
-    std::optional<model::TypeUse> use;             ///< set: the type is fine as far as it can be seen from here
-    std::uint64_t count = 0;                       ///< elements, if it is an array
-    const clang::CXXRecordDecl* record = nullptr;  ///< user struct at the bottom, still to be described
-    const clang::EnumDecl* enumeration = nullptr;  ///< user enum at the bottom, still to be described
-    Reason reason = Reason::OtherType;             ///< if use is not set …
-    clang::QualType culprit;                       ///< … and the type it is about: the whole, or an element
+    std::optional<model::TypeUse> use;         ///< set: the type is fine as far as it can be seen from here
+    std::uint64_t count = 0;                   ///< elements, if it is an array …
+    std::string declared;                      ///< … whose C++ type is this
+    std::vector<const clang::TagDecl*> users;  ///< structs and enums at the bottom, still to be described
+    Reason reason = Reason::OtherType;         ///< if use is not set …
+    clang::QualType culprit;                   ///< … and the type it is about: the whole, or an element
 };
 
-/// Type of a data member: values and one-dimensional arrays of values.
+/// Type of a data member: values and arrays of values.
 Classified classifyMember(clang::QualType type, const clang::ASTContext& context);
 
-/// A value: everything that may be an element of a std::vector.
+/// A value: everything that may be an element of a container. Rows of arrays are seen as std::array, which has their layout.
 Classified classifyValue(clang::QualType type, const clang::ASTContext& context);
 
 /// A class of namespace std.

@@ -3,6 +3,7 @@
 #include "collect_fields.hpp"
 
 #include "doc_comment.hpp"
+#include "find_accessors.hpp"
 #include "type_names.hpp"
 
 namespace oroforge::cxx {
@@ -29,14 +30,37 @@ Rejection makeRejection(Reason reason, std::string subject, std::string type, cl
     return rejection;
 }
 
+/// The names of all fields, those of base classes and anonymous structs included.
+void addNames(const clang::CXXRecordDecl& type, std::multiset<std::string>& names) {
+    for (const clang::CXXBaseSpecifier& base : type.bases()) {
+        const auto* record = base.getType()->getAsCXXRecordDecl();
+        if (record != nullptr && record->hasDefinition()) addNames(*record->getDefinition(), names);
+    }
+    for (const clang::FieldDecl* field : type.fields()) {
+        if (field->isAnonymousStructOrUnion())
+            addNames(*field->getType()->getAsCXXRecordDecl(), names);
+        else
+            names.insert(field->getNameAsString());
+    }
+}
+
+/// Whether a field of the base class cannot be told from others of the type by its name.
+bool hasAmbiguousName(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base) {
+    std::multiset<std::string> all, inherited;
+    addNames(type, all);
+    addNames(base, inherited);
+    for (const std::string& name : inherited)
+        if (!name.empty() && all.count(name) > inherited.count(name)) return true;
+    return false;
+}
+
 }  // namespace
 
 void FieldCollector::addRecord(const clang::CXXRecordDecl& type, std::uint64_t offset) {
     const clang::ASTRecordLayout& layout = types_.context().getASTRecordLayout(&type);
     for (const clang::CXXBaseSpecifier& base : type.bases()) addBase(type, base, offset);
-    for (const clang::FieldDecl* field : type.fields()) {
-        addField(*field, offset + layout.getFieldOffset(field->getFieldIndex()) / 8);
-    }
+    for (const clang::FieldDecl* field : type.fields())
+        addField(*field, 8 * offset + layout.getFieldOffset(field->getFieldIndex()));
 }
 
 void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXBaseSpecifier& specifier,
@@ -48,6 +72,8 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
         rejection.reason = Reason::VirtualBase;
     } else if (specifier.getAccessSpecifier() != clang::AS_public) {
         rejection.reason = Reason::HiddenBase;
+    } else if (!isStandard(base) && hasAmbiguousName(type, base)) {
+        return addWholeBase(type, base, specifier, offset);
     } else if (!isStandard(base)) {
         if (base_.empty()) baseAt_ = specifier.getBeginLoc();
         const std::string outer = std::exchange(base_, shownName(base));
@@ -63,6 +89,30 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
         if (types_.isOwn(base)) return;
     }
     rejections_.push_back(rejection);
+}
+
+/// A base class of which a field has the name of another one is a member of its own, with its own fields.
+void FieldCollector::addWholeBase(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base,
+                                  const clang::CXXBaseSpecifier& specifier, std::uint64_t offset) {
+    const Classified whole = classifyValue(types_.context().getTypeDeclType(&base), types_.context());
+    const std::string subject = "base class '" + shownName(base) + "' of '" + shownName(type) + "'";
+    const TypeFate& fate = types_.describe(base);
+    if (!whole.use || !fate.usable || !names_.insert(base.getNameAsString()).second) {
+        Rejection rejection = makeRejection(whole.use ? Reason::SameName : whole.reason, subject, shownName(base),
+                                            specifier.getBeginLoc());
+        rejection.causes = fate.rejections;
+        broken_ = broken_ || !fate.usable;
+        if (fate.usable || !fate.rejections.empty()) rejections_.push_back(rejection);
+        return;
+    }
+    model::Field result;
+    result.name = base.getNameAsString();
+    result.type = *whole.use;
+    result.offset = offset + types_.context().getASTRecordLayout(&type).getBaseClassOffset(&base).getQuantity();
+    result.doc = docComment(types_.context(), base).text;
+    result.base = shownName(base);
+    result.where = types_.locate(specifier.getBeginLoc());
+    fields_.push_back(result);
 }
 
 void FieldCollector::reject(const clang::FieldDecl& field, Reason reason) {
@@ -81,35 +131,80 @@ std::vector<Rejection> FieldCollector::rejections() const {
     return all;
 }
 
-void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t offset) {
+void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits) {
     if (field.isUnnamedBitField()) return;  // padding only
     if (field.isAnonymousStructOrUnion()) {
         const clang::CXXRecordDecl& inner = *field.getType()->getAsCXXRecordDecl();
-        return inner.isUnion() ? reject(field, Reason::Union) : addRecord(inner, offset);
+        return inner.isUnion() ? reject(field, Reason::Union) : addRecord(inner, bits / 8);
     }
-    if (field.getAccess() != clang::AS_public) return reject(field, Reason::PrivateMember);
-    if (field.isBitField()) return reject(field, Reason::BitField);
-    if (field.hasAttr<clang::NoUniqueAddressAttr>()) return reject(field, Reason::Overlapping);
-    const auto align = types_.context().getTypeAlignInChars(field.getType()).getQuantity();
-    const Classified type = classifyMember(field.getType(), types_.context());
-    if (type.use && offset % align != 0) return reject(field, Reason::Misaligned);
-    if (type.use && !names_.insert(field.getNameAsString()).second) return rejectName(field);
-    addClassified(field, type, offset);
+    const std::string name = field.getNameAsString();
+    if (field.getAccess() != clang::AS_public) {
+        const auto accessors = findAccessors(field);
+        if (!accessors) return reject(field, Reason::PrivateMember);
+        return addByCopy(field, accessors->name, "value = object." + accessors->getter + "()", accessors->store);
+    }
+    const clang::ASTContext& context = types_.context();
+    const auto* unnamed = field.getType()->getAs<clang::EnumType>();
+    if (unnamed != nullptr && !nameOf(*unnamed->getDecl())) return addUnnamedEnum(field, *unnamed->getDecl());
+    if (field.isBitField() || field.hasAttr<clang::NoUniqueAddressAttr>())
+        return addByCopy(field, name, "value = object." + name, "object." + name + " = value");
+    const auto align = context.getTypeAlignInChars(field.getType()).getQuantity();
+    if (bits / 8 % align != 0) return addPacked(field, bits / 8);
+    model::Field& added = addClassified(field, name, classifyMember(field.getType(), context));
+    added.offset = bits / 8;
+    if (added.type.kind != model::TypeKind::Count || added.count != 0) return;
+    // The number is all there is in it, so that scripts may compute with it.
+    const model::TypeUse number = added.type.element.front();
+    added.type = number;
 }
 
-void FieldCollector::addClassified(const clang::FieldDecl& field, const Classified& type, std::uint64_t offset) {
-    if (!usable(field, type)) return;
+/// Without a name of its own the enum is the number behind it.
+void FieldCollector::addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type) {
+    const std::string name = field.getNameAsString();
+    const Classified number = classifyMember(type.getIntegerType(), types_.context());
+    model::Field& added = addClassified(field, name, number);
+    added.declared.clear();
+    added.load = "value = object." + name;
+    added.store = "object." + name + " = static_cast<decltype(object." + name + ")>(value)";
+}
+
+/// A field at an address that does not suit its type must not be referred to.
+void FieldCollector::addPacked(const clang::FieldDecl& field, std::uint64_t offset) {
+    if (!field.getType().isTriviallyCopyableType(types_.context())) return reject(field, Reason::Misaligned);
+    const std::string at = "&object) + " + std::to_string(offset);
+    addByCopy(field, field.getNameAsString(),
+              "std::memcpy(&value, reinterpret_cast<const char*>(" + at + ", sizeof value)",
+              "std::memcpy(reinterpret_cast<char*>(" + at + ", &value, sizeof value)");
+}
+
+void FieldCollector::addByCopy(const clang::FieldDecl& field, const std::string& name, const std::string& load,
+                               const std::string& store) {
+    model::Field& added = addClassified(field, name, classifyValue(field.getType(), types_.context()));
+    added.load = load;
+    added.store = store;
+}
+
+model::Field& FieldCollector::addClassified(const clang::FieldDecl& field, const std::string& name,
+                                            const Classified& type) {
+    static model::Field rejected;
+    if (!usable(field, type)) return rejected;
+    if (!names_.insert(name).second) {
+        rejectName(field);
+        return rejected;
+    }
     const DocComment comment = docComment(types_.context(), field);
     model::Field result;
-    result.name = field.getNameAsString();
+    result.name = name;
     result.type = *type.use;
+    result.declared = type.declared;
     result.count = type.count;
-    result.offset = offset;
     result.doc = comment.text;
-    result.unit = comment.unit;
+    result.unit = comment.unit.empty() ? type.use->unit : comment.unit;
+    result.range = comment.range;
     result.base = base_;
     result.where = types_.locate(field.getLocation());
     fields_.push_back(result);
+    return fields_.back();
 }
 
 bool FieldCollector::usable(const clang::FieldDecl& field, const Classified& type) {
@@ -121,23 +216,30 @@ bool FieldCollector::usable(const clang::FieldDecl& field, const Classified& typ
                                             shownName(type.culprit, context), field.getLocation()));
         return false;
     }
-    const clang::TagDecl* tag = type.record;
-    if (type.enumeration != nullptr) tag = type.enumeration;
-    if (tag == nullptr) return true;
-    if (tag->getDefinition() == nullptr) {
+    bool all = true;
+    for (const clang::TagDecl* tag : type.users) all = usable(field, *tag) && all;
+    return all;
+}
+
+bool FieldCollector::usable(const clang::FieldDecl& field, const clang::TagDecl& tag) {
+    // A template instance that only a container names has not been made yet.
+    types_.sema().isCompleteType(field.getLocation(), types_.context().getTypeDeclType(&tag));
+    if (tag.getDefinition() == nullptr) {
         reject(field, Reason::NeverDefined);
         return false;
     }
-    if (isHidden(*tag)) {
+    if (isHidden(tag)) {
         reject(field, Reason::HiddenType);
         return false;
     }
-    const TypeFate& fate = type.record != nullptr ? types_.describe(*type.record) : types_.describe(*type.enumeration);
+    const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&tag);
+    const TypeFate& fate =
+        record != nullptr ? types_.describe(*record) : types_.describe(llvm::cast<clang::EnumDecl>(tag));
     if (fate.usable) return true;
     broken_ = true;
     if (!fate.rejections.empty()) {
         Rejection rejection = makeRejection(fate.rejections.front().reason, subjectOf(field),
-                                            shownName(field.getType(), context), field.getLocation());
+                                            shownName(field.getType(), types_.context()), field.getLocation());
         rejection.causes = fate.rejections;
         rejections_.push_back(rejection);
     }

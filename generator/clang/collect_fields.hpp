@@ -28,9 +28,17 @@ public:
 private:
     void addRecord(const clang::CXXRecordDecl& type, std::uint64_t offset);
     void addBase(const clang::CXXRecordDecl& type, const clang::CXXBaseSpecifier& base, std::uint64_t offset);
-    void addField(const clang::FieldDecl& field, std::uint64_t offset);
-    void addClassified(const clang::FieldDecl& field, const Classified& type, std::uint64_t offset);
+    void addWholeBase(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base,
+                      const clang::CXXBaseSpecifier& specifier, std::uint64_t offset);
+    void addField(const clang::FieldDecl& field, std::uint64_t bits);
+    void addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type);
+    void addPacked(const clang::FieldDecl& field, std::uint64_t offset);
+    void addByCopy(const clang::FieldDecl& field, const std::string& name, const std::string& load,
+                   const std::string& store);
+    /// The field that was added, or one that nobody sees if it was rejected.
+    model::Field& addClassified(const clang::FieldDecl& field, const std::string& name, const Classified& type);
     bool usable(const clang::FieldDecl& field, const Classified& type);
+    bool usable(const clang::FieldDecl& field, const clang::TagDecl& tag);
     void reject(const clang::FieldDecl& field, Reason reason);
     void rejectName(const clang::FieldDecl& field);
 

@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include "diagnostic_bridge.hpp"
 
+#include "fix_it.hpp"
+#include "header_edit.hpp"
+
 namespace oroforge::cxx {
 
 void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
@@ -9,16 +12,51 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     llvm::SmallString<128> text;
     info.FormatDiagnostic(text);
     diag::Location where;
-    if (info.hasSourceManager()) where = places_.locate(info.getSourceManager(), info.getLocation());
+    std::vector<diag::Fix> fixes;
+    if (info.hasSourceManager()) {
+        where = places_.locate(info.getSourceManager(), info.getLocation());
+        fixes = fixesOf(info.getFixItHints(), info.getSourceManager(), language_, places_);
+    }
     if (level == clang::DiagnosticsEngine::Note) {
-        if (last_ != nullptr) last_->note(where, text.str().str());
+        if (last_ == nullptr) return;
+        // The end of our own main file is no place of the user's; the note says in which header it begins.
+        if (last_->where.line == 0 && last_->notes.empty() && where.line != 0) last_->where = {where.file};
+        last_->note(where, text.str().str());
+        last_->notes.back().fixes = std::move(fixes);
+        if (info.getID() == clang::diag::note_use_ifdef_guards) fixGuard(info);
         return;
     }
     // Warnings about user headers are for the user's compiler to give.
     last_ = nullptr;
-    if (level < clang::DiagnosticsEngine::Error) return;
-    if (where.file.empty()) where.file = "typegen";
+    if (level < clang::DiagnosticsEngine::Error || isFollowUp(info)) return;
+    if (where.file.empty()) {
+        where.file = "typegen";
+    } else if (where.line == 0) {
+        where.file = lastHeader_;  // at the end of our own main file, which is the end of what it includes
+    }
     last_ = &sink_.error(where, "", text.str().str());
+    last_->fixes = std::move(fixes);
+}
+
+bool DiagnosticBridge::isFollowUp(const clang::Diagnostic& info) {
+    if (!info.hasSourceManager()) return false;
+    const std::string header = places_.listedAbove(info.getSourceManager(), info.getLocation());
+    const bool noFile = info.getID() == clang::diag::err_pp_file_not_found;
+    const bool endless = info.getID() == clang::diag::err_template_recursion_depth_exceeded;
+    if (!noFile && !endless) return halted_.count(header) != 0;
+    halted_.insert(header);
+    // Where each instance needs two more only a truly fatal error, the next one, makes an end.
+    if (endless && engine_ != nullptr) engine_->setFatalsAsError(false);
+    return false;
+}
+
+void DiagnosticBridge::fixGuard(const clang::Diagnostic& info) {
+    const clang::SourceManager& sources = info.getSourceManager();
+    if (!last_->fixes.empty() || sources.isInSystemHeader(info.getLocation())) return;
+    const clang::FileID file = sources.getFileID(sources.getExpansionLoc(info.getLocation()));
+    const int offset = static_cast<int>(placeForPragmaOnce(sources.getBufferData(file).str()));
+    const diag::Location at = places_.locate(sources, sources.getLocForStartOfFile(file).getLocWithOffset(offset));
+    last_->fixes = {{at, at, "#pragma once\n"}};
 }
 
 }  // namespace oroforge::cxx

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Hands the compiler's own errors to our sink, words unchanged.
+/// Hands the compiler's own errors to our sink with their notes and proposals, words unchanged.
 #ifndef OROFORGE_GENERATOR_CLANG_DIAGNOSTIC_BRIDGE_HPP
 #define OROFORGE_GENERATOR_CLANG_DIAGNOSTIC_BRIDGE_HPP
+
+#include <set>
+#include <string>
 
 #include <diag/sink.hpp>
 
@@ -12,12 +15,32 @@ namespace oroforge::cxx {
 
 class DiagnosticBridge : public clang::DiagnosticConsumer {
 public:
-    DiagnosticBridge(const SourcePlaces& places, diag::Sink& sink) : places_(places), sink_(sink) {}
+    /// `lastHeader` is what the main file includes last.
+    DiagnosticBridge(const SourcePlaces& places, diag::Sink& sink, std::string lastHeader)
+        : places_(places), sink_(sink), lastHeader_(std::move(lastHeader)) {}
+    void BeginSourceFile(const clang::LangOptions& language, const clang::Preprocessor*) override {
+        language_ = language;
+    }
     void HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) override;
 
+    /// A file that is not found must not hide what is wrong in other headers.
+    void goOnAfterFatalErrors(clang::DiagnosticsEngine& engine) {
+        engine_ = &engine;
+        engine.setFatalsAsError(true);
+    }
+
 private:
+    /// After a file that is not found the compiler itself would say no more; of the header in which it happened we do
+    /// the same.
+    bool isFollowUp(const clang::Diagnostic& info);
+    void fixGuard(const clang::Diagnostic& info);
+
     const SourcePlaces& places_;
     diag::Sink& sink_;
+    std::string lastHeader_;
+    clang::DiagnosticsEngine* engine_ = nullptr;
+    clang::LangOptions language_;
+    std::set<std::string> halted_;
     diag::Diagnostic* last_ = nullptr;  // notes belong to the error before them; valid until the next report
 };
 

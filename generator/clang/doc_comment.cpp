@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "doc_comment.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace oroforge::cxx {
@@ -24,12 +25,14 @@ std::size_t findCommand(const std::string& line, const std::string& word) {
     return std::string::npos;
 }
 
-/// Cuts the command and what follows it off `line`; returns what follows.
+/// Cuts the command and what follows it, up to the next one, off `line`; returns what follows.
 std::string takeRest(std::string& line, const std::string& word) {
     const std::size_t at = findCommand(line, word);
     if (at == std::string::npos) return {};
-    const std::string rest = trimmed(line.substr(at + 1 + word.size()));
-    line = trimmed(line.substr(0, at));
+    const std::size_t begin = at + 1 + word.size();
+    const std::size_t end = std::min(line.find_first_of("@\\", begin), line.size());
+    const std::string rest = trimmed(line.substr(begin, end - begin));
+    line = trimmed(trimmed(line.substr(0, at)) + " " + line.substr(end));
     return rest;
 }
 
@@ -41,11 +44,13 @@ DocComment parseDocText(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         line = trimmed(line);
+        const std::string range = takeRest(line, "range");
+        if (!range.empty()) doc.range = range;
         const std::string unit = takeRest(line, "unit");
         if (!unit.empty()) doc.unit = unit;
         if (findCommand(line, "brief") == 0) line = trimmed(line.substr(6));
         if (line.empty()) {
-            if (!unit.empty()) continue;
+            if (!unit.empty() || !range.empty()) continue;
             paragraph = !doc.text.empty();
             continue;
         }

@@ -11,8 +11,9 @@
 namespace oroforge::cxx {
 
 struct DocComment {
-    std::string text;  ///< without marks; lines joined by blanks, paragraphs by a newline
-    std::string unit;  ///< what follows "@unit"
+    std::string text;   ///< without marks; lines joined by blanks, paragraphs by a newline
+    std::string unit;   ///< what follows "@unit"
+    std::string range;  ///< what follows "@range"
 };
 
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration);

@@ -37,4 +37,14 @@ bool SourcePlaces::isListed(const clang::SourceManager& sources, clang::SourceLo
     return entry && listed_.count(entry->getUniqueID()) != 0;
 }
 
+std::string SourcePlaces::listedAbove(const clang::SourceManager& sources, clang::SourceLocation at) const {
+    std::string above;
+    while (at.isValid()) {
+        const clang::FileID file = sources.getFileID(sources.getExpansionLoc(at));
+        if (isListed(sources, at)) above = given(sources, file, "");
+        at = sources.getIncludeLoc(file);
+    }
+    return above;
+}
+
 }  // namespace oroforge::cxx

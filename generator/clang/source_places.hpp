@@ -28,6 +28,9 @@ public:
     /// Whether it stands in one of the listed headers.
     bool isListed(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
+    /// The listed header that brought this place in, the first of a chain of #includes; empty if none did.
+    std::string listedAbove(const clang::SourceManager& sources, clang::SourceLocation at) const;
+
 private:
     std::string given(const clang::SourceManager& sources, clang::FileID file, const std::string& spelled) const;
     std::map<llvm::sys::fs::UniqueID, std::string> listed_;

@@ -23,15 +23,24 @@ std::optional<TypeName> nameOfArgument(const clang::TemplateArgument& argument, 
     }
     if (argument.getKind() != clang::TemplateArgument::Type) return std::nullopt;
     const clang::QualType type = argument.getAsType().getCanonicalType();
-    if (type.hasQualifiers()) return std::nullopt;
-    if (const auto* builtin = type->getAs<BuiltinType>()) return nameOf(*builtin, context);
-    if (const clang::TagDecl* tag = type->getAsTagDecl()) return nameOf(*tag);
-    return std::nullopt;
+    if (type.isVolatileQualified()) return std::nullopt;
+    std::optional<TypeName> name;
+    if (const auto* builtin = type->getAs<BuiltinType>()) name = nameOf(*builtin, context);
+    if (const clang::TagDecl* tag = type->getAsTagDecl()) name = nameOf(*tag);
+    if (name && type.isConstQualified()) name = TypeName{"const " + name->cpp, "const " + name->registry};
+    return name;
 }
 
 bool addArguments(const clang::ClassTemplateSpecializationDecl& type, TypeName& name) {
     std::string cpp, registry;
+    std::vector<clang::TemplateArgument> all;
     for (const clang::TemplateArgument& argument : type.getTemplateArgs().asArray()) {
+        if (argument.getKind() == clang::TemplateArgument::Pack)
+            all.insert(all.end(), argument.pack_begin(), argument.pack_end());
+        else
+            all.push_back(argument);
+    }
+    for (const clang::TemplateArgument& argument : all) {
         const auto part = nameOfArgument(argument, type.getASTContext());
         if (!part) return false;
         cpp += (cpp.empty() ? "" : ", ") + part->cpp;
@@ -95,6 +104,11 @@ std::optional<TypeName> nameOf(const BuiltinType& type, const clang::ASTContext&
             return TypeName{"unsigned long long", isWidth(type, 64, false, context) ? "/uint64_t" : "/ullong"};
         case BuiltinType::Float: return TypeName{"float", "/float"};
         case BuiltinType::Double: return TypeName{"double", "/double"};
+        case BuiltinType::LongDouble: return TypeName{"long double", "/long_double"};
+        case BuiltinType::WChar_S:
+        case BuiltinType::WChar_U: return TypeName{"wchar_t", "/wchar_t"};
+        case BuiltinType::Char16: return TypeName{"char16_t", "/char16_t"};
+        case BuiltinType::Char32: return TypeName{"char32_t", "/char32_t"};
         default: return std::nullopt;
     }
 }

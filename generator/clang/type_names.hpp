@@ -19,7 +19,7 @@ struct TypeName {
 /// Names of a class or enum; nothing if it cannot be named at all (unnamed type, exotic template arguments).
 std::optional<TypeName> nameOf(const clang::TagDecl& type);
 
-/// Names of a number type; nothing for those that typekits do not hold (long double, __int128, wide characters).
+/// Names of a number type; nothing for those that typekits do not hold (__int128, char8_t, half floats).
 std::optional<TypeName> nameOf(const clang::BuiltinType& type, const clang::ASTContext& context);
 
 /// For messages: "demo::Point", "unnamed struct" …

@@ -2,9 +2,14 @@
 // Copyright Oroforge contributors
 #include "type_reader.hpp"
 
+#include <set>
+
+#include "check_headers.hpp"
 #include "describe_type.hpp"
 #include "diagnostic_bridge.hpp"
 #include "find_roots.hpp"
+#include "fix_it.hpp"
+#include "sound_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -13,21 +18,30 @@ namespace {
 /// Works on the finished AST; Sema is still there, to ask for implicit constructors.
 class TypeConsumer : public clang::SemaConsumer {
 public:
-    TypeConsumer(const SourcePlaces& places, diag::Sink& sink, model::TypeModel& into)
-        : places_(places), sink_(sink), into_(into) {}
+    TypeConsumer(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
+                 model::TypeModel& into)
+        : headers_(headers), places_(places), sink_(sink), into_(into) {}
     void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
     void ForgetSema() override { sema_ = nullptr; }
     void HandleTranslationUnit(clang::ASTContext& context) override {
-        // After a compile error types may be incomplete in ways that would only cause follow-up errors.
-        if (context.getDiagnostics().hasErrorOccurred()) return;
-        TypeDescriber types(*sema_, places_, sink_, into_);
+        HeaderCheck headers(sema_->getPreprocessor(), places_, sink_);
+        for (const model::Header& header : headers_) headers.checkRead(header);
+        const bool broken = context.getDiagnostics().hasErrorOccurred();
+        diag::Sink found;
+        TypeDescriber types(*sema_, places_, found, into_);
+        SoundTypes sound;
         for (const clang::TagDecl* root : findRoots(context, places_)) {
+            headers.checkGuard(*root);
+            // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
+            if (broken && !sound.has(*root)) continue;
             if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root)) types.describe(*record);
             if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(root)) types.describe(*enumeration);
         }
+        passOnWithFixes(found, context, places_, sink_);
     }
 
 private:
+    const std::vector<model::Header>& headers_;
     const SourcePlaces& places_;
     diag::Sink& sink_;
     model::TypeModel& into_;
@@ -36,13 +50,15 @@ private:
 
 class TypeAction : public clang::ASTFrontendAction {
 public:
-    TypeAction(const SourcePlaces& places, diag::Sink& sink, model::TypeModel& into)
-        : places_(places), sink_(sink), into_(into) {}
+    TypeAction(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
+               model::TypeModel& into)
+        : headers_(headers), places_(places), sink_(sink), into_(into) {}
     std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
-        return std::make_unique<TypeConsumer>(places_, sink_, into_);
+        return std::make_unique<TypeConsumer>(headers_, places_, sink_, into_);
     }
 
 private:
+    const std::vector<model::Header>& headers_;
     const SourcePlaces& places_;
     diag::Sink& sink_;
     model::TypeModel& into_;
@@ -71,6 +87,7 @@ std::string makeMainText(const std::vector<model::Header>& headers) {
 }
 
 std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& request, const std::string& resourceDir,
+                                                          const std::vector<model::Header>& headers,
                                                           clang::DiagnosticsEngine& diagnostics) {
     const std::vector<std::string> arguments = makeArguments(request, resourceDir);
     std::vector<const char*> words;
@@ -83,8 +100,50 @@ std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& re
     invocation->getFrontendOpts().DisableFree = false;   // one process may read many times, as the tests do
     invocation->getDiagnosticOpts().ShowCarets = false;  // else it counts errors on stderr by itself
     invocation->getPreprocessorOpts().addRemappedFile(
-        kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(request.headers)).release());
+        kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(headers)).release());
     return invocation;
+}
+
+/// The compiler's errors go into `compileErrors`, those about types into `sink`. False if it could not start.
+bool read(const ParseRequest& request, const std::string& resourceDir, const std::vector<model::Header>& headers,
+          diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into) {
+    const SourcePlaces places(request.headers);
+    DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : headers.back().path);
+    const auto diagnostics =
+        clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &bridge, /*ShouldOwnClient=*/false);
+    clang::CompilerInstance compiler;
+    const auto invocation = makeInvocation(request, resourceDir, headers, *diagnostics);
+    if (!invocation) return false;
+    const auto files = std::make_shared<FileCollector>();
+    compiler.setInvocation(invocation);
+    compiler.createDiagnostics(&bridge, /*ShouldOwnClient=*/false);
+    bridge.goOnAfterFatalErrors(compiler.getDiagnostics());
+    compiler.addDependencyCollector(files);
+    TypeAction action(headers, places, sink, into);
+    const bool started = compiler.ExecuteAction(action);
+    for (const std::string& file : files->getDependencies()) {
+        if (file != kMainFile) into.files.push_back(file);
+    }
+    return started || compileErrors.hadErrors();
+}
+
+/// A header may have swallowed those after it, a '}' being forgotten: each once more, alone. What the compiler says then
+/// is left out, as some headers only make sense after others; of those what was found in the whole is true too.
+diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourceDir, const diag::Sink& inWhole) {
+    diag::Sink found;
+    std::set<std::string> complete;
+    std::set<std::pair<diag::Location, std::string>> known;
+    for (const model::Header& header : request.headers) {
+        diag::Sink compileErrors;
+        model::TypeModel unused;
+        read(request, resourceDir, {header}, compileErrors, found, unused);
+        if (!compileErrors.hadErrors()) complete.insert(header.path);
+    }
+    for (const diag::Diagnostic& one : found.all()) known.emplace(one.where, one.code);
+    for (const diag::Diagnostic& one : inWhole.all()) {
+        if (complete.count(one.where.file) == 0 && known.count({one.where, one.code}) == 0) found.add(one);
+    }
+    return found;
 }
 
 }  // namespace
@@ -95,29 +154,17 @@ std::optional<model::TypeModel> readTypes(const ParseRequest& request, diag::Sin
     model::TypeModel result;
     result.headers = request.headers;
     const std::size_t errorsBefore = sink.errorCount();
-    const SourcePlaces places(request.headers);
-    DiagnosticBridge bridge(places, sink);
-    const auto diagnostics =
-        clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &bridge, /*ShouldOwnClient=*/false);
-
-    clang::CompilerInstance compiler;
-    const auto invocation = makeInvocation(request, *resourceDir, *diagnostics);
-    const auto files = std::make_shared<FileCollector>();
-    bool parsed = false;
-    if (invocation) {
-        compiler.setInvocation(invocation);
-        compiler.createDiagnostics(&bridge, /*ShouldOwnClient=*/false);
-        compiler.addDependencyCollector(files);
-        TypeAction action(places, sink, result);
-        parsed = compiler.ExecuteAction(action);
+    diag::Sink compileErrors, aboutTypes;
+    const bool started = read(request, *resourceDir, request.headers, compileErrors, aboutTypes, result);
+    if (compileErrors.hadErrors() && request.headers.size() > 1) {
+        aboutTypes = readEachAlone(request, *resourceDir, aboutTypes);
     }
+    for (const diag::Diagnostic& found : aboutTypes.all()) sink.add(found);
+    for (const diag::Diagnostic& error : compileErrors.all()) sink.add(error);
     if (sink.errorCount() != errorsBefore) return std::nullopt;
-    if (!parsed) {
+    if (!started) {
         sink.error({"typegen"}, "TK006", "the compiler could not be started with these options");
         return std::nullopt;
-    }
-    for (const std::string& file : files->getDependencies()) {
-        if (file != kMainFile) result.files.push_back(file);
     }
     return result;
 }

@@ -25,21 +25,42 @@ const char* word(TypeKind kind) {
         case TypeKind::Enum: return "enum";
         case TypeKind::Struct: return "struct";
         case TypeKind::Sequence: return "sequence";
+        case TypeKind::Linked: return "linked";
+        case TypeKind::Set: return "set";
+        case TypeKind::Map: return "map";
+        case TypeKind::Optional: return "optional";
+        case TypeKind::Variant: return "variant";
+        case TypeKind::Pair: return "pair";
+        case TypeKind::Tuple: return "tuple";
+        case TypeKind::Complex: return "complex";
+        case TypeKind::Character: return "character";
+        case TypeKind::LongDouble: return "long double";
+        case TypeKind::Nothing: return "nothing";
+        case TypeKind::Count: return "count";
+        case TypeKind::Bits: return "bits";
     }
     return "";
 }
 
 Json toJson(const TypeUse& use) {
     Json json = {{"kind", word(use.kind)}, {"cpp", use.cpp}, {"name", use.name}};
-    if (!use.element.empty()) json["element"] = toJson(use.element.front());
+    if (use.element.size() == 1) json["element"] = toJson(use.element.front());
+    if (use.element.size() > 1)
+        for (const TypeUse& element : use.element) json["elements"].push_back(toJson(element));
+    addText(json, "unit", use.unit);
     return json;
 }
 
 Json toJson(const Field& field) {
-    Json json = {{"name", field.name}, {"type", toJson(field.type)}, {"offset", field.offset}};
+    Json json = {{"name", field.name}, {"type", toJson(field.type)}};
+    if (field.declared != field.type.cpp) json["declared"] = field.declared;
+    if (field.load.empty()) json["offset"] = field.offset;
     if (field.count != 0) json["count"] = field.count;
+    addText(json, "load", field.load);
+    addText(json, "store", field.store);
     addText(json, "doc", field.doc);
     addText(json, "unit", field.unit);
+    addText(json, "range", field.range);
     addText(json, "base", field.base);
     json["where"] = place(field.where);
     return json;
@@ -84,7 +105,7 @@ std::string dump(const TypeModel& model) {
     const Json json = {{"headers", listOf(model.headers)},
                        {"structs", listOf(model.structs)},
                        {"enums", listOf(model.enums)},
-                       {"sequences", listOf(model.sequences)},
+                       {"library", listOf(model.library)},
                        {"arrays", listOf(model.arrays)}};
     // Comments may hold bytes that are not UTF-8; they must not stop a dump.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

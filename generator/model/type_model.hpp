@@ -12,23 +12,47 @@
 
 namespace oroforge::model {
 
-enum class TypeKind { Scalar, String, Enum, Struct, Sequence };
+enum class TypeKind {
+    Scalar,
+    String,
+    Enum,
+    Struct,
+    Sequence,  ///< std::vector, std::deque, std::array …: elements by index
+    Linked,    ///< std::list, std::forward_list
+    Set,
+    Map,
+    Optional,
+    Variant,
+    Pair,
+    Tuple,
+    Complex,
+    Character,   ///< wchar_t, char16_t, char32_t, std::byte: shown as a number
+    LongDouble,  ///< shown as text
+    Nothing,     ///< std::monostate
+    Count,       ///< std::chrono: a duration or a time point, shown as its count
+    Bits         ///< std::bitset, shown as its digits
+};
 
 /// The type of a field, of a sequence's elements or of an array's elements.
 struct TypeUse {
     TypeKind kind = TypeKind::Scalar;
-    std::string cpp;               ///< valid anywhere in C++: "double", "::demo::Point", "std::vector<::demo::Point>"
-    std::string name;              ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
-    std::vector<TypeUse> element;  ///< exactly one for a Sequence, else empty
+    std::string cpp;   ///< valid anywhere in C++: "double", "::demo::Point", "std::vector<::demo::Point>"
+    std::string name;  ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
+    std::vector<TypeUse>
+        element;       ///< what a type of the standard library is made of: elements, alternatives, the number
+    std::string unit;  ///< of a Count: "ns"
 };
 
 struct Field {
     std::string name;
     TypeUse type;              ///< of one element, if the field is an array
+    std::string declared;      ///< the field's C++ type, with its array bounds
     std::uint64_t count = 0;   ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
     std::uint64_t offset = 0;  ///< bytes from the start of the outermost struct
+    std::string load, store;   ///< by copy, if it has no address: C++ of `object` and `value`; no store: it is constant
     std::string doc;           ///< comment above or behind the field, without its marks
     std::string unit;          ///< from "@unit m/s" in the comment
+    std::string range;         ///< from "@range 0..5" in the comment
     std::string base;          ///< C++ name of the base class it comes from; empty = own field
     diag::Location where;
 };
@@ -71,7 +95,7 @@ struct TypeModel {
     std::vector<Header> headers;
     std::vector<Struct> structs;
     std::vector<Enum> enums;
-    std::vector<TypeUse> sequences;  ///< each std::vector that a field reaches, inner ones included
+    std::vector<TypeUse> library;    ///< each type of the standard library that a field reaches, inner ones included
     std::vector<TypeUse> arrays;     ///< the element type of each array
     std::vector<std::string> files;  ///< every file that was read, for dependency files
 };

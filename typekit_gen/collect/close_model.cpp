@@ -11,10 +11,16 @@ namespace {
 
 using ByName = std::map<std::string, model::TypeUse>;
 
-void addSequences(const model::TypeUse& use, ByName& sequences) {
-    if (use.kind != model::TypeKind::Sequence) return;
-    sequences.emplace(use.name, use);
-    addSequences(use.element.front(), sequences);
+bool isOfLibrary(model::TypeKind kind) {
+    using model::TypeKind;
+    return kind != TypeKind::Scalar && kind != TypeKind::String && kind != TypeKind::Enum && kind != TypeKind::Struct &&
+           kind != TypeKind::Nothing;
+}
+
+void addLibrary(const model::TypeUse& use, ByName& library) {
+    if (!isOfLibrary(use.kind)) return;
+    library.emplace(use.name, use);
+    for (const model::TypeUse& element : use.element) addLibrary(element, library);
 }
 
 std::vector<model::TypeUse> valuesOf(const ByName& all) {
@@ -47,14 +53,14 @@ private:
 }  // namespace
 
 void closeModel(model::TypeModel& model, diag::Sink& sink) {
-    ByName sequences, arrays;
+    ByName library, arrays;
     for (const model::Struct& type : model.structs) {
         for (const model::Field& field : type.fields) {
-            addSequences(field.type, sequences);
+            addLibrary(field.type, library);
             if (field.count != 0) arrays.emplace(field.type.name, field.type);
         }
     }
-    model.sequences = valuesOf(sequences);
+    model.library = valuesOf(library);
     model.arrays = valuesOf(arrays);
     sortByName(model.structs);
     sortByName(model.enums);

@@ -3,9 +3,11 @@
 #include <plan/typekit_view.hpp>
 
 #include <array>
-#include <cctype>
+#include <set>
 
 #include <emit/banner.hpp>
+#include <plan/cpp_words.hpp>
+#include <plan/library_view.hpp>
 #include <plan/output_names.hpp>
 
 namespace oroforge::typekit {
@@ -19,11 +21,26 @@ using nlohmann::json;
 std::string withoutColons(const std::string& cpp) { return cpp.compare(0, 2, "::") == 0 ? cpp.substr(2) : cpp; }
 
 json viewOf(const model::Field& field, bool last) {
-    json view = {{"name", field.name},          {"offset", field.offset},      {"type", field.type.cpp},
-                 {"count", field.count},        {"doc", cppString(field.doc)}, {"unit", cppString(field.unit)},
+    json view = {{"name", cppString(field.name)}, {"offset", std::to_string(field.offset)},
+                 {"type", field.type.cpp},        {"count", field.count},
+                 {"doc", cppString(field.doc)},   {"unit", cppString(field.unit)},
                  {"separator", last ? "" : ","}};
-    view[field.count == 0 ? "isSingle" : "isArray"] = true;
+    // A base class that is a member has no name that could be asked for; its own struct is checked.
+    const bool named = !field.declared.empty();
+    if (!field.load.empty()) {
+        view["load"] = field.load;
+        if (!field.store.empty()) view["store"] = field.store;
+    } else if (named) {
+        view["checked"] = {{"member", field.name}, {"declared", field.declared}};
+    }
     return view;
+}
+
+/// What few members have: a way to copy them, a range.
+std::string moreOf(const model::Field& field, std::size_t index) {
+    const std::string access = field.load.empty() ? "nullptr" : "&access_" + std::to_string(index);
+    if (!field.range.empty()) return ", nullptr, " + access + ", " + cppString(field.range);
+    return field.load.empty() ? "" : ", nullptr, " + access;
 }
 
 json viewOf(const model::Struct& type) {
@@ -35,6 +52,9 @@ json viewOf(const model::Struct& type) {
     view["fields"] = json::array();
     for (const model::Field& field : type.fields) {
         view["fields"].push_back(viewOf(field, &field == &type.fields.back()));
+        json& added = view["fields"].back();
+        added["index"] = view["fields"].size() - 1;
+        added["more"] = moreOf(field, view["fields"].size() - 1);
     }
     return view;
 }
@@ -57,25 +77,34 @@ json viewOf(const model::Enum& type) {
     return view;
 }
 
-/// Sequences of the user's own types are instantiated here; those of numbers and strings belong to the runtime.
+/// Types made of the user's own types are instantiated here; those of numbers and strings belong to the runtime.
 bool isOfUserType(const TypeUse& use) {
-    if (use.kind == TypeKind::Sequence) return isOfUserType(use.element.front());
-    return use.kind == TypeKind::Struct || use.kind == TypeKind::Enum;
+    if (use.kind == TypeKind::Struct || use.kind == TypeKind::Enum) return true;
+    for (const TypeUse& element : use.element)
+        if (isOfUserType(element)) return true;
+    return false;
 }
 
 struct Buckets {
     std::array<json, kBuckets> all;
     json externs = json::array();
+    std::set<std::string> headers;
+    std::set<std::string> entries;
 
     Buckets() {
         for (std::size_t i = 0; i < kBuckets; ++i) {
             all[i] = {{"index", i},
                       {"structs", json::array()},
                       {"enums", json::array()},
-                      {"sequences", json::array()},
+                      {"library", json::array()},
                       {"arrays", json::array()},
                       {"instances", json::array()}};
         }
+    }
+    void addHeader(const std::string& typeName, const std::string& header) {
+        json& bucket = all[bucketOf(typeName)];
+        if (header.empty() || !headers.insert(std::to_string(bucketOf(typeName)) + header).second) return;
+        bucket["headers"].push_back({{"path", header}});
     }
     void add(const char* list, const std::string& typeName, const json& view) {
         all[bucketOf(typeName)][list].push_back(view);
@@ -96,8 +125,13 @@ Buckets fillBuckets(const model::TypeModel& model) {
         buckets.add("enums", type.name, viewOf(type));
         buckets.addInstance(type.name, type.cpp);
     }
-    for (const TypeUse& use : model.sequences) {
-        buckets.add("sequences", use.name, {{"cpp", use.cpp}, {"name", cppString(use.name)}});
+    for (const TypeUse& use : model.library) {
+        buckets.add("library", use.name, libraryView(use));
+        buckets.addHeader(use.name, libraryHeader(use.kind));
+        if (use.kind == TypeKind::Map && buckets.entries.insert(entryName(use)).second) {
+            buckets.add("library", entryName(use), entryView(use));
+            buckets.addHeader(entryName(use), "rtt/types/KeyValue.hpp");
+        }
         if (isOfUserType(use)) buckets.addInstance(use.name, use.cpp);
     }
     for (const TypeUse& use : model.arrays) {
@@ -114,32 +148,6 @@ std::string sourceNames(const model::TypeModel& model) {
 }
 
 }  // namespace
-
-std::string cppString(const std::string& text) {
-    static const char* const kDigits = "01234567";
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '\n') {
-            result += "\\n";
-        } else if (c == '"' || c == '\\') {
-            result += std::string("\\") + c;
-        } else if (byte < 0x20 || byte == 0x7f) {
-            // Three octal digits end by themselves, whatever follows.
-            result += std::string("\\") + kDigits[byte >> 6] + kDigits[(byte >> 3) & 7] + kDigits[byte & 7];
-        } else {
-            result += c;
-        }
-    }
-    return result + "\"";
-}
-
-std::string cppIdentifier(const std::string& text) {
-    std::string result;
-    for (const char c : text) result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    if (!result.empty() && std::isdigit(static_cast<unsigned char>(result[0])) != 0) result.insert(0, "_");
-    return result;
-}
 
 json makeView(const model::TypeModel& model, const std::string& typekit) {
     Buckets buckets = fillBuckets(model);

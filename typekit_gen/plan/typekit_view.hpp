@@ -13,14 +13,8 @@
 namespace oroforge::typekit {
 
 /// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], buckets[] with
-/// structs[], enums[], sequences[], arrays[], instances[]. Texts for C++ are quoted already.
+/// structs[], enums[], library[], arrays[], instances[], headers[]. Texts for C++ are quoted already.
 nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit);
-
-/// The text as a C++ string literal, quotes included; one line.
-std::string cppString(const std::string& text);
-
-/// The name with everything that is not allowed in a C++ identifier replaced by '_'.
-std::string cppIdentifier(const std::string& text);
 
 }  // namespace oroforge::typekit
 

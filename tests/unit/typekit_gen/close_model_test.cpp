@@ -44,7 +44,7 @@ TEST(CloseModel, FindsInnerSequencesOnce) {
     model.structs = {makeStruct("/a", {makeField(rows), makeField(rows)})};
     diag::Sink sink;
     typekit::closeModel(model, sink);
-    EXPECT_EQ(namesOf(model.sequences),
+    EXPECT_EQ(namesOf(model.library),
               (std::vector<std::string>{"/std/vector</double>", "/std/vector</std/vector</double>>"}));
     EXPECT_TRUE(model.arrays.empty());
 }
@@ -56,7 +56,7 @@ TEST(CloseModel, ArraysAreKnownByTheirElements) {
     diag::Sink sink;
     typekit::closeModel(model, sink);
     EXPECT_EQ(namesOf(model.arrays), (std::vector<std::string>{"/float", "/std/vector</float>"}));
-    EXPECT_EQ(namesOf(model.sequences), (std::vector<std::string>{"/std/vector</float>"}));
+    EXPECT_EQ(namesOf(model.library), (std::vector<std::string>{"/std/vector</float>"}));
 }
 
 TEST(CloseModel, SortsByName) {

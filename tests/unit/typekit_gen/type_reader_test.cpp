@@ -33,7 +33,13 @@ struct Read {
         }
         throw std::out_of_range("no field " + name);
     }
-    std::string onlyCode() const { return sink.all().size() == 1 ? sink.all()[0].code : "not one diagnostic"; }
+    /// Of the error; that the texts here have no include guard gives warnings.
+    std::string onlyCode() const {
+        for (const diag::Diagnostic& one : sink.all()) {
+            if (one.severity == diag::Severity::Error && sink.errorCount() == 1) return one.code;
+        }
+        return "not one error";
+    }
 };
 
 }  // namespace
@@ -49,7 +55,7 @@ TEST(TypeReader, ReadsOffsetsAndSizes) {
 }
 
 TEST(TypeReader, LocatesInTheHeaderAsNamed) {
-    const Read read("\n  struct A {\n    int* p; };");
+    const Read read("#pragma once\n  struct A {\n    int* p; };");
     ASSERT_EQ(read.sink.all().size(), 1U);
     EXPECT_EQ(read.sink.all()[0].where, (diag::Location{(read.dir / "types.hpp").string(), 3, 10}));
 }
@@ -110,8 +116,8 @@ TEST(TypeReader, AcceptsAStandardStringInAnySpelling) {
 }
 
 TEST(TypeReader, RefusesAllocatorsOfOnesOwn) {
-    EXPECT_EQ(Read("#include <vector>\ntemplate <class T> struct A : std::allocator<T> {};\n"
-                   "struct S { std::vector<int, A<int>> v; };")
+    EXPECT_EQ(Read("#include <string>\ntemplate <class T> struct A : std::allocator<T> {};\n"
+                   "struct S { std::basic_string<char, std::char_traits<char>, A<char>> s; };")
                   .onlyCode(),
               "TK034");
 }

@@ -112,7 +112,7 @@ TEST(Typegen, ReadsHeadersWithTheOptionsOfAFile) {
     const TempDir dir;
     const auto flags = dir.write("flags", "-O2\n-std=c++11\n-DUSE_FLOAT\n").string();
     const auto header = dir.write("types.hpp",
-                                  "#include <string_view>\n#ifdef USE_FLOAT\nstruct A { float x; };\n"
+                                  "#pragma once\n#include <string_view>\n#ifdef USE_FLOAT\nstruct A { float x; };\n"
                                   "#else\nstruct A { int x; };\n#endif\n")
                             .string();
     std::string model;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include <plan/cpp_words.hpp>
 #include <plan/typekit_view.hpp>
 
 #include <gtest/gtest.h>
@@ -40,8 +41,8 @@ TEST(TypekitView, LeavesSequencesOfNumbersToTheRuntime) {
     const model::TypeUse number{model::TypeKind::Scalar, "double", "/double", {}};
     const model::TypeUse point{model::TypeKind::Struct, "::P", "/P", {}};
     model::TypeModel model;
-    model.sequences = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {number}},
-                       {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {point}}};
+    model.library = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {number}},
+                     {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {point}}};
     const auto view = typekit::makeView(model, "demo");
     ASSERT_EQ(view["externs"].size(), 1U);
     EXPECT_EQ(view["externs"][0]["cpp"], "std::vector<::P>");

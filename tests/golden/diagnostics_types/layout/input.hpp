@@ -1,6 +1,7 @@
 #pragma once
+#include <string>
 namespace bad {
-struct Tag {};
-struct __attribute__((packed)) Packed { char head; double value; char tail; };
-struct Shares { [[no_unique_address]] Tag tag; int x; };
+#pragma pack(push, 1)
+struct Packed { char head; std::string text; };
+#pragma pack(pop)
 }

@@ -7,6 +7,8 @@
 
 // Offsets are needed of all structs; those that are not of standard layout have them too in GCC and clang.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
+// Fields that users should no longer use are there all the same.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #ifndef __clang__
 // Default values are copied here; that a constructor leaves fields unset is for its author to decide.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -16,6 +18,7 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -27,7 +30,9 @@ bool addTypes3();
 bool addTypes3() {
     const auto types = RTT::types::Types();
     bool added = true;
-    added &= types->addType(RTT::types::makeSequenceType<std::vector<double>>("/std/vector</double>"));
+    {
+        added &= types->addType(RTT::types::makeSequenceType<std::vector<double>>("/std/vector</double>"));
+    }
     return added;
 }
 

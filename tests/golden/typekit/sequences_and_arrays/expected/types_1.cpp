@@ -7,6 +7,8 @@
 
 // Offsets are needed of all structs; those that are not of standard layout have them too in GCC and clang.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
+// Fields that users should no longer use are there all the same.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #ifndef __clang__
 // Default values are copied here; that a constructor leaves fields unset is for its author to decide.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -16,6 +18,7 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -27,14 +30,11 @@ static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::points), std
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, rows) == 24, "typegen saw another sequences_and_arrays::Path::rows");
 static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::rows), std::vector<std::vector<double>>>, "typegen saw another type of sequences_and_arrays::Path::rows");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, axis) == 48, "typegen saw another sequences_and_arrays::Path::axis");
-static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().axis[0]), short&>,
-              "typegen saw another type of sequences_and_arrays::Path::axis");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::axis), std::array<short, 3>>, "typegen saw another type of sequences_and_arrays::Path::axis");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, label) == 54, "typegen saw another sequences_and_arrays::Path::label");
-static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().label[0]), char&>,
-              "typegen saw another type of sequences_and_arrays::Path::label");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::label), char[8]>, "typegen saw another type of sequences_and_arrays::Path::label");
 static_assert(__builtin_offsetof(::sequences_and_arrays::Path, corners) == 64, "typegen saw another sequences_and_arrays::Path::corners");
-static_assert(std::is_same_v<decltype(std::declval<::sequences_and_arrays::Path&>().corners[0]), ::sequences_and_arrays::Point&>,
-              "typegen saw another type of sequences_and_arrays::Path::corners");
+static_assert(std::is_same_v<decltype(::sequences_and_arrays::Path::corners), ::sequences_and_arrays::Point[2]>, "typegen saw another type of sequences_and_arrays::Path::corners");
 
 template class RTT::internal::DataSource<::sequences_and_arrays::Path>;
 template class RTT::internal::AssignableDataSource<::sequences_and_arrays::Path>;

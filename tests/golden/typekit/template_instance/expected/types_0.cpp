@@ -7,6 +7,8 @@
 
 // Offsets are needed of all structs; those that are not of standard layout have them too in GCC and clang.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
+// Fields that users should no longer use are there all the same.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #ifndef __clang__
 // Default values are copied here; that a constructor leaves fields unset is for its author to decide.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -16,6 +18,7 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -23,8 +26,12 @@
 static_assert(sizeof(::template_instance::Vec<double, 3>) == 24 && alignof(::template_instance::Vec<double, 3>) == 8,
               "typegen saw another template_instance::Vec<double, 3>: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::template_instance::Vec<double, 3>, v) == 0, "typegen saw another template_instance::Vec<double, 3>::v");
-static_assert(std::is_same_v<decltype(std::declval<::template_instance::Vec<double, 3>&>().v[0]), double&>,
-              "typegen saw another type of template_instance::Vec<double, 3>::v");
+static_assert(std::is_same_v<decltype(::template_instance::Vec<double, 3>::v), double[3]>, "typegen saw another type of template_instance::Vec<double, 3>::v");
+
+static_assert(sizeof(::template_instance::Vec<float, 2>) == 8 && alignof(::template_instance::Vec<float, 2>) == 4,
+              "typegen saw another template_instance::Vec<float, 2>: do __orogen or options of the compiler change it?");
+static_assert(__builtin_offsetof(::template_instance::Vec<float, 2>, v) == 0, "typegen saw another template_instance::Vec<float, 2>::v");
+static_assert(std::is_same_v<decltype(::template_instance::Vec<float, 2>::v), float[2]>, "typegen saw another type of template_instance::Vec<float, 2>::v");
 
 template class RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
@@ -36,6 +43,16 @@ template class RTT::internal::ValueDataSource<::template_instance::Vec<double, 3
 template class RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::base::ChannelElement<::template_instance::Vec<double, 3>>;
+template class RTT::internal::DataSource<::template_instance::Vec<float, 2>>;
+template class RTT::internal::AssignableDataSource<::template_instance::Vec<float, 2>>;
+template class RTT::OutputPort<::template_instance::Vec<float, 2>>;
+template class RTT::InputPort<::template_instance::Vec<float, 2>>;
+template class RTT::Property<::template_instance::Vec<float, 2>>;
+template class RTT::Attribute<::template_instance::Vec<float, 2>>;
+template class RTT::internal::ValueDataSource<::template_instance::Vec<float, 2>>;
+template class RTT::internal::ConstantDataSource<::template_instance::Vec<float, 2>>;
+template class RTT::internal::ReferenceDataSource<::template_instance::Vec<float, 2>>;
+template class RTT::base::ChannelElement<::template_instance::Vec<float, 2>>;
 
 namespace oroforge_typekit_template_instance {
 
@@ -49,6 +66,13 @@ bool addTypes0() {
         };
         added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<double, 3>>("/template_instance/Vec</double,3>", members, 1, ""));
     }
+    {
+        static constexpr RTT::types::Member members[] = {
+            { "v", 0, &RTT::types::typeRef<float>, 2, "", "" }
+        };
+        added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<float, 2>>("/template_instance/Vec</float,2>", members, 1, ""));
+    }
+    added &= types->addType(RTT::types::makeArrayType<float>("/float[]"));
     return added;
 }
 

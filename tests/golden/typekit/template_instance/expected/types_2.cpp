@@ -7,6 +7,8 @@
 
 // Offsets are needed of all structs; those that are not of standard layout have them too in GCC and clang.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
+// Fields that users should no longer use are there all the same.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 #ifndef __clang__
 // Default values are copied here; that a constructor leaves fields unset is for its author to decide.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -16,14 +18,17 @@
 
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
 // The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::template_instance::Pose) == 24 && alignof(::template_instance::Pose) == 8,
+static_assert(sizeof(::template_instance::Pose) == 48 && alignof(::template_instance::Pose) == 8,
               "typegen saw another template_instance::Pose: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::template_instance::Pose, position) == 0, "typegen saw another template_instance::Pose::position");
 static_assert(std::is_same_v<decltype(::template_instance::Pose::position), ::template_instance::Vec<double, 3>>, "typegen saw another type of template_instance::Pose::position");
+static_assert(__builtin_offsetof(::template_instance::Pose, path) == 24, "typegen saw another template_instance::Pose::path");
+static_assert(std::is_same_v<decltype(::template_instance::Pose::path), std::vector<::template_instance::Vec<float, 2>>>, "typegen saw another type of template_instance::Pose::path");
 
 template class RTT::internal::DataSource<::template_instance::Pose>;
 template class RTT::internal::AssignableDataSource<::template_instance::Pose>;
@@ -35,6 +40,16 @@ template class RTT::internal::ValueDataSource<::template_instance::Pose>;
 template class RTT::internal::ConstantDataSource<::template_instance::Pose>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Pose>;
 template class RTT::base::ChannelElement<::template_instance::Pose>;
+template class RTT::internal::DataSource<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::internal::AssignableDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::OutputPort<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::InputPort<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::Property<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::Attribute<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::internal::ValueDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::internal::ConstantDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::internal::ReferenceDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+template class RTT::base::ChannelElement<std::vector<::template_instance::Vec<float, 2>>>;
 
 namespace oroforge_typekit_template_instance {
 
@@ -44,9 +59,13 @@ bool addTypes2() {
     bool added = true;
     {
         static constexpr RTT::types::Member members[] = {
-            { "position", 0, &RTT::types::typeRef<::template_instance::Vec<double, 3>>, 0, "", "" }
+            { "position", 0, &RTT::types::typeRef<::template_instance::Vec<double, 3>>, 0, "", "" },
+            { "path", 24, &RTT::types::typeRef<std::vector<::template_instance::Vec<float, 2>>>, 0, "", "" }
         };
-        added &= types->addType(RTT::types::makeStructType<::template_instance::Pose>("/template_instance/Pose", members, 1, ""));
+        added &= types->addType(RTT::types::makeStructType<::template_instance::Pose>("/template_instance/Pose", members, 2, ""));
+    }
+    {
+        added &= types->addType(RTT::types::makeSequenceType<std::vector<::template_instance::Vec<float, 2>>>("/std/vector</template_instance/Vec</float,2>>"));
     }
     return added;
 }

@@ -41,6 +41,26 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_insta
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::template_instance::Vec<double, 3>>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::OutputPort<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::InputPort<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::Property<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::Attribute<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::template_instance::Vec<float, 2>>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::InputPort<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::Property<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::Attribute<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::template_instance::Vec<float, 2>>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::template_instance::Vec<float, 2>>>;
 #pragma GCC diagnostic pop
 
 #endif

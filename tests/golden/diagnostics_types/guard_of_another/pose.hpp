@@ -1,0 +1,4 @@
+#ifndef POSE_HPP
+#define POSE_HPP
+struct Pose { double x; };
+#endif

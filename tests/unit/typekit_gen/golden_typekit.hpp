@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// A typekit of tests/golden/typekit, compiled and loaded, with what typegen reads from its headers.
+#ifndef OROFORGE_TESTS_GOLDEN_TYPEKIT_HPP
+#define OROFORGE_TESTS_GOLDEN_TYPEKIT_HPP
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <model/type_model.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <support/golden.hpp>
+
+namespace oroforge::test {
+
+class GoldenTypekit : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override;
+
+    /// Throws if there is none.
+    static const RTT::types::TypeInfo& typeOf(const std::string& name);
+
+    std::string name;
+    model::TypeModel model;
+};
+
+}  // namespace oroforge::test
+
+#endif
