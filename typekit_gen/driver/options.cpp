@@ -14,10 +14,10 @@ namespace oroforge::typekit {
 namespace {
 
 const std::vector<std::string> kTransports = {"corba", "mqueue", "ros", "typelib"};
-const std::vector<std::string> kLongOptions = {"--output",         "--import",     "--transports", "--notransports",
-                                               "--verbose",        "--debug",      "--help",       "--version",
-                                               "--list-outputs",   "--depfile",    "--dump",       "--template-dir",
-                                               "--depfile-target", "--flags-from", "--include-as"};
+const std::vector<std::string> kLongOptions = {
+    "--output",         "--import",     "--transports",   "--notransports", "--verbose", "--debug",
+    "--help",           "--version",    "--list-outputs", "--depfile",      "--dump",    "--template-dir",
+    "--depfile-target", "--flags-from", "--include-as",   "--format",       "--explain"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
@@ -39,14 +39,22 @@ public:
             options_.target = target;
         }
         while (at_ < words_.size()) take(words_[at_++]);
-        if (!options_.help && !options_.version) finish();
+        valueMissing_ = false;
+        if (options_.explain) {
+            finishExplain();
+        } else if (!options_.help && !options_.version) {
+            finish();
+        }
         return options_;
     }
 
 private:
-    void error(const std::string& message) { sink_.error({"typegen"}, "TK003", message); }
+    void error(const std::string& message) {
+        if (!valueMissing_) sink_.error({"typegen"}, "TK003", message);
+    }
 
     void take(const std::string& word) {
+        valueMissing_ = false;
         if (onlyPositional_ || word.size() < 2 || word[0] != '-') return positional(word);
         if (word == "--") {
             onlyPositional_ = true;
@@ -68,6 +76,7 @@ private:
         if (word == "--version") return options_.version = true;
         if (word == "-v" || word == "--verbose" || word == "-d" || word == "--debug") return options_.verbose = true;
         if (word == "--list-outputs") return options_.listOutputs = true;
+        if (word == "--explain") return options_.explain = true;
         return false;
     }
 
@@ -107,6 +116,11 @@ private:
             setIncludeName(value);
         } else if (is(word, "", "--template-dir", value)) {
             options_.templateDir = value;
+        } else if (is(word, "", "--explain", value)) {
+            options_.explain = true;
+            options_.codes.push_back(value);
+        } else if (is(word, "", "--format", value)) {
+            setFormat(value);
         } else if (is(word, "", "--dump", value)) {
             setDump(value);
         } else {
@@ -132,6 +146,7 @@ private:
     std::string next(const std::string& option) {
         if (at_ < words_.size()) return words_[at_++];
         error("option '" + option + "' needs a value");
+        valueMissing_ = true;
         return "?";
     }
 
@@ -166,7 +181,26 @@ private:
         }
     }
 
+    void setFormat(const std::string& value) {
+        if (const auto format = report::formatOf(value)) {
+            options_.format = *format;
+        } else {
+            error("unknown value '" + value + "' of --format, expected " + diag::oneOf(report::formatNames()));
+        }
+    }
+
+    /// The codes stand where otherwise the name and the headers do.
+    void finishExplain() {
+        if (!options_.name.empty()) options_.codes.push_back(options_.name);
+        options_.codes.insert(options_.codes.end(), options_.inputs.begin(), options_.inputs.end());
+        if (options_.format != report::Format::Text) error("--explain prints text, so it takes no --format");
+    }
+
     void finish() {
+        if (options_.format != report::Format::Text && (options_.listOutputs || options_.dump != Dump::None)) {
+            error(std::string("--format and ") + (options_.listOutputs ? "--list-outputs" : "--dump") +
+                  " exclude each other: both write to standard output");
+        }
         if (options_.name.empty() || options_.inputs.empty()) {
             error("expected the name of the typekit and at least one header; see typegen --help");
             return;
@@ -185,6 +219,7 @@ private:
     Options options_;
     std::size_t at_ = 0;
     bool onlyPositional_ = false;
+    bool valueMissing_ = false;  // said already; what follows from it is not worth saying
 };
 
 }  // namespace

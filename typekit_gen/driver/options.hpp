@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <diag/sink.hpp>
+#include <report/report.hpp>
 
 namespace oroforge::typekit {
 
@@ -28,6 +29,9 @@ struct Options {
     std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;
     Dump dump = Dump::None;
+    report::Format format = report::Format::Text;
+    bool explain = false;
+    std::vector<std::string> codes;  ///< to explain; empty = list them all
     bool listOutputs = false;
     bool verbose = false;
     bool help = false;

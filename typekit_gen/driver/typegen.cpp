@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "typegen.hpp"
 
+#include <exception>
 #include <filesystem>
 #include <ostream>
 #include <set>
@@ -10,12 +11,12 @@
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <collect/import_package.hpp>
-#include <diag/print.hpp>
 #include <emit/depfile.hpp>
 #include <emit/outputs.hpp>
 #include <plan/output_names.hpp>
 #include <plan/render_typekit.hpp>
 #include <plan/typekit_view.hpp>
+#include <report/explain.hpp>
 
 #include "flags_file.hpp"
 
@@ -120,21 +121,43 @@ int run(const Options& options, diag::Sink& sink, std::ostream& out) {
     return generate(options, *model, sink, out);
 }
 
-int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
-    diag::Sink sink;
-    const auto options = parseOptions(words, sink);
-    int status = 1;
-    if (options && options->help) {
+namespace {
+
+/// What is asked for instead of a typekit, if that is so.
+bool tellOnly(const Options& options, diag::Sink& sink, std::ostream& out) {
+    if (options.help) {
         out << usage();
-        return 0;
-    }
-    if (options && options->version) {
+    } else if (options.version) {
         out << "typegen " << OROFORGE_VERSION << "\n";
-        return 0;
+    } else if (options.explain) {
+        report::explain(options.codes, "typegen", out, sink);
+    } else {
+        return false;
     }
-    if (options) status = run(*options, sink, out);
-    diag::print(err, sink);
-    return status;
+    return true;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+    const report::Format format = report::wantedFormat(words);
+    const bool isText = format == report::Format::Text;
+    diag::Sink sink;
+    bool told = false;
+    try {
+        const auto options = parseOptions(words, sink);
+        told = options && tellOnly(*options, sink, out);
+        // A document for programs stands alone on standard output.
+        if (options && !told) run(*options, sink, isText ? out : err);
+    } catch (const std::exception& failure) {
+        sink.error({"typegen"}, "TK009", std::string("stopped by a failure that was not expected: ") + failure.what());
+    }
+    const bool complete = told && !sink.hadErrors();
+    if ((!complete && !report::write(format, {"typegen", OROFORGE_VERSION}, sink, out, err)) || !out.flush()) {
+        err << "typegen: error: cannot write to standard output\n";
+        return 1;
+    }
+    return sink.hadErrors() ? 1 : 0;
 }
 
 }  // namespace oroforge::typekit

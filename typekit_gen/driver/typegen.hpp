@@ -18,7 +18,7 @@ namespace oroforge::typekit {
 /// `out` gets what was asked for by an option, and nothing else.
 int run(const Options& options, diag::Sink& sink, std::ostream& out);
 
-/// The whole program: parses the words, runs, and prints diagnostics to `err`.
+/// The whole program: parses the words, runs, and prints diagnostics to `err`, or to `out` in a --format for programs.
 int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& err);
 
 }  // namespace oroforge::typekit

@@ -25,6 +25,9 @@ Makes the source of a typekit plugin called NAME for the structs, classes and en
       --depfile=FILE        write the names of all files that were read, for make or ninja
       --depfile-target=FILE what depends on them; default all files that are generated
       --dump=model|view     print the model, or what the templates are filled with, as JSON and write nothing
+      --format=text|json|sarif
+                            how errors and warnings are told: text on standard error, or a document on standard output
+      --explain [CODE...]   print what these codes mean, as the TK014 in "error: [TK014] ..."; without CODE list them all
       --template-dir=DIR    templates that replace the built-in ones
       --version, -h, --help
 

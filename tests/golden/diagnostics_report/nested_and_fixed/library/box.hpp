@@ -1,0 +1,5 @@
+#pragma once
+namespace library {
+class Locked { int secret; };
+template <class T> struct Box { T content; };
+}
