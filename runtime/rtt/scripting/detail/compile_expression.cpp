@@ -117,8 +117,16 @@ Operand Unit::loadAs(Operand operand, Kind kind) {
     return converted;
 }
 
+Operand Unit::promoted(Operand operand) {
+    if (!isSmallNumber(operand)) return operand;
+    return withType(widened(operand.source->getTypeId()), [&](auto type) {
+        const Source wide = types::Types()->getTypeInfo<typename decltype(type)::type>()->convert(operand.source);
+        return fromSource(wide, operand.at);
+    });
+}
+
 Operand Unit::truth(const ast::Expression& condition) {
-    const Operand value = expression(condition);
+    const Operand value = promoted(expression(condition));
     if (isDirect(value.kind) && conversion(value.kind, Kind::Bool) != Conversion::None)
         return loadAs(value, Kind::Bool);
     if (value.kind != Kind::None && !isDirect(value.kind)) {
@@ -159,7 +167,7 @@ Operand Unit::member(const Operand& of, const ast::Identifier& name) {
 
 Operand Unit::element(const ast::Index& index, ast::Place at) {
     const Operand of = expression(*index.of);
-    Operand which = expression(*index.index);
+    Operand which = promoted(expression(*index.index));
     if (isDirect(which.kind)) which = load(which);  // once, however often the element is used
     if (of.kind == Kind::None || which.kind == Kind::None)
         error(at, "OPS122", "found '[...]' with something that has no value");
@@ -170,7 +178,10 @@ Operand Unit::element(const ast::Index& index, ast::Place at) {
 }
 
 Operand Unit::unary(const ast::Unary& operation, ast::Place at) {
-    const Operand operand = expression(*operation.operand);
+    return negated(operation, expression(*operation.operand), at);
+}
+
+Operand Unit::negated(const ast::Unary& operation, const Operand& operand, ast::Place at) {
     if (isDirect(operand.kind)) {
         const Operation direct = unaryOperation(operation.op, operand.kind);
         if (direct.act) return computedBy(direct.act, load(operand).address, nullptr, direct.result, at);
@@ -181,6 +192,7 @@ Operand Unit::unary(const ast::Unary& operation, ast::Place at) {
     if (operand.kind != Kind::None)
         if (auto* const made = types::operators()->applyUnary(std::string(1, operation.op), sourceOf(operand).get()))
             return fromSource(made, at);
+    if (isSmallNumber(operand)) return negated(operation, promoted(operand), at);
     error(at, "OPS125", std::string("operator '") + operation.op + "' does not exist for type " + typeName(operand));
 }
 
@@ -205,6 +217,10 @@ Operand Unit::operation(Operand left, const ast::Binary::Step& step) {
     Operand right = expression(*step.right);
     // What is called there may change what is read here.
     if (executions_ != executions) left = copied(left, before);
+    return combined(left, right, step);
+}
+
+Operand Unit::combined(const Operand& left, Operand right, const ast::Binary::Step& step) {
     if (isDirect(right.kind)) right = load(right);
     if (isDirect(left.kind) && isDirect(right.kind)) {
         const Operation direct = binaryOperation(step.op, left.kind);
@@ -216,6 +232,10 @@ Operand Unit::operation(Operand left, const ast::Binary::Step& step) {
                 return types::operators()->applyBinary(step.op, sourceOf(left).get(), sourceOf(right).get());
             }))
             return fromSource(made, step.at);
+    if (isSmallNumber(left) || isSmallNumber(right)) {
+        const Operand wide = promoted(left);
+        return combined(isDirect(wide.kind) ? load(wide) : wide, promoted(right), step);
+    }
     error(step.at, "OPS126",
           "operator '" + step.op + "' does not exist for types " + typeName(left) + " and " + typeName(right));
 }
@@ -255,6 +275,11 @@ void Unit::store(const Operand& to, Operand value, const std::string& what) {
               "expected a value of type " + typeName(to) + " for " + what + ", found " + typeName(value));
     };
     if (value.kind == Kind::None) refuse();
+    const Kind wide = to.source ? widened(to.source->getTypeId()) : Kind::Other;
+    const bool sameType = to.source && value.source && to.source->hasTypeOf(*value.source);
+    if ((isDirect(to.kind) || isDirect(wide)) && !sameType) value = promoted(value);
+    if (isDirect(wide) && isDirect(value.kind) && conversion(value.kind, wide) != Conversion::None)
+        value = loadAs(value, wide);
     if (isDirect(to.kind) && isDirect(value.kind) && conversion(value.kind, to.kind) != Conversion::None) {
         value = loadAs(value, to.kind);
         if (!to.address) {

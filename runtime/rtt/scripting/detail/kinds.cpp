@@ -18,6 +18,15 @@ Kind kindOf(const std::type_info* id) {
     return Kind::Other;
 }
 
+Kind widened(const std::type_info* id) {
+    if (!id) return Kind::Other;
+    if (*id == typeid(signed char) || *id == typeid(unsigned char) || *id == typeid(short) ||
+        *id == typeid(unsigned short))
+        return Kind::Int;
+    if (*id == typeid(long)) return Kind::LLong;
+    return *id == typeid(unsigned long) ? Kind::ULLong : Kind::Other;
+}
+
 }  // namespace detail
 }  // namespace scripting
 }  // namespace RTT

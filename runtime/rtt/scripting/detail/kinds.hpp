@@ -23,6 +23,8 @@ inline bool isDirect(Kind kind) { return kind < Kind::Other; }
 Kind kindOf(const base::DataSourceBase& source);
 /** Other for null. */
 Kind kindOf(const std::type_info* id);
+/** The kind that holds all values of the small number types, such as int8 and int64, which have none; Other for all others. */
+Kind widened(const std::type_info* id);
 
 template <class T>
 struct Type {

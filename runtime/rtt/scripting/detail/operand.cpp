@@ -27,6 +27,10 @@ const void* addressIn(base::DataSourceBase& source) {
 
 }  // namespace
 
+bool isSmallNumber(const Operand& operand) {
+    return operand.kind == Kind::Other && operand.source && isDirect(widened(operand.source->getTypeId()));
+}
+
 std::string typeName(const Operand& operand) {
     if (operand.kind == Kind::None) return "void";
     return isDirect(operand.kind) ? names[static_cast<int>(operand.kind)] : operand.source->getTypeName();

@@ -28,6 +28,9 @@ struct Operand {
     bool assignable() const { return source && source->isAssignable(); }
 };
 
+/** Of a type that widened() knows. */
+bool isSmallNumber(const Operand& operand);
+
 /** The type's name for messages. */
 std::string typeName(const Operand& operand);
 

@@ -72,6 +72,8 @@ public:
     Operand load(Operand operand);
     /** Loaded and converted. */
     Operand loadAs(Operand operand, Kind kind);
+    /** A small number as one that instructions compute with; others as they are. */
+    Operand promoted(Operand operand);
     /** As a condition. */
     Operand truth(const ast::Expression& expression);
     /** A source of the value. */
@@ -127,8 +129,10 @@ private:
     Operand member(const Operand& of, const ast::Identifier& name);
     Operand element(const ast::Index& index, ast::Place at);
     Operand unary(const ast::Unary& operation, ast::Place at);
+    Operand negated(const ast::Unary& operation, const Operand& operand, ast::Place at);
     Operand binary(const ast::Binary& row);
     Operand operation(Operand left, const ast::Binary::Step& step);
+    Operand combined(const Operand& left, Operand right, const ast::Binary::Step& step);
     Operand copied(const Operand& value, std::size_t at);
     Operand assignment(const ast::Assignment& assignment, ast::Place at);
     Operand computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at);
