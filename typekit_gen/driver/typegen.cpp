@@ -19,6 +19,7 @@
 #include <report/explain.hpp>
 
 #include "flags_file.hpp"
+#include "run_record.hpp"
 
 namespace fs = std::filesystem;
 
@@ -30,7 +31,7 @@ namespace oroforge::typekit {
 
 namespace {
 
-std::optional<model::TypeModel> readModel(const Options& options, diag::Sink& sink) {
+std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink& sink) {
     cxx::ParseRequest request;
     request.flags = options.flags;
     request.target = options.target;
@@ -48,6 +49,10 @@ std::optional<model::TypeModel> readModel(const Options& options, diag::Sink& si
         if (named != options.includeAs.end()) header.include = named->second;
     }
     if (sink.hadErrors()) return std::nullopt;
+    return request;
+}
+
+std::optional<model::TypeModel> readModel(const cxx::ParseRequest& request, diag::Sink& sink) {
     auto model = cxx::readTypes(request, sink);
     if (model) closeModel(*model, sink);
     if (sink.hadErrors()) return std::nullopt;
@@ -112,13 +117,24 @@ int run(const Options& options, diag::Sink& sink, std::ostream& out) {
         emit::listOutputs(out, outputNames(options.name), options.output);
         return 0;
     }
-    const auto model = readModel(options, sink);
+    const auto request = makeRequest(options, sink);
+    if (!request) return 1;
+    const RunRecord record(options, *request);
+    if (options.dump == Dump::None && record.isCurrent()) {
+        if (options.verbose) out << "up to date\n";
+        return 0;
+    }
+    const auto model = readModel(*request, sink);
     if (!model) return 1;
     if (options.dump == Dump::Model) {
         out << dump(*model);
         return 0;
     }
-    return generate(options, *model, sink, out);
+    record.forget();
+    const int status = generate(options, *model, sink, out);
+    // Warnings are to be seen in every run.
+    if (status == 0 && options.dump == Dump::None && sink.all().empty()) record.keep(model->files);
+    return status;
 }
 
 namespace {

@@ -32,7 +32,9 @@ Makes the source of a typekit plugin called NAME for the structs, classes and en
       --version, -h, --help
 
 While the headers are read the macros __orogen, __orogen2 and OROCOS_TARGET are defined.
-Environment: OROCOS_TARGET, PKG_CONFIG_PATH, TYPEGEN_RESOURCE_DIR (clang's builtin headers).
+Nothing is read when neither the headers, nor what they include, nor the generated files have changed since the last run.
+Environment: OROCOS_TARGET, PKG_CONFIG_PATH, TYPEGEN_RESOURCE_DIR (clang's builtin headers), TYPEGEN_CACHE (where to note
+what the last run read and wrote; empty: nowhere).
 )";
 }
 
