@@ -24,6 +24,17 @@ model::Enumerator describeValue(const clang::EnumConstantDecl& value, const std:
     return result;
 }
 
+Rejection aboutInstance(const clang::CXXRecordDecl& type, const Root& root, const TypeFate& fate) {
+    Rejection rejection;
+    rejection.reason = fate.rejections.front().reason;
+    rejection.subject = "the instance that is asked for";
+    if (!root.alias.empty()) rejection.subject = "alias '" + root.alias.substr(root.alias.rfind('/') + 1) + "'";
+    rejection.type = shownName(type);
+    rejection.at = root.at;
+    rejection.causes = fate.rejections;
+    return rejection;
+}
+
 }  // namespace
 
 diag::Location TypeDescriber::locate(clang::SourceLocation at) const {
@@ -64,6 +75,17 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
     return fate;
 }
 
+void TypeDescriber::describe(const clang::CXXRecordDecl& type, const Root& root) {
+    sema_.isCompleteType(root.at, context().getTypeDeclType(&type));
+    if (type.getDefinition() == nullptr) return;  // an alias of what nobody needs to be defined
+    const TypeFate& fate = describe(type);
+    // An alias may be there for other reasons than to ask for the type.
+    if (!fate.usable && !fate.rejections.empty()) report(aboutInstance(type, root, fate), !root.alias.empty());
+    const auto name = nameOf(*type.getDefinition());
+    if (fate.usable && name && !root.alias.empty())
+        into_.aliases.push_back({root.alias, name->registry, locate(root.at)});
+}
+
 const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
     const auto [entry, isNew] = fates_.try_emplace(type.getCanonicalDecl());
     TypeFate& fate = entry->second;
@@ -97,7 +119,7 @@ void TypeDescriber::settle(const clang::TagDecl& type, std::vector<Rejection> fo
     for (const Rejection& rejection : found) report(rejection);
 }
 
-void TypeDescriber::report(const Rejection& rejection) {
+void TypeDescriber::report(const Rejection& rejection, bool mayBeLeftOut) {
     const Rejection& cause = origin(rejection);
     const Rule& rule = ruleOf(cause.reason);
     std::string message = sentence(cause);
@@ -105,14 +127,20 @@ void TypeDescriber::report(const Rejection& rejection) {
         const std::string type = rejection.type.empty() ? "" : " has the type '" + rejection.type + "', which";
         message = rejection.subject + type + " cannot be described: " + message;
     }
-    diag::Diagnostic& diagnostic = sink_.error(locate(rejection.at), rule.code, message);
+    const diag::Location at = locate(rejection.at);
+    diag::Diagnostic& diagnostic =
+        mayBeLeftOut ? sink_.warning(at, rule.code, message + "; it is left out") : sink_.error(at, rule.code, message);
     addCauses(rejection, diagnostic);
     if (std::strlen(rule.advice) != 0) diagnostic.hint(rule.advice);
 }
 
 void TypeDescriber::addCauses(const Rejection& rejection, diag::Diagnostic& to) const {
     for (const Rejection& cause : rejection.causes) {
-        if (to.notes.size() == kMostNotes) return;
+        if (to.notes.size() == kMostNotes) {
+            to.note({}, "and more: they are told when these are mended");
+            return;
+        }
+        if (to.notes.size() > kMostNotes) return;
         const std::string type = cause.type.empty() ? "" : " of type '" + cause.type + "'";
         to.note(locate(cause.at), cause.causes.empty() ? sentence(cause) : "through " + cause.subject + type);
         addCauses(cause, to);

@@ -10,6 +10,7 @@
 #include <diag/sink.hpp>
 #include <model/type_model.hpp>
 
+#include "find_roots.hpp"
 #include "rejection.hpp"
 #include "source_places.hpp"
 
@@ -30,6 +31,8 @@ public:
     /// those of other types are handed to the field that uses them.
     const TypeFate& describe(const clang::CXXRecordDecl& type);
     const TypeFate& describe(const clang::EnumDecl& type);
+    /// Of a template instance that is asked for, too, faults are reported: where that is done.
+    void describe(const clang::CXXRecordDecl& type, const Root& root);
 
     clang::Sema& sema() const { return sema_; }
     const clang::ASTContext& context() const { return sema_.getASTContext(); }
@@ -40,7 +43,7 @@ public:
 
 private:
     void settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate);
-    void report(const Rejection& rejection);
+    void report(const Rejection& rejection, bool mayBeLeftOut = false);
     void addCauses(const Rejection& rejection, diag::Diagnostic& to) const;
 
     clang::Sema& sema_;

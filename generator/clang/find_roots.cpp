@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "find_roots.hpp"
 
+#include "type_names.hpp"
+
 namespace oroforge::cxx {
 
 namespace {
@@ -28,16 +30,31 @@ public:
                 walk(*llvm::cast<clang::DeclContext>(declaration));
             } else if (const auto* type = llvm::dyn_cast<clang::TagDecl>(declaration)) {
                 visit(*type);
+            } else if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(declaration)) {
+                visit(*alias);
             }
         }
     }
-    std::vector<const clang::TagDecl*> roots;
+    std::vector<Root> roots;
 
 private:
+    void visit(const clang::TypedefNameDecl& alias) {
+        const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+            alias.getUnderlyingType()->getAsCXXRecordDecl());
+        if (instance == nullptr || alias.getDescribedTemplate() != nullptr || !isPublic(alias)) return;
+        if (!places_.isListed(sources_, alias.getLocation()) || instance->isDependentType()) return;
+        if (!places_.isListed(sources_, instance->getSpecializedTemplate()->getLocation())) return;
+        const auto name = nameOf(alias);
+        if (name) roots.push_back({instance, alias.getLocation(), *name});
+    }
     void visit(const clang::TagDecl& type) {
+        const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
+        if (instance != nullptr && instance->getSpecializationKind() == clang::TSK_ExplicitInstantiationDefinition &&
+            places_.isListed(sources_, instance->getPointOfInstantiation()))
+            roots.push_back({instance, instance->getPointOfInstantiation(), ""});
         if (!type.isThisDeclarationADefinition() || type.isImplicit() || isTemplated(type) || !isPublic(type)) return;
         if (!isNamed(type) || !places_.isListed(sources_, type.getLocation())) return;
-        roots.push_back(&type);
+        roots.push_back({&type, type.getLocation(), ""});
         if (llvm::isa<clang::CXXRecordDecl>(type)) walk(type);
     }
 
@@ -47,7 +64,7 @@ private:
 
 }  // namespace
 
-std::vector<const clang::TagDecl*> findRoots(const clang::ASTContext& context, const SourcePlaces& places) {
+std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places) {
     RootFinder finder(context.getSourceManager(), places);
     finder.walk(*context.getTranslationUnitDecl());
     return finder.roots;

@@ -4,15 +4,23 @@
 #ifndef OROFORGE_GENERATOR_CLANG_FIND_ROOTS_HPP
 #define OROFORGE_GENERATOR_CLANG_FIND_ROOTS_HPP
 
+#include <string>
 #include <vector>
 
 #include "source_places.hpp"
 
 namespace oroforge::cxx {
 
-/// In source order. Left out: templates and their specialisations (their instances come in through fields),
-/// nested types that are not public, unnamed types and types local to functions.
-std::vector<const clang::TagDecl*> findRoots(const clang::ASTContext& context, const SourcePlaces& places);
+struct Root {
+    const clang::TagDecl* type;
+    clang::SourceLocation at;  ///< where it is asked for
+    std::string alias;         ///< name in the type registry of the alias that asks for a template instance
+};
+
+/// In source order. Of class templates that are written in the listed headers these instances: those with an alias
+/// (`using Pose3 = Pose<3>;`), and those of `template struct Pose<2>;`. Left out: other instances (they come in through
+/// fields), nested types that are not public, unnamed types and types local to functions.
+std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places);
 
 }  // namespace oroforge::cxx
 

@@ -83,6 +83,12 @@ std::optional<TypeName> nameOf(const clang::TagDecl& type) {
     return name;
 }
 
+std::optional<std::string> nameOf(const clang::TypedefNameDecl& alias) {
+    TypeName name;
+    if (!addPart(alias, alias.getNameAsString(), name)) return std::nullopt;
+    return name.registry;
+}
+
 std::optional<TypeName> nameOf(const BuiltinType& type, const clang::ASTContext& context) {
     switch (type.getKind()) {
         case BuiltinType::Bool: return TypeName{"bool", "/bool"};

@@ -19,6 +19,9 @@ struct TypeName {
 /// Names of a class or enum; nothing if it cannot be named at all (unnamed type, exotic template arguments).
 std::optional<TypeName> nameOf(const clang::TagDecl& type);
 
+/// Name of an alias in the type registry; nothing if its scope has none.
+std::optional<std::string> nameOf(const clang::TypedefNameDecl& alias);
+
 /// Names of a number type; nothing for those that typekits do not hold (__int128, char8_t, half floats).
 std::optional<TypeName> nameOf(const clang::BuiltinType& type, const clang::ASTContext& context);
 

@@ -30,12 +30,12 @@ public:
         diag::Sink found;
         TypeDescriber types(*sema_, places_, found, into_);
         SoundTypes sound;
-        for (const clang::TagDecl* root : findRoots(context, places_)) {
-            headers.checkGuard(*root);
+        for (const Root& root : findRoots(context, places_)) {
+            headers.checkGuard(*root.type);
             // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
-            if (broken && !sound.has(*root)) continue;
-            if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root)) types.describe(*record);
-            if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(root)) types.describe(*enumeration);
+            if (broken && !sound.has(*root.type)) continue;
+            if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root.type)) types.describe(*record, root);
+            if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(root.type)) types.describe(*enumeration);
         }
         passOnWithFixes(found, context, places_, sink_);
     }

@@ -90,6 +90,8 @@ Json toJson(const Enum& type) {
     return json;
 }
 
+Json toJson(const Alias& alias) { return {{"name", alias.name}, {"of", alias.of}, {"where", place(alias.where)}}; }
+
 Json toJson(const Header& header) { return {{"path", header.path}, {"include", header.include}}; }
 
 template <class T>
@@ -102,11 +104,12 @@ Json listOf(const std::vector<T>& all) {
 }  // namespace
 
 std::string dump(const TypeModel& model) {
-    const Json json = {{"headers", listOf(model.headers)},
-                       {"structs", listOf(model.structs)},
-                       {"enums", listOf(model.enums)},
-                       {"library", listOf(model.library)},
-                       {"arrays", listOf(model.arrays)}};
+    Json json = {{"headers", listOf(model.headers)},
+                 {"structs", listOf(model.structs)},
+                 {"enums", listOf(model.enums)},
+                 {"library", listOf(model.library)},
+                 {"arrays", listOf(model.arrays)}};
+    if (!model.aliases.empty()) json["aliases"] = listOf(model.aliases);
     // Comments may hold bytes that are not UTF-8; they must not stop a dump.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -85,6 +85,13 @@ struct Enum {
     diag::Location where;
 };
 
+/// Another name of a template instance.
+struct Alias {
+    std::string name;  ///< in the type registry
+    std::string of;    ///< the type's first name there
+    diag::Location where;
+};
+
 /// A header to describe: its name as the user gave it and as generated code includes it.
 struct Header {
     std::string path;
@@ -95,6 +102,7 @@ struct TypeModel {
     std::vector<Header> headers;
     std::vector<Struct> structs;
     std::vector<Enum> enums;
+    std::vector<Alias> aliases;
     std::vector<TypeUse> library;    ///< each type of the standard library that a field reaches, inner ones included
     std::vector<TypeUse> arrays;     ///< the element type of each array
     std::vector<std::string> files;  ///< every file that was read, for dependency files

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace oroforge::typekit {
 
@@ -50,9 +51,38 @@ private:
     std::map<std::string, std::pair<std::string, diag::Location>> seen_;
 };
 
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+void rename(model::TypeUse& use, const std::string& from, const std::string& to) {
+    replaceAll(use.name, from, to);
+    for (model::TypeUse& element : use.element) rename(element, from, to);
+}
+
+/// A template instance is called by its first alias; the name made of its arguments becomes another alias of it.
+void preferAliases(model::TypeModel& model) {
+    std::map<std::string, std::string> preferred;  // instance → its first alias
+    for (model::Alias& alias : model.aliases) {
+        const auto [entry, isFirst] = preferred.emplace(alias.of, alias.name);
+        if (isFirst)
+            std::swap(alias.name, alias.of);
+        else
+            alias.of = entry->second;
+    }
+    for (const auto& [instance, name] : preferred) {
+        for (model::Struct& type : model.structs) {
+            replaceAll(type.name, instance, name);
+            for (model::Field& field : type.fields) rename(field.type, instance, name);
+        }
+    }
+}
+
 }  // namespace
 
 void closeModel(model::TypeModel& model, diag::Sink& sink) {
+    preferAliases(model);
     ByName library, arrays;
     for (const model::Struct& type : model.structs) {
         for (const model::Field& field : type.fields) {
@@ -69,6 +99,7 @@ void closeModel(model::TypeModel& model, diag::Sink& sink) {
     NameCheck names(sink);
     for (const model::Struct& type : model.structs) names.add(type.name, type.cpp, type.where);
     for (const model::Enum& type : model.enums) names.add(type.name, type.cpp, type.where);
+    for (const model::Alias& alias : model.aliases) names.add(alias.name, "alias of " + alias.of, alias.where);
     if (model.structs.empty() && model.enums.empty()) {
         const std::string file = model.headers.empty() ? "typegen" : model.headers.front().path;
         sink.warning({file}, "TK061", "no struct, class or enum is defined in the listed headers: an empty typekit");

@@ -96,6 +96,7 @@ struct Buckets {
             all[i] = {{"index", i},
                       {"structs", json::array()},
                       {"enums", json::array()},
+                      {"aliases", json::array()},
                       {"library", json::array()},
                       {"arrays", json::array()},
                       {"instances", json::array()}};
@@ -125,6 +126,8 @@ Buckets fillBuckets(const model::TypeModel& model) {
         buckets.add("enums", type.name, viewOf(type));
         buckets.addInstance(type.name, type.cpp);
     }
+    for (const model::Alias& alias : model.aliases)
+        buckets.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
     for (const TypeUse& use : model.library) {
         buckets.add("library", use.name, libraryView(use));
         buckets.addHeader(use.name, libraryHeader(use.kind));

@@ -34,6 +34,13 @@ TEST_P(GoldenTypekit, KnowsEveryFieldOfEveryStruct) {
     }
 }
 
+TEST_P(GoldenTypekit, KnowsEveryAlias) {
+    for (const model::Alias& alias : model.aliases) {
+        EXPECT_EQ(&typeOf(alias.name), &typeOf(alias.of)) << alias.name;
+        EXPECT_EQ(typeOf(alias.name).getTypeName(), alias.of);
+    }
+}
+
 TEST_P(GoldenTypekit, MakesPropertiesAndPortsOfEveryType) {
     std::vector<std::string> names;
     for (const auto& type : model.structs) names.push_back(type.name);

@@ -28,10 +28,20 @@ static_assert(sizeof(::template_instance::Vec<double, 3>) == 24 && alignof(::tem
 static_assert(__builtin_offsetof(::template_instance::Vec<double, 3>, v) == 0, "typegen saw another template_instance::Vec<double, 3>::v");
 static_assert(std::is_same_v<decltype(::template_instance::Vec<double, 3>::v), double[3]>, "typegen saw another type of template_instance::Vec<double, 3>::v");
 
+static_assert(sizeof(::template_instance::Vec<short, 7>) == 14 && alignof(::template_instance::Vec<short, 7>) == 2,
+              "typegen saw another template_instance::Vec<short, 7>: do __orogen or options of the compiler change it?");
+static_assert(__builtin_offsetof(::template_instance::Vec<short, 7>, v) == 0, "typegen saw another template_instance::Vec<short, 7>::v");
+static_assert(std::is_same_v<decltype(::template_instance::Vec<short, 7>::v), short[7]>, "typegen saw another type of template_instance::Vec<short, 7>::v");
+
 static_assert(sizeof(::template_instance::Vec<float, 2>) == 8 && alignof(::template_instance::Vec<float, 2>) == 4,
               "typegen saw another template_instance::Vec<float, 2>: do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::template_instance::Vec<float, 2>, v) == 0, "typegen saw another template_instance::Vec<float, 2>::v");
 static_assert(std::is_same_v<decltype(::template_instance::Vec<float, 2>::v), float[2]>, "typegen saw another type of template_instance::Vec<float, 2>::v");
+
+static_assert(sizeof(::template_instance::Vec<int, 5>) == 20 && alignof(::template_instance::Vec<int, 5>) == 4,
+              "typegen saw another template_instance::Vec<int, 5>: do __orogen or options of the compiler change it?");
+static_assert(__builtin_offsetof(::template_instance::Vec<int, 5>, v) == 0, "typegen saw another template_instance::Vec<int, 5>::v");
+static_assert(std::is_same_v<decltype(::template_instance::Vec<int, 5>::v), int[5]>, "typegen saw another type of template_instance::Vec<int, 5>::v");
 
 template class RTT::internal::DataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::AssignableDataSource<::template_instance::Vec<double, 3>>;
@@ -43,6 +53,16 @@ template class RTT::internal::ValueDataSource<::template_instance::Vec<double, 3
 template class RTT::internal::ConstantDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Vec<double, 3>>;
 template class RTT::base::ChannelElement<::template_instance::Vec<double, 3>>;
+template class RTT::internal::DataSource<::template_instance::Vec<short, 7>>;
+template class RTT::internal::AssignableDataSource<::template_instance::Vec<short, 7>>;
+template class RTT::OutputPort<::template_instance::Vec<short, 7>>;
+template class RTT::InputPort<::template_instance::Vec<short, 7>>;
+template class RTT::Property<::template_instance::Vec<short, 7>>;
+template class RTT::Attribute<::template_instance::Vec<short, 7>>;
+template class RTT::internal::ValueDataSource<::template_instance::Vec<short, 7>>;
+template class RTT::internal::ConstantDataSource<::template_instance::Vec<short, 7>>;
+template class RTT::internal::ReferenceDataSource<::template_instance::Vec<short, 7>>;
+template class RTT::base::ChannelElement<::template_instance::Vec<short, 7>>;
 template class RTT::internal::DataSource<::template_instance::Vec<float, 2>>;
 template class RTT::internal::AssignableDataSource<::template_instance::Vec<float, 2>>;
 template class RTT::OutputPort<::template_instance::Vec<float, 2>>;
@@ -53,6 +73,16 @@ template class RTT::internal::ValueDataSource<::template_instance::Vec<float, 2>
 template class RTT::internal::ConstantDataSource<::template_instance::Vec<float, 2>>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Vec<float, 2>>;
 template class RTT::base::ChannelElement<::template_instance::Vec<float, 2>>;
+template class RTT::internal::DataSource<::template_instance::Vec<int, 5>>;
+template class RTT::internal::AssignableDataSource<::template_instance::Vec<int, 5>>;
+template class RTT::OutputPort<::template_instance::Vec<int, 5>>;
+template class RTT::InputPort<::template_instance::Vec<int, 5>>;
+template class RTT::Property<::template_instance::Vec<int, 5>>;
+template class RTT::Attribute<::template_instance::Vec<int, 5>>;
+template class RTT::internal::ValueDataSource<::template_instance::Vec<int, 5>>;
+template class RTT::internal::ConstantDataSource<::template_instance::Vec<int, 5>>;
+template class RTT::internal::ReferenceDataSource<::template_instance::Vec<int, 5>>;
+template class RTT::base::ChannelElement<::template_instance::Vec<int, 5>>;
 
 namespace oroforge_typekit_template_instance {
 
@@ -64,7 +94,13 @@ bool addTypes0() {
         static constexpr RTT::types::Member members[] = {
             { "v", 0, &RTT::types::typeRef<double>, 3, "", "" }
         };
-        added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<double, 3>>("/template_instance/Vec</double,3>", members, 1, ""));
+        added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<double, 3>>("/template_instance/Vec3", members, 1, ""));
+    }
+    {
+        static constexpr RTT::types::Member members[] = {
+            { "v", 0, &RTT::types::typeRef<short>, 7, "", "" }
+        };
+        added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<short, 7>>("/template_instance/Vec7", members, 1, ""));
     }
     {
         static constexpr RTT::types::Member members[] = {
@@ -72,7 +108,16 @@ bool addTypes0() {
         };
         added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<float, 2>>("/template_instance/Vec</float,2>", members, 1, ""));
     }
+    {
+        static constexpr RTT::types::Member members[] = {
+            { "v", 0, &RTT::types::typeRef<int>, 5, "", "" }
+        };
+        added &= types->addType(RTT::types::makeStructType<::template_instance::Vec<int, 5>>("/template_instance/Vec</int32_t,5>", members, 1, ""));
+    }
     added &= types->addType(RTT::types::makeArrayType<float>("/float[]"));
+    added &= types->aliasType("/template_instance/Vec</double,3>", types->type("/template_instance/Vec3"));
+    added &= types->aliasType("/template_instance/Position", types->type("/template_instance/Vec3"));
+    added &= types->aliasType("/template_instance/Vec</int16_t,7>", types->type("/template_instance/Vec7"));
     return added;
 }
 

@@ -30,6 +30,7 @@ bool addTypes1();
 bool addTypes1() {
     const auto types = RTT::types::Types();
     bool added = true;
+    added &= types->addType(RTT::types::makeArrayType<int>("/int32_t[]"));
     return added;
 }
 

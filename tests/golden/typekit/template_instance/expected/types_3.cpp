@@ -31,6 +31,7 @@ bool addTypes3() {
     const auto types = RTT::types::Types();
     bool added = true;
     added &= types->addType(RTT::types::makeArrayType<double>("/double[]"));
+    added &= types->addType(RTT::types::makeArrayType<short>("/int16_t[]"));
     return added;
 }
 
