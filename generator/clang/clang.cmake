@@ -11,6 +11,7 @@ set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
 add_library(oroforge_gen_clang STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/attributes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/check_headers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/check_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/classify.cpp

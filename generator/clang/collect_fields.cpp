@@ -2,7 +2,6 @@
 // Copyright Oroforge contributors
 #include "collect_fields.hpp"
 
-#include "doc_comment.hpp"
 #include "find_accessors.hpp"
 #include "type_names.hpp"
 
@@ -109,7 +108,7 @@ void FieldCollector::addWholeBase(const clang::CXXRecordDecl& type, const clang:
     result.name = base.getNameAsString();
     result.type = *whole.use;
     result.offset = offset + types_.context().getASTRecordLayout(&type).getBaseClassOffset(&base).getQuantity();
-    result.doc = docComment(types_.context(), base).text;
+    result.doc = types_.docOf(base).text;
     result.base = shownName(base);
     result.where = types_.locate(specifier.getBeginLoc());
     fields_.push_back(result);
@@ -192,7 +191,7 @@ model::Field& FieldCollector::addClassified(const clang::FieldDecl& field, const
         rejectName(field);
         return rejected;
     }
-    const DocComment comment = docComment(types_.context(), field);
+    const DocComment comment = types_.docOf(field);
     model::Field result;
     result.name = name;
     result.type = *type.use;

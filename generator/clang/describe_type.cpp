@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "collect_fields.hpp"
-#include "doc_comment.hpp"
 #include "type_names.hpp"
 
 namespace oroforge::cxx {
@@ -14,13 +13,11 @@ namespace {
 
 constexpr std::size_t kMostNotes = 8;
 
-model::Enumerator describeValue(const clang::EnumConstantDecl& value, const std::string& enumCpp,
-                                const clang::ASTContext& context) {
+model::Enumerator describeValue(const clang::EnumConstantDecl& value, const std::string& enumCpp) {
     model::Enumerator result;
     result.name = value.getNameAsString();
     result.cpp = enumCpp + "::" + result.name;
     result.value = llvm::toString(value.getInitVal(), 10);
-    result.doc = docComment(context, value).text;
     return result;
 }
 
@@ -39,6 +36,12 @@ Rejection aboutInstance(const clang::CXXRecordDecl& type, const Root& root, cons
 
 diag::Location TypeDescriber::locate(clang::SourceLocation at) const {
     return places_.locate(sema_.getSourceManager(), at);
+}
+
+DocComment TypeDescriber::docOf(const clang::Decl& declaration) const {
+    DocComment doc = docComment(context(), declaration);
+    attributes_.addTo(doc, declaration);
+    return doc;
 }
 
 bool TypeDescriber::isOwn(const clang::TagDecl& type) const {
@@ -68,7 +71,7 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
     result.name = name->registry;
     result.size = layout.getSize().getQuantity();
     result.align = layout.getAlignment().getQuantity();
-    result.doc = docComment(context(), definition).text;
+    result.doc = docOf(definition).text;
     result.fields = fields.fields();
     result.where = locate(definition.getLocation());
     into_.structs.push_back(result);
@@ -100,10 +103,11 @@ const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
     result.name = name->registry;
     result.underlying = shownName(definition.getIntegerType().getCanonicalType(), context());
     result.size = context().getTypeSizeInChars(definition.getIntegerType()).getQuantity();
-    result.doc = docComment(context(), definition).text;
+    result.doc = docOf(definition).text;
     result.where = locate(definition.getLocation());
     for (const clang::EnumConstantDecl* value : definition.enumerators()) {
-        result.values.push_back(describeValue(*value, name->cpp, context()));
+        result.values.push_back(describeValue(*value, name->cpp));
+        result.values.back().doc = docOf(*value).text;
         result.values.back().where = locate(value->getLocation());
     }
     into_.enums.push_back(result);

@@ -10,6 +10,7 @@
 #include <diag/sink.hpp>
 #include <model/type_model.hpp>
 
+#include "attributes.hpp"
 #include "find_roots.hpp"
 #include "rejection.hpp"
 #include "source_places.hpp"
@@ -24,8 +25,9 @@ struct TypeFate {
 
 class TypeDescriber {
 public:
-    TypeDescriber(clang::Sema& sema, const SourcePlaces& places, diag::Sink& sink, model::TypeModel& into)
-        : sema_(sema), places_(places), sink_(sink), into_(into) {}
+    TypeDescriber(clang::Sema& sema, const SourcePlaces& places, const Attributes& attributes, diag::Sink& sink,
+                  model::TypeModel& into)
+        : sema_(sema), places_(places), attributes_(attributes), sink_(sink), into_(into) {}
 
     /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
     /// those of other types are handed to the field that uses them.
@@ -37,6 +39,8 @@ public:
     clang::Sema& sema() const { return sema_; }
     const clang::ASTContext& context() const { return sema_.getASTContext(); }
     diag::Location locate(clang::SourceLocation at) const;
+    /// What comments and attributes say of it.
+    DocComment docOf(const clang::Decl& declaration) const;
 
     /// Whether it is the user's own: written in a listed header and no template instance.
     bool isOwn(const clang::TagDecl& type) const;
@@ -48,6 +52,7 @@ private:
 
     clang::Sema& sema_;
     const SourcePlaces& places_;
+    const Attributes& attributes_;
     diag::Sink& sink_;
     model::TypeModel& into_;
     std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show

@@ -62,9 +62,10 @@ DocComment parseDocText(const std::string& text) {
 }
 
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration) {
-    const clang::RawComment* comment = context.getRawCommentForAnyRedecl(&declaration);
-    if (comment == nullptr) return {};
-    return parseDocText(comment->getFormattedText(context.getSourceManager(), context.getDiagnostics()));
+    DocComment doc;
+    if (const clang::RawComment* comment = context.getRawCommentForAnyRedecl(&declaration))
+        doc = parseDocText(comment->getFormattedText(context.getSourceManager(), context.getDiagnostics()));
+    return doc;
 }
 
 }  // namespace oroforge::cxx

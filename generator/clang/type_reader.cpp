@@ -19,8 +19,10 @@ namespace {
 class TypeConsumer : public clang::SemaConsumer {
 public:
     TypeConsumer(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
-                 model::TypeModel& into)
-        : headers_(headers), places_(places), sink_(sink), into_(into) {}
+                 model::TypeModel& into, clang::Preprocessor& preprocessor)
+        : headers_(headers), places_(places), sink_(sink), into_(into) {
+        attributes_.watch(preprocessor);
+    }
     void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
     void ForgetSema() override { sema_ = nullptr; }
     void HandleTranslationUnit(clang::ASTContext& context) override {
@@ -28,7 +30,7 @@ public:
         for (const model::Header& header : headers_) headers.checkRead(header);
         const bool broken = context.getDiagnostics().hasErrorOccurred();
         diag::Sink found;
-        TypeDescriber types(*sema_, places_, found, into_);
+        TypeDescriber types(*sema_, places_, attributes_, found, into_);
         SoundTypes sound;
         for (const Root& root : findRoots(context, places_)) {
             headers.checkGuard(*root.type);
@@ -45,6 +47,7 @@ private:
     const SourcePlaces& places_;
     diag::Sink& sink_;
     model::TypeModel& into_;
+    Attributes attributes_;
     clang::Sema* sema_ = nullptr;
 };
 
@@ -53,8 +56,8 @@ public:
     TypeAction(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
                model::TypeModel& into)
         : headers_(headers), places_(places), sink_(sink), into_(into) {}
-    std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
-        return std::make_unique<TypeConsumer>(headers_, places_, sink_, into_);
+    std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+        return std::make_unique<TypeConsumer>(headers_, places_, sink_, into_, compiler.getPreprocessor());
     }
 
 private:

@@ -19,3 +19,20 @@ enum class State {
     Busy   ///< something
 };
 }
+#ifdef __orogen
+#define UNIT(text) [[oro::unit(text)]]
+#else
+#define UNIT(text)
+#endif
+namespace demo {
+struct Annotated {
+    [[oro::unit("m")]] double height;
+    [[oro::range(-1, 2.5)]] UNIT("rad") double angle;  ///< of the arm @unit deg
+    [[oro::doc("how – full")]] double level;  // Füllstand
+    double pressure;  ///< in the tank @range 0..5 @unit bar
+    __attribute__((annotate("oro.unit=s"))) double time;
+    double behind [[oro::unit("no")]];
+    [[maybe_unused, oro::unit("A")]] double current = 0;
+    double plain = 0;
+};
+}
