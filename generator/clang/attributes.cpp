@@ -12,6 +12,7 @@ void set(DocComment& doc, llvm::StringRef name, const std::string& value) {
     if (name == "unit") doc.unit = value;
     if (name == "range") doc.range = value;
     if (name == "doc") doc.text = value;
+    if (name == "skip") doc.skip = true;
 }
 
 /// Where the declaration before this one ends, or its class begins: attributes behind that may be this one's.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The attributes [[oro::unit("m")]], [[oro::range(0, 5)]] and [[oro::doc("text")]] of fields and types.
+/// The attributes [[oro::unit("m")]], [[oro::range(0, 5)]], [[oro::doc("text")]] and [[oro::skip]] of fields and types.
 #ifndef OROFORGE_GENERATOR_CLANG_ATTRIBUTES_HPP
 #define OROFORGE_GENERATOR_CLANG_ATTRIBUTES_HPP
 

@@ -132,6 +132,7 @@ std::vector<Rejection> FieldCollector::rejections() const {
 
 void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits) {
     if (field.isUnnamedBitField()) return;  // padding only
+    if (types_.docOf(field).skip) return;
     if (field.isAnonymousStructOrUnion()) {
         const clang::CXXRecordDecl& inner = *field.getType()->getAsCXXRecordDecl();
         return inner.isUnion() ? reject(field, Reason::Union) : addRecord(inner, bits / 8);

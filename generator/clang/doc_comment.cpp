@@ -3,6 +3,7 @@
 #include "doc_comment.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <sstream>
 
 namespace oroforge::cxx {
@@ -44,13 +45,18 @@ DocComment parseDocText(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         line = trimmed(line);
+        const std::size_t skip = findCommand(line, "skip");
+        if (skip != std::string::npos) {
+            doc.skip = true;
+            line = trimmed(line.erase(skip, std::strlen("@skip")));
+        }
         const std::string range = takeRest(line, "range");
         if (!range.empty()) doc.range = range;
         const std::string unit = takeRest(line, "unit");
         if (!unit.empty()) doc.unit = unit;
         if (findCommand(line, "brief") == 0) line = trimmed(line.substr(6));
         if (line.empty()) {
-            if (!unit.empty() || !range.empty()) continue;
+            if (!unit.empty() || !range.empty() || skip != std::string::npos) continue;
             paragraph = !doc.text.empty();
             continue;
         }

@@ -14,6 +14,7 @@ struct DocComment {
     std::string text;   ///< without marks; lines joined by blanks, paragraphs by a newline
     std::string unit;   ///< what follows "@unit"
     std::string range;  ///< what follows "@range"
+    bool skip = false;  ///< "@skip": not to be described
 };
 
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration);

@@ -17,8 +17,7 @@ constexpr Rule kRules[] = {
     {Reason::Reference, "TK011", "is a reference '{}', which has no value of its own", "store the value itself"},
     {Reason::Callable, "TK012", "is a callable '{}', which is not data", "offer an operation of a component instead"},
     {Reason::PrivateMember, "TK013", "is not public",
-     "make the data members public, or keep the class out of typegen "
-     "(#ifndef __orogen) and write its typekit by hand"},
+     "make it public, give it accessors (width() and setWidth() for width_), or leave it out with [[oro::skip]]"},
     {Reason::Union, "TK014", "is a union; which of its members is meant cannot be known",
      "use a struct, or std::uint8_t bytes[N] for raw storage"},
     {Reason::ConstMember, "TK016", "is const ('{}'), so samples cannot be assigned",

@@ -34,6 +34,7 @@ public:
         SoundTypes sound;
         for (const Root& root : findRoots(context, places_)) {
             headers.checkGuard(*root.type);
+            if (types.docOf(*root.type).skip) continue;
             // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
             if (broken && !sound.has(*root.type)) continue;
             if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root.type)) types.describe(*record, root);

@@ -13,6 +13,13 @@ struct Bits {
 struct __attribute__((packed)) Packed { char head; double value; float list[3]; char tail; };
 struct Tag {};
 struct Shares { [[no_unique_address]] Tag tag; int number; };
+struct Cached {
+    int value = 0;
+    int* cache = nullptr;  ///< made anew where it is needed @skip
+    [[oro::skip]] void (*changed)() = nullptr;
+};
+/// For the implementation only. @skip
+struct Hidden { int* p; };
 struct alignas(32) Wide { double values[4]; };
 class Box {
 public:

@@ -23,6 +23,21 @@
 #include <utility>
 
 // The macro offsetof would take the comma of a template instance for its own.
+static_assert(sizeof(::by_copy::Cached) == 24 && alignof(::by_copy::Cached) == 8,
+              "typegen saw another by_copy::Cached: do __orogen or options of the compiler change it?");
+static_assert(__builtin_offsetof(::by_copy::Cached, value) == 0, "typegen saw another by_copy::Cached::value");
+static_assert(std::is_same_v<decltype(::by_copy::Cached::value), int>, "typegen saw another type of by_copy::Cached::value");
+
+template class RTT::internal::DataSource<::by_copy::Cached>;
+template class RTT::internal::AssignableDataSource<::by_copy::Cached>;
+template class RTT::OutputPort<::by_copy::Cached>;
+template class RTT::InputPort<::by_copy::Cached>;
+template class RTT::Property<::by_copy::Cached>;
+template class RTT::Attribute<::by_copy::Cached>;
+template class RTT::internal::ValueDataSource<::by_copy::Cached>;
+template class RTT::internal::ConstantDataSource<::by_copy::Cached>;
+template class RTT::internal::ReferenceDataSource<::by_copy::Cached>;
+template class RTT::base::ChannelElement<::by_copy::Cached>;
 
 namespace oroforge_typekit_by_copy {
 
@@ -30,6 +45,12 @@ bool addTypes0();
 bool addTypes0() {
     const auto types = RTT::types::Types();
     bool added = true;
+    {
+        static constexpr RTT::types::Member members[] = {
+            { "value", 0, &RTT::types::typeRef<int>, 0, "", "" }
+        };
+        added &= types->addType(RTT::types::makeStructType<::by_copy::Cached>("/by_copy/Cached", members, 1, ""));
+    }
     return added;
 }
 
