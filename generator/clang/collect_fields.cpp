@@ -158,12 +158,15 @@ void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits)
     added.type = number;
 }
 
-/// Without a name of its own the enum is the number behind it.
+/// Without a name of its own the enum is the number behind it; not converted, for it may hold what no enumerator does.
 void FieldCollector::addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type) {
     const std::string name = field.getNameAsString();
     const Classified number = classifyMember(type.getIntegerType(), types_.context());
     model::Field& added = addClassified(field, name, number);
     added.declared.clear();
+    added.load = "std::memcpy(&value, &object." + name + ", sizeof value)";
+    added.store = "std::memcpy(&object." + name + ", &value, sizeof value)";
+    if (!field.isBitField()) return;
     added.load = "value = object." + name;
     added.store = "object." + name + " = static_cast<decltype(object." + name + ")>(value)";
 }

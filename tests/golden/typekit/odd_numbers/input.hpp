@@ -22,5 +22,6 @@ struct Numbers {
     Small small;
     Flags flags;
     enum { kOne, kTwo } choice;
+    enum { kLow, kHigh, kHighest = 3 } level : 2;
 };
 }

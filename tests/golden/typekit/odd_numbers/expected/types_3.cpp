@@ -86,12 +86,23 @@ bool addTypes3() {
             [](const void* from, std::size_t, void* to) {
                 const auto& object = *static_cast<const ::odd_numbers::Numbers*>(from);
                 auto& value = *static_cast<unsigned int*>(to);
-                value = object.choice;
+                std::memcpy(&value, &object.choice, sizeof value);
             },
             [](void* to, std::size_t, const void* from) {
                 auto& object = *static_cast<::odd_numbers::Numbers*>(to);
                 const auto& value = *static_cast<const unsigned int*>(from);
-                object.choice = static_cast<decltype(object.choice)>(value);
+                std::memcpy(&object.choice, &value, sizeof value);
+            });
+        static constexpr RTT::types::SequenceOps access_14 = RTT::types::memberAccess(
+            [](const void* from, std::size_t, void* to) {
+                const auto& object = *static_cast<const ::odd_numbers::Numbers*>(from);
+                auto& value = *static_cast<unsigned int*>(to);
+                value = object.level;
+            },
+            [](void* to, std::size_t, const void* from) {
+                auto& object = *static_cast<::odd_numbers::Numbers*>(to);
+                const auto& value = *static_cast<const unsigned int*>(from);
+                object.level = static_cast<decltype(object.level)>(value);
             });
         static constexpr RTT::types::Member members[] = {
             { "precise", 0, &RTT::types::typeRef<long double>, 0, "", "" },
@@ -107,9 +118,10 @@ bool addTypes3() {
             { "big", 56, &RTT::types::typeRef<::odd_numbers::Big>, 0, "", "" },
             { "small", 64, &RTT::types::typeRef<::odd_numbers::Small>, 0, "", "" },
             { "flags", 68, &RTT::types::typeRef<::odd_numbers::Flags>, 0, "", "" },
-            { "choice", 0, &RTT::types::typeRef<unsigned int>, 0, "", "", nullptr, &access_13 }
+            { "choice", 0, &RTT::types::typeRef<unsigned int>, 0, "", "", nullptr, &access_13 },
+            { "level", 0, &RTT::types::typeRef<unsigned int>, 0, "", "", nullptr, &access_14 }
         };
-        added &= types->addType(RTT::types::makeStructType<::odd_numbers::Numbers>("/odd_numbers/Numbers", members, 14, ""));
+        added &= types->addType(RTT::types::makeStructType<::odd_numbers::Numbers>("/odd_numbers/Numbers", members, 15, ""));
     }
     {
         static constexpr RTT::types::Enumerator values[] = {
