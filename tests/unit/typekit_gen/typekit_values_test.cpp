@@ -3,6 +3,7 @@
 // Values of every struct of the golden typekits: every field is given a value, which then goes through a property file,
 // a port, a property and scripts, and must come out unchanged.
 #include <filesystem>
+#include <memory>
 
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
@@ -94,8 +95,10 @@ TEST_P(TypekitValues, AreReadAndWrittenByScriptsMemberByMember) {
         ASSERT_TRUE(copy->update(value.get()));
         test::ValueFiller other(model, 1);
         other.fill(copy);
-        component.addAttribute(*info.buildAttribute("from", value));
-        component.addAttribute(*info.buildAttribute("to", copy));
+        const std::unique_ptr<RTT::base::AttributeBase> from(info.buildAttribute("from", value));
+        const std::unique_ptr<RTT::base::AttributeBase> to(info.buildAttribute("to", copy));
+        component.addAttribute(*from);
+        component.addAttribute(*to);
         for (const std::string& path : filler.paths())
             EXPECT_TRUE(scripts.eval("to" + path + " = from" + path)) << path;
         EXPECT_EQ(copy->toString(), value->toString());

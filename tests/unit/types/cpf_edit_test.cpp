@@ -193,11 +193,11 @@ TEST_F(CpfEdit, StructsGetAllTheirMembers) {
     const auto member = [](const std::string& name, const std::string& value, const std::string& description = "") {
         return "<simple name=\"" + name + "\" type=\"double\">" + description + "<value>" + value + "</value></simple>";
     };
-    const std::string part = "<description>Part</description>";
+    const std::string east = "<description>east [m]</description>", north = "<description>north [m]</description>";
     for (const auto mode : {SaveMode::update, SaveMode::merge}) {
-        EXPECT_EQ(head + member("x", "1") + "\n   " + member("y", "2", part) + "\n</struct>",
+        EXPECT_EQ(head + member("x", "1") + "\n   " + member("y", "2", north) + "\n</struct>",
                   edited(head + member("x", "1") + "</struct>", mode));
-        EXPECT_EQ(head + "\n   " + member("x", "1", part) + "\n   " + member("y", "2", part) + "\n</struct>",
+        EXPECT_EQ(head + "\n   " + member("x", "1", east) + "\n   " + member("y", "2", north) + "\n</struct>",
                   edited(head + member("y", "0") + "</struct>", mode))
             << "in the order of the type";
         EXPECT_EQ(head + member("x", "1") + member("y", "2.0") + "</struct>",
@@ -220,14 +220,15 @@ TEST_F(CpfEdit, OtherTypesGetTheirMembers) {
     for (const char* open : {"struct name=\"at\" type=\"sample.Tank\"", "struct name=\"at\" type=\"PropertyBag\"",
                              "sequence name=\"at\" type=\"array\""}) {
         const std::string tag = std::string(open).substr(0, std::string(open).find(' '));
-        EXPECT_EQ("<" + tag +
-                      " name=\"at\" type=\"/sample/Point\">\n"
-                      "  <simple name=\"x\" type=\"double\"><description>Part</description><value>1</value></simple>\n"
-                      "  <simple name=\"y\" type=\"double\"><description>Part</description><value>2</value></simple>\n"
-                      "</" +
-                      tag + ">",
-                  updated("<" + std::string(open) +
-                          ">\n  <simple name=\"id\" type=\"double\"><value>1</value></simple>\n</" + tag + ">"));
+        EXPECT_EQ(
+            "<" + tag +
+                " name=\"at\" type=\"/sample/Point\">\n"
+                "  <simple name=\"x\" type=\"double\"><description>east [m]</description><value>1</value></simple>\n"
+                "  <simple name=\"y\" type=\"double\"><description>north [m]</description><value>2</value></simple>\n"
+                "</" +
+                tag + ">",
+            updated("<" + std::string(open) + ">\n  <simple name=\"id\" type=\"double\"><value>1</value></simple>\n</" +
+                    tag + ">"));
         EXPECT_EQ(2, loaded<sample::Point>("at").y);
     }
 }
