@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <plan/output_names.hpp>
 
@@ -19,17 +18,6 @@ namespace fs = std::filesystem;
 namespace oroforge::typekit {
 
 namespace {
-
-std::string hashOf(const std::string& text) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char c : text) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 1099511628211ULL;
-    }
-    std::ostringstream digits;
-    digits << std::hex << hash;
-    return digits.str();
-}
 
 struct State {
     std::int64_t time = 0;  ///< of the last change, in ns since the epoch
@@ -90,7 +78,7 @@ RunRecord::RunRecord(const Options& options, const cxx::ParseRequest& request) :
         add(request_, header.path);
         add(request_, header.include);
     }
-    if (isOneLine(request_)) file_ = place + "/" + hashOf(output + "\n" + options.name);
+    if (isOneLine(request_)) file_ = place + "/" + std::to_string(hashOf(output + "\n" + options.name));
 }
 
 bool RunRecord::isCurrent() const {

@@ -2,19 +2,19 @@
 // Copyright Oroforge contributors
 #include <plan/output_names.hpp>
 
-#include <cstdint>
-
 namespace oroforge::typekit {
 
-std::size_t bucketOf(const std::string& typeName) {
+std::uint64_t hashOf(const std::string& text) {
     // FNV-1a: std::hash may change with the standard library, and with it every generated file.
     std::uint64_t hash = 14695981039346656037ULL;
-    for (const char c : typeName) {
+    for (const char c : text) {
         hash ^= static_cast<unsigned char>(c);
         hash *= 1099511628211ULL;
     }
-    return static_cast<std::size_t>(hash % kBuckets);
+    return hash;
 }
+
+std::size_t bucketOf(const std::string& typeName) { return static_cast<std::size_t>(hashOf(typeName) % kBuckets); }
 
 std::string userHeaderName(const std::string& typekit) { return "types/" + typekit + "/typekit/Types.hpp"; }
 

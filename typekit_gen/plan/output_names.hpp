@@ -5,6 +5,7 @@
 #define OROFORGE_TYPEKIT_GEN_PLAN_OUTPUT_NAMES_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace oroforge::typekit {
 
 /// Types are spread over this many source files by a hash of their names: a new type changes one of them.
 constexpr std::size_t kBuckets = 4;
+
+/// The same everywhere and for ever.
+std::uint64_t hashOf(const std::string& text);
 
 std::size_t bucketOf(const std::string& typeName);
 
