@@ -24,7 +24,7 @@ struct ParseRequest {
 };
 
 /// Structs and enums that are defined in the listed headers, and whatever they use, in no particular order;
-/// sequences and arrays are left to the caller. Nothing if there was an error; all errors are in the sink.
+/// library types and arrays are left to the caller. Nothing if there was an error; all errors are in the sink.
 std::optional<model::TypeModel> readTypes(const ParseRequest& request, diag::Sink& sink);
 
 /// Folder of clang's builtin headers (the parent of include/stddef.h), or nothing after reporting what is missing.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What the types imply: the sequences and arrays that their fields reach, one order, no two types of one name.
+/// What the types imply: the library types and arrays that their fields reach, one order, no two types of one name.
 #ifndef OROFORGE_TYPEKIT_GEN_COLLECT_CLOSE_MODEL_HPP
 #define OROFORGE_TYPEKIT_GEN_COLLECT_CLOSE_MODEL_HPP
 
@@ -9,7 +9,8 @@
 
 namespace oroforge::typekit {
 
-/// Fills in sequences and arrays and sorts everything by registry name. Two types with one name: error TK060.
+/// Fills in library types and arrays, calls template instances by their aliases, and sorts everything by registry
+/// name. Two types with one name: error TK060.
 /// No type at all: warning TK061.
 void closeModel(model::TypeModel& model, diag::Sink& sink);
 
