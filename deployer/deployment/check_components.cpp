@@ -92,7 +92,20 @@ private:
                                "' cannot take part in connection '" + connection_.name + "' of type '" +
                                RTT::internal::sampleTypeName(*first.port) + "'")
                     .note(first.where(), "port '" + first.name() + "' gives the connection its type");
+            else
+                checkSchema(first, other);
         }
+    }
+
+    void checkSchema(const Resolved& first, const Resolved& other) {
+        const std::string difference = RTT::internal::sampleDifference(*first.port, *other.port);
+        if (difference.empty()) return;
+        sink_
+            .error(other.where(), "DEP044",
+                   "port '" + other.name() + "' cannot take part in connection '" + connection_.name +
+                       "': its plugin was built with another definition of '" +
+                       RTT::internal::sampleTypeName(*other.port) + "': " + difference)
+            .note(first.where(), "port '" + first.name() + "' gives the connection its type");
     }
 
     void explain(diag::Diagnostic& diagnostic) {

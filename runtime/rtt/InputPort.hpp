@@ -7,6 +7,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/DataSourceTypeInfo.hpp>
+#include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 namespace RTT {
@@ -22,8 +23,12 @@ public:
     typedef T value_t;
     typedef T& reference_t;
 
-    InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy())
-        : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {}
+    /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
+    InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy(),
+              const types::Schema& schema = types::schemaOf<T>())
+        : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {
+        this->setSampleSchema(schema);
+    }
     /** Waits for a callback that is using this port in another thread. */
     ~InputPort() override { this->leaveInterface(); }
 

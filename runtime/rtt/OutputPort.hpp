@@ -7,6 +7,7 @@
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/DataSourceTypeInfo.hpp>
+#include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 namespace RTT {
@@ -22,8 +23,12 @@ public:
     typedef const T& param_t;
     typedef T& reference_t;
 
-    OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true)
-        : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {}
+    /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
+    OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true,
+               const types::Schema& schema = types::schemaOf<T>())
+        : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {
+        this->setSampleSchema(schema);
+    }
 
     /** NotConnected if there is no connection, WriteFailure if a mandatory one could not take the sample, else WriteSuccess. */
     WriteStatus write(param_t sample) { return writeSample(&sample); }

@@ -15,6 +15,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/GlobalsRepository.cpp
   rtt/types/Operators.cpp
   rtt/types/PropertyComposition.cpp
+  rtt/types/Schema.cpp
   rtt/types/SequenceMembers.cpp
   rtt/types/StructMembers.cpp
   rtt/types/TemplateConstructor.cpp

@@ -19,6 +19,7 @@ class DataFlowInterface;
 class Service;
 namespace types {
 class TypeInfo;
+struct Schema;
 struct TypeOps;
 }  // namespace types
 namespace internal {
@@ -101,11 +102,14 @@ public:
 
     /** Null for a proxy. */
     const types::TypeOps* sampleOps() const { return ops_; }
+    /** How the plugin that made the port sees the type of its samples; null for a proxy. */
+    const types::Schema* sampleSchema() const { return schema_; }
     /** A new storage element for samples of this port's type; null, with an error logged, if the policy is not valid. */
     virtual ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const;
 
 protected:
     PortInterface(const std::string& name, const types::TypeOps* ops);
+    void setSampleSchema(const types::Schema& schema) { schema_ = &schema; }
 
     /** Leaves the component; waits for a callback of this port that another thread executes. */
     void leaveInterface();
@@ -124,6 +128,7 @@ private:
     std::string description_;
     std::atomic<DataFlowInterface*> interface_{nullptr};
     const types::TypeOps* ops_;
+    const types::Schema* schema_ = nullptr;
     boost::intrusive_ptr<internal::PortEndpoint> endpoint_;
     std::unique_ptr<internal::ConnectionManager> manager_;
 };

@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/SharedConnection.hpp>
 
+#include <rtt/base/PortInterface.hpp>
+#include <rtt/types/Schema.hpp>
+
 #include <algorithm>
 #include <mutex>
 
@@ -16,12 +19,17 @@ std::mutex& repositoryMutex() {
 }  // namespace
 
 SharedConnectionBase::SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage,
-                                           const ConnPolicy& policy, const types::TypeOps& ops)
-    : storage_(storage), policy_(policy), ops_(ops) {
+                                           const ConnPolicy& policy, const base::PortInterface& first)
+    : storage_(storage), policy_(policy), ops_(*first.sampleOps()), schema_(*first.sampleSchema()) {
     policy_.name_id = name;
 }
 
 SharedConnectionBase::~SharedConnectionBase() = default;
+
+std::string SharedConnectionBase::difference(const base::PortInterface& port) const {
+    return types::schemaDifference(schema_, *port.sampleSchema(), "in the connection",
+                                   "in the plugin of " + port.getFullName());
+}
 
 void SharedConnectionBase::removeMember(const base::PortInterface& port) {
     const auto same = [&port](const Member& m) { return m.port == &port; };

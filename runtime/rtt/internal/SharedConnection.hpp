@@ -14,8 +14,9 @@
 
 namespace RTT {
 namespace types {
+struct Schema;
 struct TypeOps;
-}
+}  // namespace types
 namespace base {
 class PortInterface;
 }
@@ -27,12 +28,14 @@ public:
     typedef boost::intrusive_ptr<SharedConnectionBase> shared_ptr;
 
     SharedConnectionBase(const std::string& name, base::ChannelElementBase::shared_ptr storage,
-                         const ConnPolicy& policy, const types::TypeOps& ops);
+                         const ConnPolicy& policy, const base::PortInterface& first);
 
     const std::string& getName() const { return policy_.name_id; }
     const ConnPolicy& getPolicy() const { return policy_; }
     const base::ChannelElementBase::shared_ptr& storage() const { return storage_; }
     const types::TypeOps& ops() const { return ops_; }
+    /** How the type of the port's samples differs from that of the first port, as a sentence; empty if it does not. */
+    std::string difference(const base::PortInterface& port) const;
 
     void ref() { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref();
@@ -52,6 +55,7 @@ private:
     base::ChannelElementBase::shared_ptr storage_;
     ConnPolicy policy_;
     const types::TypeOps& ops_;
+    const types::Schema& schema_;
     std::vector<Member> members_;  // under the lock of all connections
     std::atomic<int> references_{0};
 };

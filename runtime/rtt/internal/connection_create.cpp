@@ -67,6 +67,16 @@ bool fill(base::ChannelElementBase& storage, OutputPortInterface& output, bool i
     return output.initialise(filling, init);
 }
 
+/** False, and an error, if the plugins of the ports were built with different definitions of their type. */
+bool sameSchema(const PortInterface& a, const PortInterface& b) {
+    const std::string difference = sampleDifference(a, b);
+    if (difference.empty()) return true;
+    log(Error) << "cannot connect " << a.getFullName() << " with " << b.getFullName()
+               << ": their plugins were built with different definitions of " << sampleTypeName(a) << ": " << difference
+               << "; build both with the same header" << endlog();
+    return false;
+}
+
 /** False, and an error, if the two can never be connected directly. */
 bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
     if (!output.isLocal())
@@ -81,7 +91,7 @@ bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
                    << " is not compatible with input port " << input.getFullName() << " of type "
                    << sampleTypeName(input) << endlog();
     else
-        return true;
+        return sameSchema(output, input);
     return false;
 }
 
@@ -161,9 +171,16 @@ SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedCon
         if (!storage) return nullptr;
         if (policy.name_id.empty()) policy.name_id = SharedConnectionRepository::Instance().uniqueName();
         given = SharedConnectionRepository::Instance().add(
-            new SharedConnectionBase(policy.name_id, storage, *storage->getConnPolicy(), *port.sampleOps()));
+            new SharedConnectionBase(policy.name_id, storage, *storage->getConnPolicy(), port));
     }
     policy.name_id = given->getName();
+    const std::string difference = sameType(&given->ops(), port.sampleOps()) ? given->difference(port) : "";
+    if (!difference.empty()) {
+        log(Error) << "port " << port.getFullName() << " cannot join shared connection '" << given->getName()
+                   << "': its plugin was built with another definition of " << sampleTypeName(port) << ": "
+                   << difference << "; build all with the same header" << endlog();
+        return nullptr;
+    }
     if (!sameType(&given->ops(), port.sampleOps()) || !sameStorage(given->getPolicy(), policy)) {
         log(Error) << "incompatible connection policies for shared connection '" << given->getName() << "': port "
                    << port.getFullName() << " of type " << sampleTypeName(port) << " requests " << policy

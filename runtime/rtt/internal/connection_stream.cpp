@@ -8,8 +8,10 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnID.hpp>
+#include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeMarshaller.hpp>
+#include <rtt/types/TypeThunkTable.hpp>
 
 namespace RTT {
 namespace internal {
@@ -46,6 +48,19 @@ int marshalledSize(base::OutputPortInterface& port, const types::TypeMarshaller&
     return size;
 }
 
+/** False, with an error logged, if the typekit, for which the transport was made, sees the port's type differently. */
+bool isSeenAlike(const base::PortInterface& port, const types::TypeInfo& type) {
+    const types::TypeThunks* const thunks = type.getThunks();
+    if (!thunks || !thunks->schema || !port.sampleSchema()) return true;
+    const std::string difference =
+        types::schemaDifference(*port.sampleSchema(), thunks->schema(), "in the port's plugin", "in the typekit");
+    if (difference.empty()) return true;
+    log(Error) << "could not create transport stream for " << describe(port)
+               << ": its plugin was built with another definition of " << type.getTypeName()
+               << " than the typekit: " << difference << "; build both with the same header" << endlog();
+    return false;
+}
+
 /** The channel element of the transport; null, with errors logged, if there is none. */
 base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port, ConnPolicy const& policy,
                                                       bool sender) {
@@ -63,6 +78,7 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
                    << (type ? type->getTypeName() : std::string("unknown_t")) << endlog();
         return nullptr;
     }
+    if (!isSeenAlike(port, *type)) return nullptr;
     const types::TypeMarshaller* marshaller = dynamic_cast<types::TypeMarshaller*>(transport);
     if (sender && marshaller)
         policy.data_size = marshalledSize(static_cast<base::OutputPortInterface&>(port), *marshaller);

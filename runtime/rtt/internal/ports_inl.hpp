@@ -14,12 +14,12 @@ namespace RTT {
 
 template <typename T>
 InputPort<T>* InputPort<T>::clone() const {
-    return new InputPort<T>(getName(), getDefaultPolicy());
+    return new InputPort<T>(getName(), getDefaultPolicy(), *sampleSchema());
 }
 
 template <typename T>
 base::PortInterface* InputPort<T>::antiClone() const {
-    return new OutputPort<T>(getName());
+    return new OutputPort<T>(getName(), true, *sampleSchema());
 }
 
 template <typename T>
@@ -49,12 +49,12 @@ T OutputPort<T>::getLastWrittenValue() const {
 
 template <typename T>
 OutputPort<T>* OutputPort<T>::clone() const {
-    return new OutputPort<T>(getName(), keepsLastWrittenValue());
+    return new OutputPort<T>(getName(), keepsLastWrittenValue(), *sampleSchema());
 }
 
 template <typename T>
 base::PortInterface* OutputPort<T>::antiClone() const {
-    return new InputPort<T>(getName());
+    return new InputPort<T>(getName(), ConnPolicy(), *sampleSchema());
 }
 
 template <typename T>

@@ -3,6 +3,7 @@
 #include <rtt/internal/sample_type_name.hpp>
 
 #include <rtt/base/PortInterface.hpp>
+#include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -29,6 +30,12 @@ std::string sampleTypeName(const base::PortInterface& port) {
 std::string sampleTypeName(const types::TypeOps& ops) {
     const types::TypeInfo* const type = types::TypeInfoRepository::Instance()->getTypeById(ops.id);
     return type ? type->getTypeName() : cppName(ops);
+}
+
+std::string sampleDifference(const base::PortInterface& a, const base::PortInterface& b) {
+    if (!a.sampleSchema() || !b.sampleSchema()) return "";
+    return types::schemaDifference(*a.sampleSchema(), *b.sampleSchema(), "in the plugin of " + a.getFullName(),
+                                   "in that of " + b.getFullName());
 }
 
 }  // namespace internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How messages call the type of samples.
+// How messages call the type of samples, and whether two ports mean the same by it.
 #ifndef ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
 #define ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
 
@@ -19,6 +19,10 @@ namespace internal {
 /** The name that a typekit gave the type, or its C++ name if none did. Not real-time safe. */
 RTT_API std::string sampleTypeName(const base::PortInterface& port);
 RTT_API std::string sampleTypeName(const types::TypeOps& ops);
+
+/** Empty if the two local ports can exchange samples. Plugins may have been built with different versions of a header:
+    a sentence that names the first difference then. For ports whose types have the same C++ name. Not real-time safe. */
+RTT_API std::string sampleDifference(const base::PortInterface& a, const base::PortInterface& b);
 
 }  // namespace internal
 }  // namespace RTT

@@ -22,6 +22,8 @@ class ChannelElementBase;
 
 namespace types {
 
+struct Schema;
+
 /**
  * Makes the typed objects around one C++ type. All return new objects, or null if the type cannot have such an
  * object or a given source is of another type. Sources given may be null where marked.
@@ -40,6 +42,7 @@ struct TypeThunks {
     base::InputPortInterface* (*inputPort)(const std::string& name);
     base::OutputPortInterface* (*outputPort)(const std::string& name);
     boost::intrusive_ptr<base::ChannelElementBase> (*dataStorage)(const ConnPolicy& policy);
+    const Schema& (*schema)();  ///< how the typekit sees the type
 };
 
 }  // namespace types
