@@ -27,6 +27,9 @@ public:
     InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy(),
               const types::Schema& schema = types::schemaOf<T>())
         : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {
+        static_assert(types::isSample<T>,
+                      "a port makes, copies and assigns samples: this type lacks a default constructor or the copying "
+                      "operations, or has a constant member");
         this->setSampleSchema(schema);
     }
     /** Waits for a callback that is using this port in another thread. */

@@ -27,6 +27,9 @@ public:
     OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true,
                const types::Schema& schema = types::schemaOf<T>())
         : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {
+        static_assert(types::isSample<T>,
+                      "a port makes, copies and assigns samples: this type lacks a default constructor or the copying "
+                      "operations, or has a constant member");
         this->setSampleSchema(schema);
     }
 

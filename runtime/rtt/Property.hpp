@@ -38,7 +38,7 @@ public:
     /** Not ready. */
     Property() {}
     explicit Property(const std::string& name) : PropertyBase(name, ""), _value(new internal::ValueDataSource<T>()) {}
-    Property(const std::string& name, const std::string& description, const T& value = T())
+    Property(const std::string& name, const std::string& description, const T& value = types::ValueTraits<T>::make())
         : PropertyBase(name, description), _value(new internal::ValueDataSource<T>(value)) {}
     Property(const std::string& name, const std::string& description,
              const typename internal::AssignableDataSource<T>::shared_ptr& source)
@@ -115,7 +115,7 @@ public:
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSource<T>::GetTypeInfo(); }
 
     Property<T>* clone() const override { return new Property<T>(*this); }
-    Property<T>* create() const override { return new Property<T>(_name, _description, T()); }
+    Property<T>* create() const override { return new Property<T>(_name, _description, types::ValueTraits<T>::make()); }
     base::PropertyBase* create(const base::DataSourceBase::shared_ptr& source) const override {
         auto* same = SourceType::narrow(source.get());
         return same ? new Property<T>(_name, _description, same) : nullptr;

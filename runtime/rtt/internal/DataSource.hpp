@@ -4,6 +4,7 @@
 #define CORELIB_DATASOURCE_HPP
 
 #include <rtt/base/DataSourceBase.hpp>
+#include <rtt/types/ValueTraits.hpp>
 #include "DataSourceTypeInfo.hpp"
 
 namespace RTT {
@@ -59,7 +60,7 @@ public:
     /** The stored value for direct change; call updated() afterwards. */
     virtual reference_t set() = 0;
 
-    bool isAssignable() const override { return true; }
+    bool isAssignable() const override { return std::is_copy_assignable<value_t>::value; }
     bool assignValue(const void* value) override;
     void* getRawPointer() override;
 

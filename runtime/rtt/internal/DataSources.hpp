@@ -22,14 +22,14 @@ public:
     typedef typename AssignableDataSource<T>::reference_t reference_t;
     typedef typename DataSource<T>::const_reference_t const_reference_t;
 
-    ValueDataSource() : mdata() { this->addressIsFixed(); }
+    ValueDataSource() : mdata(types::ValueTraits<T>::make()) { this->addressIsFixed(); }
     explicit ValueDataSource(T value) : mdata(std::move(value)) { this->addressIsFixed(); }
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return mdata; }
     typename DataSource<T>::result_t value() const override { return mdata; }
     const_reference_t rvalue() const override { return mdata; }
-    void set(param_t value) override { mdata = value; }
+    void set(param_t value) override { types::assignValue(mdata, value); }
     reference_t set() override { return mdata; }
 
     ValueDataSource<T>* clone() const override { return new ValueDataSource<T>(mdata); }
@@ -101,7 +101,7 @@ public:
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
-    void set(param_t value) override { *mptr = value; }
+    void set(param_t value) override { types::assignValue(*mptr, value); }
     reference_t set() override { return *mptr; }
 
     ReferenceDataSource<T>* clone() const override { return new ReferenceDataSource<T>(*mptr); }

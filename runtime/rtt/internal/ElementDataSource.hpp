@@ -39,7 +39,7 @@ template <typename E>
 class ElementDataSource : public AssignableDataSource<E> {
 public:
     ElementDataSource(base::DataSourceBase* parent, base::DataSourceBase* index, const types::SequenceOps* ops)
-        : place_(parent, index, ops), spare_() {}
+        : place_(parent, index, ops), spare_(types::ValueTraits<E>::make()) {}
 
     bool evaluate() const override { return place_.evaluate(); }
     typename DataSource<E>::result_t get() const override {
@@ -49,19 +49,19 @@ public:
     typename DataSource<E>::result_t value() const override { return rvalue(); }
     typename DataSource<E>::const_reference_t rvalue() const override {
         if (void* at = place_.address(false)) return *static_cast<E*>(at);
-        if (!place_.load(&spare_)) spare_ = E();
+        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
         return spare_;
     }
     void set(typename AssignableDataSource<E>::param_t value) override {
         place_.evaluate();
         // Kept for updated(), which may follow and stores it again where elements have no address.
-        if (!place_.ops->at) spare_ = value;
+        if (!place_.ops->at) types::assignValue(spare_, value);
         place_.store(&value);
     }
     typename AssignableDataSource<E>::reference_t set() override {
         place_.evaluate();
         if (void* at = place_.address(true)) return *static_cast<E*>(at);
-        if (!place_.load(&spare_)) spare_ = E();
+        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
         return spare_;
     }
     void updated() override {
@@ -70,7 +70,7 @@ public:
         else
             place_.parent->updated();
     }
-    bool isAssignable() const override { return place_.isAssignable(); }
+    bool isAssignable() const override { return std::is_copy_assignable<E>::value && place_.isAssignable(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
     ElementDataSource<E>* clone() const override {

@@ -48,7 +48,7 @@ public:
     typename DataSource<T>::const_reference_t rvalue() const override { return part(); }
     bool evaluate() const override { return place_.parent->evaluate(); }
     void set(typename AssignableDataSource<T>::param_t value) override {
-        part() = value;
+        types::assignValue(part(), value);
         place_.parent->updated();
     }
     reference_t set() override { return part(); }

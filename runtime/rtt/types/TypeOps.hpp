@@ -4,6 +4,7 @@
 #ifndef ORO_TYPES_TYPE_OPS_HPP
 #define ORO_TYPES_TYPE_OPS_HPP
 
+#include "ValueTraits.hpp"
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -58,7 +59,7 @@ template <class T>
 struct Ops {
     static void construct(void* at) { ::new (at) T(); }
     static void copyConstruct(void* at, const void* from) { ::new (at) T(*static_cast<const T*>(from)); }
-    static void assign(void* to, const void* from) { *static_cast<T*>(to) = *static_cast<const T*>(from); }
+    static void assign(void* to, const void* from) { assignValue(*static_cast<T*>(to), *static_cast<const T*>(from)); }
     static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
     static std::size_t extent(const void* sample) { return SampleExtent<T>::of(*static_cast<const T*>(sample)); }
     static constexpr bool trivial = std::is_trivially_copyable<T>::value && std::is_trivially_destructible<T>::value;

@@ -83,9 +83,12 @@ struct Thunks {
         t.variable = &variable;
         t.attribute = &attribute;
         t.property = &property;
-        t.inputPort = &inputPort;
-        t.outputPort = &outputPort;
-        t.dataStorage = &dataStorage;
+        if constexpr (isSample<T>) {
+            t.inputPort = &inputPort;
+            t.outputPort = &outputPort;
+            t.dataStorage = &dataStorage;
+        }
+        t.schema = &schemaOf<T>;
         return t;
     }
 };

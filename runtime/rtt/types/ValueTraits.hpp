@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Values of types that C++ restricts: without a default constructor, or with a constant member, which cannot be assigned.
+#ifndef ORO_TYPES_VALUE_TRAITS_HPP
+#define ORO_TYPES_VALUE_TRAITS_HPP
+
+#include <type_traits>
+
+namespace RTT {
+namespace types {
+
+/** The first value of a variable or property. Typekits specialise it for types that `[[oro::make(…)]]` tells how to make. */
+template <class T>
+struct ValueTraits {
+    static T make() { return T(); }
+};
+
+/** Whether ports take T: their storage makes values beforehand, and replaces them. */
+template <class T>
+inline constexpr bool isSample =
+    std::is_default_constructible<T>::value&& std::is_copy_constructible<T>::value&& std::is_copy_assignable<T>::value;
+
+/** False, and nothing changed, if values of T cannot be assigned: properties and attributes of T are read only. */
+template <class T>
+bool assignValue(T& to, const T& from) {
+    if constexpr (std::is_copy_assignable<T>::value) {
+        to = from;
+        return true;
+    } else {
+        (void)to;
+        (void)from;
+        return false;
+    }
+}
+
+}  // namespace types
+}  // namespace RTT
+
+#endif
