@@ -21,9 +21,9 @@ public:
 
     /** Not ready. */
     Attribute() {}
-    explicit Attribute(const std::string& name) : AttributeBase(name), data(new internal::ValueDataSource<T>()) {}
+    explicit Attribute(const std::string& name) : AttributeBase(name), data(internal::ValueDataSource<T>::make()) {}
     Attribute(const std::string& name, T value)
-        : AttributeBase(name), data(new internal::ValueDataSource<T>(std::move(value))) {}
+        : AttributeBase(name), data(internal::ValueDataSource<T>::make(value)) {}
     Attribute(const std::string& name, internal::AssignableDataSource<T>* source) : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
     Attribute(base::AttributeBase* other)
@@ -48,7 +48,7 @@ public:
     Attribute<T>* copy(internal::CopyMap& replacements, bool instantiate) const override {
         if (!instantiate) return new Attribute<T>(mname, data->copy(replacements));
         auto* made = new Attribute<T>(mname, data->clone());
-        replacements[data.get()] = made->data.get();
+        data->noteCopy(replacements, made->data.get());
         return made;
     }
 

@@ -37,9 +37,9 @@ public:
 
     /** Not ready. */
     Property() {}
-    explicit Property(const std::string& name) : PropertyBase(name, ""), _value(new internal::ValueDataSource<T>()) {}
+    explicit Property(const std::string& name) : PropertyBase(name, ""), _value(internal::ValueDataSource<T>::make()) {}
     Property(const std::string& name, const std::string& description, const T& value = types::ValueTraits<T>::make())
-        : PropertyBase(name, description), _value(new internal::ValueDataSource<T>(value)) {}
+        : PropertyBase(name, description), _value(internal::ValueDataSource<T>::make(value)) {}
     Property(const std::string& name, const std::string& description,
              const typename internal::AssignableDataSource<T>::shared_ptr& source)
         : PropertyBase(name, description), _value(source) {}
@@ -48,7 +48,7 @@ public:
         : PropertyBase(name, description), _value(source) {}
     /** Copies the value. */
     Property(const Property<T>& other)
-        : PropertyBase(other), _value(other._value ? new internal::ValueDataSource<T>(other.rvalue()) : nullptr) {}
+        : PropertyBase(other), _value(other._value ? internal::ValueDataSource<T>::make(other.rvalue()) : nullptr) {}
     /** Shares the value of `source`; not ready, and an error in the log, if it is of another type. */
     Property(base::PropertyBase* source)
         : PropertyBase(internal::detail::nameOf(source), internal::detail::descriptionOf(source)),
@@ -72,7 +72,7 @@ public:
         else if (_value)
             set(other.rvalue());
         else
-            _value = new internal::ValueDataSource<T>(other.rvalue());
+            _value = internal::ValueDataSource<T>::make(other.rvalue());
         return *this;
     }
     Property<T>& operator=(param_t value) {
@@ -115,7 +115,9 @@ public:
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSource<T>::GetTypeInfo(); }
 
     Property<T>* clone() const override { return new Property<T>(*this); }
-    Property<T>* create() const override { return new Property<T>(_name, _description, types::ValueTraits<T>::make()); }
+    Property<T>* create() const override {
+        return new Property<T>(_name, _description, internal::ValueDataSource<T>::make());
+    }
     base::PropertyBase* create(const base::DataSourceBase::shared_ptr& source) const override {
         auto* same = SourceType::narrow(source.get());
         return same ? new Property<T>(_name, _description, same) : nullptr;

@@ -27,6 +27,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/composition.cpp
   rtt/types/detail/enum_constructors.cpp
   rtt/types/detail/enum_table.cpp
+  rtt/types/detail/generated_typekit.cpp
   rtt/types/detail/sequence_constructor.cpp
   rtt/types/detail/sequence_table.cpp
   rtt/types/detail/shown_table.cpp

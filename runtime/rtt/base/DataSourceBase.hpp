@@ -117,6 +117,8 @@ public:
     virtual const void* getRawConstPointer();
     /** True if both addresses stay the same as long as this source exists. */
     bool hasFixedAddress() const noexcept { return fixedAddress_; }
+    /** For copy(): notes what this source was copied to. */
+    void noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned, DataSourceBase* made) const;
 
 protected:
     virtual ~DataSourceBase();
@@ -126,8 +128,6 @@ protected:
 
     /** For copy(): what this source was copied to before; null if it was not. */
     DataSourceBase* knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
-    /** For copy(): notes what this source was copied to. */
-    void noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned, DataSourceBase* made) const;
 
 private:
     mutable std::atomic<int> refs_;

@@ -13,6 +13,9 @@ namespace internal {
 /** Shorthand for the map that copy() carries along. */
 typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 
+/** For constructors that copy a value once, where those that take one copy and move it. */
+struct CopyTag {};
+
 /** A variable: holds its value itself. copy() returns the same variable, clone() a new one. */
 template <typename T>
 class ValueDataSource : public AssignableDataSource<T> {
@@ -22,17 +25,23 @@ public:
     typedef typename AssignableDataSource<T>::reference_t reference_t;
     typedef typename DataSource<T>::const_reference_t const_reference_t;
 
+    ValueDataSource(const_reference_t value, CopyTag) : mdata(value) { this->addressIsFixed(); }
     ValueDataSource() : mdata(types::ValueTraits<T>::make()) { this->addressIsFixed(); }
     explicit ValueDataSource(T value) : mdata(std::move(value)) { this->addressIsFixed(); }
+    /** A new variable. Apart, so that all who make one share the code. */
+    [[gnu::noinline]] static ValueDataSource<T>* make(const T& value) {
+        return new ValueDataSource<T>(value, CopyTag());
+    }
+    [[gnu::noinline]] static ValueDataSource<T>* make() { return new ValueDataSource<T>(); }
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
-    typename DataSource<T>::result_t get() const override { return mdata; }
-    typename DataSource<T>::result_t value() const override { return mdata; }
+    typename DataSource<T>::result_t get() const override { return types::copyOf<T>(mdata); }
+    typename DataSource<T>::result_t value() const override { return types::copyOf<T>(mdata); }
     const_reference_t rvalue() const override { return mdata; }
     void set(param_t value) override { types::assignValue(mdata, value); }
     reference_t set() override { return mdata; }
 
-    ValueDataSource<T>* clone() const override { return new ValueDataSource<T>(mdata); }
+    ValueDataSource<T>* clone() const override { return make(mdata); }
     ValueDataSource<T>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ValueDataSource<T>*>(known);
         auto* self = const_cast<ValueDataSource<T>*>(this);
@@ -51,12 +60,17 @@ public:
     typedef typename BoundT::result_t T;
     using BoundT::BoundT;
 
-    UnboundDataSource<BoundT>* clone() const override { return new UnboundDataSource<BoundT>(this->rvalue()); }
+    UnboundDataSource<BoundT>* clone() const override { return fresh(); }
     UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<UnboundDataSource<BoundT>*>(known);
-        auto* made = new UnboundDataSource<BoundT>(this->rvalue());
+        auto* made = fresh();
         this->noteCopy(cloned, made);
         return made;
+    }
+
+private:
+    [[gnu::noinline]] UnboundDataSource<BoundT>* fresh() const {
+        return new UnboundDataSource<BoundT>(this->rvalue(), CopyTag());
     }
 };
 
@@ -66,14 +80,18 @@ class ConstantDataSource : public DataSource<T> {
 public:
     typedef boost::intrusive_ptr<ConstantDataSource<T>> shared_ptr;
 
+    ConstantDataSource(typename DataSource<T>::const_reference_t value, CopyTag) : mdata(value) {}
     explicit ConstantDataSource(T value) : mdata(std::move(value)) {}
+    [[gnu::noinline]] static ConstantDataSource<T>* make(typename DataSource<T>::const_reference_t value) {
+        return new ConstantDataSource<T>(value, CopyTag());
+    }
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
-    typename DataSource<T>::result_t get() const override { return mdata; }
-    typename DataSource<T>::result_t value() const override { return mdata; }
+    typename DataSource<T>::result_t get() const override { return types::copyOf<T>(mdata); }
+    typename DataSource<T>::result_t value() const override { return types::copyOf<T>(mdata); }
     typename DataSource<T>::const_reference_t rvalue() const override { return mdata; }
 
-    ConstantDataSource<T>* clone() const override { return new ConstantDataSource<T>(mdata); }
+    ConstantDataSource<T>* clone() const override { return make(mdata); }
     ConstantDataSource<T>* copy(CopyMap&) const override { return const_cast<ConstantDataSource<T>*>(this); }
 
 private:
@@ -98,8 +116,8 @@ public:
         return at != nullptr;
     }
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
-    typename DataSource<T>::result_t get() const override { return *mptr; }
-    typename DataSource<T>::result_t value() const override { return *mptr; }
+    typename DataSource<T>::result_t get() const override { return types::copyOf<T>(*mptr); }
+    typename DataSource<T>::result_t value() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
     void set(param_t value) override { types::assignValue(*mptr, value); }
     reference_t set() override { return *mptr; }
@@ -120,8 +138,8 @@ public:
     explicit ConstReferenceDataSource(typename DataSource<T>::const_reference_t ref) : mptr(std::addressof(ref)) {}
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
-    typename DataSource<T>::result_t get() const override { return *mptr; }
-    typename DataSource<T>::result_t value() const override { return *mptr; }
+    typename DataSource<T>::result_t get() const override { return types::copyOf<T>(*mptr); }
+    typename DataSource<T>::result_t value() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
     ConstReferenceDataSource<T>* clone() const override { return new ConstReferenceDataSource<T>(*mptr); }
     ConstReferenceDataSource<T>* copy(CopyMap&) const override {

@@ -44,13 +44,12 @@ public:
     bool evaluate() const override { return place_.evaluate(); }
     typename DataSource<E>::result_t get() const override {
         place_.evaluate();
-        return rvalue();
+        return types::copyOf<E>(rvalue());
     }
-    typename DataSource<E>::result_t value() const override { return rvalue(); }
+    typename DataSource<E>::result_t value() const override { return types::copyOf<E>(rvalue()); }
     typename DataSource<E>::const_reference_t rvalue() const override {
         if (void* at = place_.address(false)) return *static_cast<E*>(at);
-        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
-        return spare_;
+        return spare();
     }
     void set(typename AssignableDataSource<E>::param_t value) override {
         place_.evaluate();
@@ -61,8 +60,7 @@ public:
     typename AssignableDataSource<E>::reference_t set() override {
         place_.evaluate();
         if (void* at = place_.address(true)) return *static_cast<E*>(at);
-        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
-        return spare_;
+        return spare();
     }
     void updated() override {
         if (!place_.ops->at)
@@ -81,6 +79,12 @@ public:
     }
 
 private:
+    /** A copy of an element that has no address. */
+    [[gnu::noinline]] E& spare() const {
+        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
+        return spare_;
+    }
+
     ElementPlace place_;
     mutable E spare_;
 };

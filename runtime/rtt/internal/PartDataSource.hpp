@@ -43,8 +43,12 @@ public:
         if (place_.parent->hasFixedAddress()) this->addressIsFixed();
     }
 
-    typename DataSource<T>::result_t get() const override { return part(); }
-    typename DataSource<T>::result_t value() const override { return part(); }
+    [[gnu::noinline]] static PartDataSource<T>* make(reference_t ref, const base::DataSourceBase::shared_ptr& parent) {
+        return new PartDataSource<T>(ref, parent);
+    }
+
+    typename DataSource<T>::result_t get() const override { return types::copyOf<T>(part()); }
+    typename DataSource<T>::result_t value() const override { return types::copyOf<T>(part()); }
     typename DataSource<T>::const_reference_t rvalue() const override { return part(); }
     bool evaluate() const override { return place_.parent->evaluate(); }
     void set(typename AssignableDataSource<T>::param_t value) override {
@@ -55,11 +59,11 @@ public:
     void updated() override { place_.parent->updated(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
-    PartDataSource<T>* clone() const override { return new PartDataSource<T>(part(), place_.parent); }
+    PartDataSource<T>* clone() const override { return make(part(), place_.parent); }
     PartDataSource<T>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<PartDataSource<T>*>(known);
         base::DataSourceBase* parent = place_.parent->copy(cloned);
-        auto* made = new PartDataSource<T>(*static_cast<value_t*>(place_.addressIn(*parent)), parent);
+        auto* made = make(*static_cast<value_t*>(place_.addressIn(*parent)), parent);
         this->noteCopy(cloned, made);
         return made;
     }

@@ -54,9 +54,9 @@ public:
     }
     result_t get() const override {
         this->evaluate();
-        return value_;
+        return types::copyOf<T>(value_);
     }
-    result_t value() const override { return value_; }
+    result_t value() const override { return types::copyOf<T>(value_); }
     const_reference_t rvalue() const override { return value_; }
 
     PortSource* clone() const override { return new PortSource(link_, or_default_); }

@@ -7,7 +7,9 @@
 
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
+#ifndef ORO_TYPEKIT_SOURCE  // generated sources describe types, and are compiled by the hundred
 #include <rtt/Service.hpp>
+#endif
 #include <rtt/internal/PortOperations.hpp>
 
 namespace RTT {

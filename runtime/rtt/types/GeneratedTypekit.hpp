@@ -7,13 +7,17 @@
 
 #include "SequenceTable.hpp"
 #include "StructTable.hpp"
+#include "TypeInfoGenerator.hpp"
 #include "TypeThunks.hpp"
-#include "TypekitPlugin.hpp"
-#include "Types.hpp"
 #include "carray.hpp"
 
 namespace RTT {
 namespace types {
+
+/** Adds a type to the registry and takes ownership of the generator. False, with an error logged, if it cannot be added. */
+RTT_API bool addType(TypeInfoGenerator* generator);
+/** Another name for the type that is called `of`; false if there is no such type. */
+RTT_API bool aliasType(const char* alias, const char* of);
 
 /** A struct with the given members: live access by name, property bags, and the text form "{a = 1, b = 2}". */
 template <class T>

@@ -58,7 +58,7 @@ namespace detail {
 template <class T>
 struct Ops {
     static void construct(void* at) { ::new (at) T(); }
-    static void copyConstruct(void* at, const void* from) { ::new (at) T(*static_cast<const T*>(from)); }
+    static void copyConstruct(void* at, const void* from) { ::new (at) T(copyOf<T>(*static_cast<const T*>(from))); }
     static void assign(void* to, const void* from) { assignValue(*static_cast<T*>(to), *static_cast<const T*>(from)); }
     static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
     static std::size_t extent(const void* sample) { return SampleExtent<T>::of(*static_cast<const T*>(sample)); }

@@ -29,17 +29,17 @@ struct Thunks {
 
     /** A new variable with the value of `from`; null if `from` is of another type. */
     static internal::ValueDataSource<T>* valueOf(Source* from) {
-        auto* made = new internal::ValueDataSource<T>();
+        auto* made = internal::ValueDataSource<T>::make();
         if (!from) return made;
         base::DataSourceBase::shared_ptr owned(made);
         return made->update(from)
                    ? static_cast<internal::ValueDataSource<T>*>(base::DataSourceBase::release(std::move(owned)))
                    : nullptr;
     }
-    static Source* value() { return new internal::ValueDataSource<T>(); }
+    static Source* value() { return internal::ValueDataSource<T>::make(); }
     static Source* reference(void* at) { return new internal::ReferenceDataSource<T>(*static_cast<T*>(at)); }
     static Source* part(void* at, std::size_t, Source* parent) {
-        return new internal::PartDataSource<T>(*static_cast<T*>(at), parent);
+        return internal::PartDataSource<T>::make(*static_cast<T*>(at), parent);
     }
     static Source* element(Source* parent, Source* index, const SequenceOps* ops) {
         return new internal::ElementDataSource<T>(parent, index, ops);
@@ -50,7 +50,8 @@ struct Thunks {
     }
     static base::AttributeBase* constant(const std::string& name, Source* source) {
         if (!source || !source->getTypeId() || *source->getTypeId() != typeid(T) || !source->evaluate()) return nullptr;
-        return new Constant<T>(name, *static_cast<const T*>(source->getRawConstPointer()));
+        const T& value = *static_cast<const T*>(source->getRawConstPointer());
+        return new Constant<T>(name, internal::ConstantDataSource<T>::make(value));
     }
     static base::AttributeBase* variable(const std::string& name, int) {
         return new Attribute<T>(name, new internal::UnboundDataSource<internal::ValueDataSource<T>>());

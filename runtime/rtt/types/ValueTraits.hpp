@@ -33,6 +33,23 @@ bool assignValue(T& to, const T& from) {
     }
 }
 
+namespace detail {
+template <class T>
+[[gnu::noinline]] T copyApart(const T& value) {
+    return value;
+}
+}  // namespace detail
+
+/** `value` as a function returns it. For types that are costly to copy the code is in one place, not wherever it is used. */
+template <class Result, class T>
+Result copyOf(T& value) {
+    typedef std::remove_cv_t<Result> Plain;
+    if constexpr (std::is_reference<Result>::value || std::is_trivially_copyable<Plain>::value)
+        return value;
+    else
+        return detail::copyApart<Plain>(value);
+}
+
 }  // namespace types
 }  // namespace RTT
 

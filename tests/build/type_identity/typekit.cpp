@@ -4,6 +4,8 @@
 #include "shared_type.hpp"
 
 #include <rtt/types/GeneratedTypekit.hpp>
+#include <rtt/types/TypekitPlugin.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <cstddef>
 

@@ -5,6 +5,7 @@
 #define TESTS_UNIT_TYPES_SAMPLE_TYPES_HPP
 
 #include <rtt/types/GeneratedTypekit.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <array>
 #include <cstddef>

@@ -4,6 +4,7 @@
 
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/types/GeneratedTypekit.hpp>
+#include <rtt/types/Types.hpp>
 
 namespace RTT {
 namespace types {

@@ -5,6 +5,7 @@
 #include <rtt/FlowStatus.hpp>
 #include <rtt/SendStatus.hpp>
 #include <rtt/types/GeneratedTypekit.hpp>
+#include <rtt/types/Types.hpp>
 
 namespace RTT {
 namespace types {
