@@ -25,6 +25,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/factories.cpp
   rtt/types/type_values.cpp
   rtt/types/composition.cpp
+  rtt/types/detail/adapted_table.cpp
   rtt/types/detail/enum_constructors.cpp
   rtt/types/detail/enum_table.cpp
   rtt/types/detail/generated_typekit.cpp

@@ -9,6 +9,7 @@
 #include "Operators.hpp"
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
+#include <rtt/types/detail/count_data_source.hpp>
 #include <rtt/types/detail/member_update.hpp>
 #include <cstdlib>
 #include <istream>
@@ -21,28 +22,6 @@ using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
 
 namespace {
-
-/** The number of elements, read anew each time. */
-class CountDataSource : public internal::DataSource<int> {
-public:
-    CountDataSource(SourcePtr of, std::size_t (*count)(const void*)) : of_(std::move(of)), count_(count), last_(0) {}
-
-    int get() const override {
-        last_ = of_->evaluate() ? static_cast<int>(count_(of_->getRawConstPointer())) : 0;
-        return last_;
-    }
-    int value() const override { return last_; }
-    const int& rvalue() const override { return last_; }
-    CountDataSource* clone() const override { return new CountDataSource(of_, count_); }
-    CountDataSource* copy(internal::CopyMap& cloned) const override {
-        return new CountDataSource(of_->copy(cloned), count_);
-    }
-
-private:
-    SourcePtr of_;
-    std::size_t (*count_)(const void*);
-    mutable int last_;
-};
 
 bool isIndexText(const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -81,8 +60,8 @@ bool SequenceMembers::resize(SourcePtr value, int size) const {
 std::vector<std::string> SequenceMembers::getMemberNames() const { return {"size", "capacity"}; }
 
 SourcePtr SequenceMembers::getMember(SourcePtr item, const std::string& name) const {
-    if (name == "size") return new CountDataSource(item, ops_.size);
-    if (name == "capacity") return new CountDataSource(item, ops_.capacity);
+    if (name == "size") return new detail::CountDataSource(item, ops_.size);
+    if (name == "capacity") return new detail::CountDataSource(item, ops_.capacity);
     if (isIndexText(name)) return elementAt(item, std::strtoul(name.c_str(), nullptr, 10));
     if (const SourcePtr computed = operators()->applyDot(name, item.get())) return computed;
     log(Error) << "a sequence has no member " << name << "; it has size, capacity, and elements by index" << endlog();

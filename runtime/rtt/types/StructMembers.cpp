@@ -69,6 +69,8 @@ std::vector<std::string> StructMembers::getMemberNames() const {
 const Member* StructMembers::find(const std::string& name) const {
     for (std::size_t i = 0; i != count_; ++i)
         if (name == members_[i].name) return &members_[i];
+    for (std::size_t i = 0; i != count_; ++i)
+        if (*members_[i].also && name == members_[i].also) return &members_[i];
     return nullptr;
 }
 
@@ -123,6 +125,7 @@ bool StructMembers::composeType(SourcePtr source, SourcePtr target) const {
     bool complete = true;
     for (std::size_t i = 0; i != count_; ++i) {
         const base::PropertyBase* item = bag->find(members_[i].name);
+        if (!item && *members_[i].also) item = bag->find(members_[i].also);
         if (!item || detail::updateByAnyMeans(memberOf(target, members_[i]), item->getDataSource())) continue;
         log(Error) << "member " << members_[i].name << " of type " << target->getTypeName()
                    << " cannot take a value of type " << item->getType() << endlog();

@@ -32,6 +32,7 @@ struct Member {
     TypeRef whole = nullptr;              ///< of an array that is a class of its own, such as boost::array
     const SequenceOps* access = nullptr;  ///< of a field without address (see memberAccess()); there is no offset then
     const char* range = "";               ///< legal values, as text: "0..5"
+    const char* also = "";                ///< another name by which scripts and property files may call it
 };
 
 /** How to copy a field out of its struct and back: bit-fields, packed fields, fields behind functions. Without `store` it
