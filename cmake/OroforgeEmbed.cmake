@@ -6,8 +6,8 @@
 #       namespace oroforge::render { EmbeddedFiles <function>(); }
 #   Names are relative to templates/, without ".mustache". The target needs <render/embedded.hpp>.
 #
-# oroforge_embed_texts(<target> <function> <folder>)
-#   The same for the *.txt files of a folder of this project, without ".txt".
+# oroforge_embed_texts(<target> <function> <folder> [<extension>])
+#   The same for the *.txt files of a folder of this project, without ".txt". Another extension stays part of the name.
 #
 # As a script (cmake -P) it writes the .cpp: -DROOT= -DFILES=a|b -DFUNCTION= -DOUTPUT=
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
@@ -55,6 +55,10 @@ endfunction()
 
 function(oroforge_embed_texts target function folder)
   set(root ${PROJECT_SOURCE_DIR}/${folder})
-  file(GLOB files RELATIVE ${root} CONFIGURE_DEPENDS ${root}/*.txt)
+  set(extension txt)
+  if(ARGC GREATER 3)
+    set(extension ${ARGV3})
+  endif()
+  file(GLOB files RELATIVE ${root} CONFIGURE_DEPENDS ${root}/*.${extension})
   _oroforge_embed(${target} ${function} ${root} "texts of ${folder}" "${files}")
 endfunction()

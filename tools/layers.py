@@ -39,6 +39,7 @@ LAYER_OF = {
     "deployer/bin/": "bin",
     "generator/model/": "model",
     "generator/manifest/": "manifest",
+    "generator/adapters/": "adapters",
     "generator/clang/": "clang",
     "generator/check/": "check",
     "generator/view/": "view",
@@ -49,6 +50,7 @@ LAYER_OF = {
     "generator/driver/": "driver",
     "typekit_gen/collect/": "collect",
     "typekit_gen/plan/": "plan",
+    "typekit_gen/diff/": "plan",
     "typekit_gen/driver/": "typegen",
     "templates/": "templates",
 }
@@ -56,7 +58,7 @@ LAYER_OF = {
 LEAFS = {"diag", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
-GENERATOR = {"diag", "model", "manifest", "clang", "check", "view", "render", "emit", "banner", "report"}
+GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "view", "render", "emit", "banner", "report"}
 OUTER = LEAFS | API | {"plugin"}
 DEPLOYER = RUNTIME | {"ocl"}
 UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
@@ -89,7 +91,8 @@ MAY_INCLUDE = {
     "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "corba"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
-    "clang": {"diag", "model"},
+    "adapters": LEAFS | {"render"},
+    "clang": {"diag", "model", "adapters"},
     "check": LEAFS | {"model"},
     "banner": set(),
     "view": LEAFS | {"model", "banner"},

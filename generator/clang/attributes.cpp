@@ -12,18 +12,29 @@ void set(DocComment& doc, llvm::StringRef name, const std::string& value) {
     if (name == "unit") doc.unit = value;
     if (name == "range") doc.range = value;
     if (name == "doc") doc.text = value;
+    if (name == "capacity") doc.capacity = value;
+    if (name == "make") doc.make = value;
     if (name == "skip") doc.skip = true;
+    if (name == "text") doc.asText = true;
+    if (name == "bytes") doc.bytes = true;
+    if (name == "by_value") doc.byValue = true;
 }
 
 /// Where the declaration before this one ends, or its class begins: attributes behind that may be this one's.
 clang::SourceLocation beginOf(const clang::Decl& declaration) {
     clang::SourceLocation begin;
-    if (const auto* record = llvm::dyn_cast<clang::TagDecl>(declaration.getLexicalDeclContext()))
+    const clang::DeclContext* scope = declaration.getLexicalDeclContext();
+    if (const auto* record = llvm::dyn_cast<clang::TagDecl>(scope))
         begin = record->getBraceRange().getBegin();
+    else if (!scope->isTranslationUnit())
+        begin = llvm::cast<clang::Decl>(scope)->getBeginLoc();
     for (const clang::Decl* other : declaration.getLexicalDeclContext()->decls()) {
         if (other == &declaration) break;
         if (!other->isImplicit() && !llvm::isa<clang::AccessSpecDecl>(other)) begin = other->getEndLoc();
     }
+    const clang::SourceManager& sources = declaration.getASTContext().getSourceManager();
+    if (begin.isInvalid() && scope->isTranslationUnit())
+        begin = sources.getLocForStartOfFile(sources.getFileID(sources.getExpansionLoc(declaration.getLocation())));
     return begin;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The attributes [[oro::unit("m")]], [[oro::range(0, 5)]], [[oro::doc("text")]] and [[oro::skip]] of fields and types.
+/// The attributes [[oro::unit("m")]], [[oro::range(0, 5)]], [[oro::doc("text")]], [[oro::skip]] and so on of fields and types.
 #ifndef OROFORGE_GENERATOR_CLANG_ATTRIBUTES_HPP
 #define OROFORGE_GENERATOR_CLANG_ATTRIBUTES_HPP
 
@@ -11,7 +11,8 @@
 
 namespace oroforge::cxx {
 
-/// They stand before the declaration; behind a name they count for nothing. Clang drops attributes that it does not know before anybody can see them, so they are taken from the tokens.
+/// They stand before the declaration; behind a name they count for nothing. Clang drops attributes that it does not know
+/// before anybody can see them, so they are taken from the tokens.
 class Attributes {
 public:
     /// To be called before anything is read; this has to live as long.

@@ -58,19 +58,31 @@ std::vector<Rejection> checkType(const clang::TagDecl& type) {
     return found;
 }
 
-std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema) {
+bool isCopyable(const clang::CXXRecordDecl& type, clang::Sema& sema) {
+    auto* record = const_cast<clang::CXXRecordDecl*>(&type);
+    return isOpen(sema.LookupCopyingConstructor(record, clang::Qualifiers::Const)) &&
+           isOpen(sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0));
+}
+
+std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema, Nature& nature) {
     // Looking a member up may declare it implicitly; that is why the class is not const for clang.
     auto* record = const_cast<clang::CXXRecordDecl*>(&type);
     std::vector<Rejection> found;
     const clang::FunctionDecl* construct = sema.LookupDefaultConstructor(record);
-    if (!isOpen(construct)) {
+    if (!isOpen(construct) && !nature.isMade) {
         found.push_back(aboutType(Reason::NoDefaultConstructor, type, placeOf(construct, type)));
     }
-    const clang::FunctionDecl* needed[] = {sema.LookupCopyingConstructor(record, clang::Qualifiers::Const),
-                                           sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0),
+    const clang::FunctionDecl* assign = sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0);
+    nature.assignable = isOpen(assign);
+    // The compiler left it out because of a constant member.
+    if (nature.mayBeConstant && !type.hasUserDeclaredCopyAssignment() && !type.hasUserDeclaredMoveOperation())
+        assign = nullptr;
+    else
+        nature.mayBeConstant = false;
+    const clang::FunctionDecl* needed[] = {sema.LookupCopyingConstructor(record, clang::Qualifiers::Const), assign,
                                            sema.LookupDestructor(record)};
     for (const clang::FunctionDecl* function : needed) {
-        if (isOpen(function)) continue;
+        if (isOpen(function) || (function == nullptr && nature.mayBeConstant)) continue;
         found.push_back(aboutType(Reason::NotCopyable, type, placeOf(function, type)));
         break;
     }

@@ -11,21 +11,27 @@ set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
 add_library(oroforge_gen_clang STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/accessor_check.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/adapter_match.cpp
   ${CMAKE_CURRENT_LIST_DIR}/attributes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/check_headers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/check_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/classify.cpp
   ${CMAKE_CURRENT_LIST_DIR}/classify_standard.cpp
   ${CMAKE_CURRENT_LIST_DIR}/collect_fields.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/describe_adapted.cpp
   ${CMAKE_CURRENT_LIST_DIR}/describe_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnostic_bridge.cpp
   ${CMAKE_CURRENT_LIST_DIR}/doc_comment.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/field_forms.cpp
   ${CMAKE_CURRENT_LIST_DIR}/find_accessors.cpp
   ${CMAKE_CURRENT_LIST_DIR}/find_roots.cpp
   ${CMAKE_CURRENT_LIST_DIR}/fix_it.cpp
   ${CMAKE_CURRENT_LIST_DIR}/header_edit.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/hidden_fields.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rejection.cpp
   ${CMAKE_CURRENT_LIST_DIR}/resource_dir.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/side_notes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sound_types.cpp
   ${CMAKE_CURRENT_LIST_DIR}/source_places.cpp
   ${CMAKE_CURRENT_LIST_DIR}/type_names.cpp
@@ -37,4 +43,4 @@ target_compile_definitions(oroforge_gen_clang PRIVATE OROFORGE_CLANG_RESOURCE_DI
 # GCC 12 sees null pointers in clang's inline functions where there are none.
 target_compile_options(oroforge_gen_clang PRIVATE -fno-rtti $<$<CXX_COMPILER_ID:GNU>:-Wno-nonnull>)
 target_precompile_headers(oroforge_gen_clang PRIVATE ${CMAKE_CURRENT_LIST_DIR}/llvm_compat.hpp)
-target_link_libraries(oroforge_gen_clang PUBLIC oroforge_gen_types oroforge_diag PRIVATE clang-cpp LLVM)
+target_link_libraries(oroforge_gen_clang PUBLIC oroforge_gen_types oroforge_gen_adapters oroforge_diag PRIVATE clang-cpp LLVM)

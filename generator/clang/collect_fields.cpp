@@ -3,6 +3,7 @@
 #include "collect_fields.hpp"
 
 #include "find_accessors.hpp"
+#include "side_notes.hpp"
 #include "type_names.hpp"
 
 namespace oroforge::cxx {
@@ -43,6 +44,15 @@ void addNames(const clang::CXXRecordDecl& type, std::multiset<std::string>& name
     }
 }
 
+/// "0.5" of `double gain = 0.5;`
+std::string initialOf(const clang::FieldDecl& field) {
+    const clang::Expr* value = field.getInClassInitializer();
+    if (value == nullptr) return "";
+    const clang::ASTContext& context = field.getASTContext();
+    const auto range = clang::CharSourceRange::getTokenRange(value->getSourceRange());
+    return clang::Lexer::getSourceText(range, context.getSourceManager(), context.getLangOpts()).str();
+}
+
 /// Whether a field of the base class cannot be told from others of the type by its name.
 bool hasAmbiguousName(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base) {
     std::multiset<std::string> all, inherited;
@@ -58,8 +68,14 @@ bool hasAmbiguousName(const clang::CXXRecordDecl& type, const clang::CXXRecordDe
 void FieldCollector::addRecord(const clang::CXXRecordDecl& type, std::uint64_t offset) {
     const clang::ASTRecordLayout& layout = types_.context().getASTRecordLayout(&type);
     for (const clang::CXXBaseSpecifier& base : type.bases()) addBase(type, base, offset);
-    for (const clang::FieldDecl* field : type.fields())
-        addField(*field, 8 * offset + layout.getFieldOffset(field->getFieldIndex()));
+    for (const clang::FieldDecl* field : type.fields()) {
+        const std::size_t before = fields_.size();
+        const std::uint64_t bits = 8 * offset + layout.getFieldOffset(field->getFieldIndex());
+        addField(*field, bits);
+        if (fields_.size() == before || field->isAnonymousStructOrUnion()) continue;
+        fields_.back().place = bits;
+        if (field->isBitField()) fields_.back().width = field->getBitWidthValue(types_.context());
+    }
 }
 
 void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXBaseSpecifier& specifier,
@@ -71,7 +87,7 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
         rejection.reason = Reason::VirtualBase;
     } else if (specifier.getAccessSpecifier() != clang::AS_public) {
         rejection.reason = Reason::HiddenBase;
-    } else if (!isStandard(base) && hasAmbiguousName(type, base)) {
+    } else if (!isStandard(base) && (types_.isAdapted(base) || hasAmbiguousName(type, base))) {
         return addWholeBase(type, base, specifier, offset);
     } else if (!isStandard(base)) {
         if (base_.empty()) baseAt_ = specifier.getBeginLoc();
@@ -90,7 +106,7 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
     rejections_.push_back(rejection);
 }
 
-/// A base class of which a field has the name of another one is a member of its own, with its own fields.
+/// A base class of which a field has the name of another one, or that has an adapter, is a member of its own.
 void FieldCollector::addWholeBase(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base,
                                   const clang::CXXBaseSpecifier& specifier, std::uint64_t offset) {
     const Classified whole = classifyValue(types_.context().getTypeDeclType(&base), types_.context());
@@ -108,9 +124,11 @@ void FieldCollector::addWholeBase(const clang::CXXRecordDecl& type, const clang:
     result.name = base.getNameAsString();
     result.type = *whole.use;
     result.offset = offset + types_.context().getASTRecordLayout(&type).getBaseClassOffset(&base).getQuantity();
+    result.place = 8 * result.offset;
     result.doc = types_.docOf(base).text;
     result.base = shownName(base);
     result.where = types_.locate(specifier.getBeginLoc());
+    hasConstants_ = hasConstants_ || !fate.isSample;
     fields_.push_back(result);
 }
 
@@ -131,8 +149,13 @@ std::vector<Rejection> FieldCollector::rejections() const {
 }
 
 void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits) {
-    if (field.isUnnamedBitField()) return;  // padding only
-    if (types_.docOf(field).skip) return;
+    if (field.isUnnamedBitField()) {  // padding only, and only where it fits compilers agree on it
+        const clang::ASTContext& context = types_.context();
+        if (field.getBitWidthValue(context) > context.getTypeSize(field.getType())) reject(field, Reason::WideBitField);
+        return;
+    }
+    doc_ = types_.docOf(field);
+    if (doc_.skip) return;
     if (field.isAnonymousStructOrUnion()) {
         const clang::CXXRecordDecl& inner = *field.getType()->getAsCXXRecordDecl();
         return inner.isUnion() ? reject(field, Reason::Union) : addRecord(inner, bits / 8);
@@ -146,6 +169,7 @@ void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits)
     const clang::ASTContext& context = types_.context();
     const auto* unnamed = field.getType()->getAs<clang::EnumType>();
     if (unnamed != nullptr && !nameOf(*unnamed->getDecl())) return addUnnamedEnum(field, *unnamed->getDecl());
+    if (const auto form = formOf(field, doc_, types_)) return addForm(field, *form, bits);
     if (field.isBitField() || field.hasAttr<clang::NoUniqueAddressAttr>())
         return addByCopy(field, name, "value = object." + name, "object." + name + " = value");
     const auto align = context.getTypeAlignInChars(field.getType()).getQuantity();
@@ -169,6 +193,14 @@ void FieldCollector::addUnnamedEnum(const clang::FieldDecl& field, const clang::
     if (!field.isBitField()) return;
     added.load = "value = object." + name;
     added.store = "object." + name + " = static_cast<decltype(object." + name + ")>(value)";
+}
+
+void FieldCollector::addForm(const clang::FieldDecl& field, const FieldForm& form, std::uint64_t bits) {
+    model::Field& added = addClassified(field, field.getNameAsString(), form.type);
+    added.offset = bits / 8;
+    added.load = form.load;
+    added.store = form.store;
+    hasConstants_ = hasConstants_ || (!form.load.empty() && form.store.empty());
 }
 
 /// A field at an address that does not suit its type must not be referred to.
@@ -195,15 +227,23 @@ model::Field& FieldCollector::addClassified(const clang::FieldDecl& field, const
         rejectName(field);
         return rejected;
     }
-    const DocComment comment = types_.docOf(field);
+    const bool hasRoom = type.use->kind == model::TypeKind::String || type.use->kind == model::TypeKind::Sequence;
+    if (!doc_.capacity.empty() && (!hasRoom || doc_.capacity.find_first_not_of("0123456789") != std::string::npos)) {
+        reject(field, Reason::UnsuitedAttribute);
+        return rejected;
+    }
+    if (types_.isOwn(ownerOf(field))) types_.checkName(field, subjectOf(field));
+    if (const std::string about = portabilityOf(field); !about.empty()) types_.note(field.getLocation(), about);
     model::Field result;
     result.name = name;
     result.type = *type.use;
     result.declared = type.declared;
     result.count = type.count;
-    result.doc = comment.text;
-    result.unit = comment.unit.empty() ? type.use->unit : comment.unit;
-    result.range = comment.range;
+    result.doc = doc_.text;
+    result.unit = doc_.unit.empty() ? type.use->unit : doc_.unit;
+    result.range = doc_.range;
+    result.capacity = doc_.capacity;
+    result.initial = initialOf(field);
     result.base = base_;
     result.where = types_.locate(field.getLocation());
     fields_.push_back(result);
@@ -217,14 +257,17 @@ bool FieldCollector::usable(const clang::FieldDecl& field, const Classified& typ
             !context.hasSameType(type.culprit.getUnqualifiedType(), field.getType().getUnqualifiedType());
         rejections_.push_back(makeRejection(type.reason, (isElement ? "element of " : "") + subjectOf(field),
                                             shownName(type.culprit, context), field.getLocation()));
+        if (type.reason == Reason::TemplateArgument)
+            rejections_.back().detail =
+                ": its argument '" + unnamedArgument(*type.culprit->getAsTagDecl()) + "' has no name";
         return false;
     }
     bool all = true;
-    for (const clang::TagDecl* tag : type.users) all = usable(field, *tag) && all;
+    for (const clang::TagDecl* tag : type.users) all = usable(field, *tag, type) && all;
     return all;
 }
 
-bool FieldCollector::usable(const clang::FieldDecl& field, const clang::TagDecl& tag) {
+bool FieldCollector::usable(const clang::FieldDecl& field, const clang::TagDecl& tag, const Classified& type) {
     // A template instance that only a container names has not been made yet.
     types_.sema().isCompleteType(field.getLocation(), types_.context().getTypeDeclType(&tag));
     if (tag.getDefinition() == nullptr) {
@@ -238,6 +281,12 @@ bool FieldCollector::usable(const clang::FieldDecl& field, const clang::TagDecl&
     const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&tag);
     const TypeFate& fate =
         record != nullptr ? types_.describe(*record) : types_.describe(llvm::cast<clang::EnumDecl>(tag));
+    if (fate.usable && !fate.isSample) {
+        const bool isPlain = type.use->kind == model::TypeKind::Struct && type.count == 0 && !type.declared.empty();
+        if (!isPlain) reject(field, Reason::RestrictedElement);
+        hasConstants_ = true;
+        return isPlain;
+    }
     if (fate.usable) return true;
     broken_ = true;
     if (!fate.rejections.empty()) {

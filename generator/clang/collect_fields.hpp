@@ -10,6 +10,7 @@
 
 #include "classify.hpp"
 #include "describe_type.hpp"
+#include "field_forms.hpp"
 
 namespace oroforge::cxx {
 
@@ -24,6 +25,8 @@ public:
 
     /// A field's type is faulty and that has been reported where the type is defined.
     bool broken() const { return broken_; }
+    /// A field cannot be assigned.
+    bool hasConstants() const { return hasConstants_; }
 
 private:
     void addRecord(const clang::CXXRecordDecl& type, std::uint64_t offset);
@@ -32,13 +35,14 @@ private:
                       const clang::CXXBaseSpecifier& specifier, std::uint64_t offset);
     void addField(const clang::FieldDecl& field, std::uint64_t bits);
     void addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type);
+    void addForm(const clang::FieldDecl& field, const FieldForm& form, std::uint64_t bits);
     void addPacked(const clang::FieldDecl& field, std::uint64_t offset);
     void addByCopy(const clang::FieldDecl& field, const std::string& name, const std::string& load,
                    const std::string& store);
     /// The field that was added, or one that nobody sees if it was rejected.
     model::Field& addClassified(const clang::FieldDecl& field, const std::string& name, const Classified& type);
     bool usable(const clang::FieldDecl& field, const Classified& type);
-    bool usable(const clang::FieldDecl& field, const clang::TagDecl& tag);
+    bool usable(const clang::FieldDecl& field, const clang::TagDecl& tag, const Classified& type);
     void reject(const clang::FieldDecl& field, Reason reason);
     void rejectName(const clang::FieldDecl& field);
 
@@ -50,6 +54,8 @@ private:
     std::string base_;              // C++ name of the base class being walked …
     clang::SourceLocation baseAt_;  // … and where the struct itself names its base class
     bool broken_ = false;
+    bool hasConstants_ = false;
+    DocComment doc_;  // of the field that is being added
 };
 
 }  // namespace oroforge::cxx

@@ -44,6 +44,19 @@ DocComment TypeDescriber::docOf(const clang::Decl& declaration) const {
     return doc;
 }
 
+void TypeDescriber::checkName(const clang::NamedDecl& declaration, const std::string& subject) {
+    const std::string name = declaration.getNameAsString();
+    const bool reserved =
+        name.find("__") != std::string::npos || (name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z');
+    if (!reserved) return;
+    sink_
+        .warning(locate(declaration.getLocation()), "TK027",
+                 "the name of " + subject +
+                     " belongs to compilers and their libraries: it has '__' in it, or begins with "
+                     "'_' and a capital")
+        .hint("rename it: a macro of that name would change the header");
+}
+
 bool TypeDescriber::isOwn(const clang::TagDecl& type) const {
     return !llvm::isa<clang::ClassTemplateSpecializationDecl>(type) &&
            places_.isListed(sema_.getSourceManager(), type.getLocation());
@@ -54,24 +67,34 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
     TypeFate& fate = entry->second;
     if (!isNew) return fate;
     const clang::CXXRecordDecl& definition = *type.getDefinition();
+    if (const auto match = adapters_.find(definition)) return describeAdapted(definition, *match, fate);
     std::vector<Rejection> found = checkType(definition);
     FieldCollector fields(*this);
     if (found.empty()) {
         fields.collect(definition);
         found = fields.rejections();
     }
-    if (found.empty() && !fields.broken()) found = checkSpecialMembers(definition, sema_);
+    const DocComment doc = docOf(definition);
+    Nature nature;
+    nature.mayBeConstant = fields.hasConstants();
+    nature.isMade = !doc.make.empty();
+    if (found.empty() && !fields.broken()) found = checkSpecialMembers(definition, sema_, nature);
     settle(definition, found, fields.broken(), fate);
     if (!fate.usable) return fate;
+    if (isOwn(definition)) checkName(definition, "type '" + shownName(definition) + "'");
+    fate.isSample = nature.assignable && !nature.isMade;
 
     model::Struct result;
+    result.assignable = nature.assignable;
+    result.make = doc.make;
+    if (!doc.make.empty()) result.space = namespaceOf(definition);
     const auto name = nameOf(definition);
     const clang::ASTRecordLayout& layout = context().getASTRecordLayout(&definition);
     result.cpp = name->cpp;
     result.name = name->registry;
     result.size = layout.getSize().getQuantity();
     result.align = layout.getAlignment().getQuantity();
-    result.doc = docOf(definition).text;
+    result.doc = doc.text;
     result.fields = fields.fields();
     result.where = locate(definition.getLocation());
     into_.structs.push_back(result);
@@ -134,6 +157,8 @@ void TypeDescriber::report(const Rejection& rejection, bool mayBeLeftOut) {
     const diag::Location at = locate(rejection.at);
     diag::Diagnostic& diagnostic =
         mayBeLeftOut ? sink_.warning(at, rule.code, message + "; it is left out") : sink_.error(at, rule.code, message);
+    const diag::Location written = places_.locateWritten(sema_.getSourceManager(), rejection.at);
+    if (written.line != 0 && written != at) diagnostic.note(written, "written here, and put there by a macro");
     addCauses(rejection, diagnostic);
     if (std::strlen(rule.advice) != 0) diagnostic.hint(rule.advice);
 }

@@ -10,6 +10,7 @@
 #include <diag/sink.hpp>
 #include <model/type_model.hpp>
 
+#include "adapter_match.hpp"
 #include "attributes.hpp"
 #include "find_roots.hpp"
 #include "rejection.hpp"
@@ -21,13 +22,14 @@ namespace oroforge::cxx {
 struct TypeFate {
     bool usable = true;                 ///< also while it is being described: a std::vector of itself is fine
     std::vector<Rejection> rejections;  ///< why not, unless that was reported already
+    bool isSample = true;               ///< default constructible and assignable; else no element of anything
 };
 
 class TypeDescriber {
 public:
-    TypeDescriber(clang::Sema& sema, const SourcePlaces& places, const Attributes& attributes, diag::Sink& sink,
-                  model::TypeModel& into)
-        : sema_(sema), places_(places), attributes_(attributes), sink_(sink), into_(into) {}
+    TypeDescriber(clang::Sema& sema, const SourcePlaces& places, const Attributes& attributes,
+                  const AdapterFinder& adapters, diag::Sink& sink, model::TypeModel& into)
+        : sema_(sema), places_(places), attributes_(attributes), adapters_(adapters), sink_(sink), into_(into) {}
 
     /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
     /// those of other types are handed to the field that uses them.
@@ -39,13 +41,20 @@ public:
     clang::Sema& sema() const { return sema_; }
     const clang::ASTContext& context() const { return sema_.getASTContext(); }
     diag::Location locate(clang::SourceLocation at) const;
+    void note(clang::SourceLocation at, const std::string& text) { into_.notes.push_back({locate(at), text, {}}); }
+    /// Warns of names that belong to compilers and libraries.
+    void checkName(const clang::NamedDecl& declaration, const std::string& subject);
     /// What comments and attributes say of it.
     DocComment docOf(const clang::Decl& declaration) const;
 
     /// Whether it is the user's own: written in a listed header and no template instance.
     bool isOwn(const clang::TagDecl& type) const;
 
+    /// Whether an adapter says what it consists of.
+    bool isAdapted(const clang::CXXRecordDecl& type) const { return adapters_.find(type).has_value(); }
+
 private:
+    const TypeFate& describeAdapted(const clang::CXXRecordDecl& type, const AdapterMatch& match, TypeFate& fate);
     void settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate);
     void report(const Rejection& rejection, bool mayBeLeftOut = false);
     void addCauses(const Rejection& rejection, diag::Diagnostic& to) const;
@@ -53,6 +62,7 @@ private:
     clang::Sema& sema_;
     const SourcePlaces& places_;
     const Attributes& attributes_;
+    const AdapterFinder& adapters_;
     diag::Sink& sink_;
     model::TypeModel& into_;
     std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show
@@ -64,8 +74,18 @@ bool isHidden(const clang::TagDecl& type);
 /// Faults of the type as a whole that show before its fields are looked at: linkage, unions, virtual functions.
 std::vector<Rejection> checkType(const clang::TagDecl& type);
 
+/// What values of a type are like.
+struct Nature {
+    bool mayBeConstant = false;  ///< a member cannot be assigned, and that is all right
+    bool isMade = false;         ///< the user says how a value is made
+    bool assignable = true;      ///< the answer
+};
+
 /// Default construction, copying and destruction by anybody.
-std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema);
+std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema, Nature& nature);
+
+/// Whether everybody may make a copy of a value and assign it.
+bool isCopyable(const clang::CXXRecordDecl& type, clang::Sema& sema);
 
 }  // namespace oroforge::cxx
 

@@ -3,8 +3,8 @@
 #include "doc_comment.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <sstream>
+#include <utility>
 
 namespace oroforge::cxx {
 
@@ -37,6 +37,38 @@ std::string takeRest(std::string& line, const std::string& word) {
     return rest;
 }
 
+/// Cuts the command off `line`.
+bool takeFlag(std::string& line, const std::string& word) {
+    const std::size_t at = findCommand(line, word);
+    if (at == std::string::npos) return false;
+    line = trimmed(line.erase(at, word.size() + 1));
+    return true;
+}
+
+/// Cuts all commands off `line`; whether there was one.
+bool takeCommands(std::string& line, DocComment& doc) {
+    bool any = false;
+    const std::pair<const char*, bool DocComment::*> flags[] = {{"skip", &DocComment::skip},
+                                                                {"text", &DocComment::asText},
+                                                                {"bytes", &DocComment::bytes},
+                                                                {"by_value", &DocComment::byValue}};
+    for (const auto& [word, flag] : flags) {
+        if (!takeFlag(line, word)) continue;
+        doc.*flag = any = true;
+    }
+    const std::pair<const char*, std::string DocComment::*> values[] = {{"range", &DocComment::range},
+                                                                        {"unit", &DocComment::unit},
+                                                                        {"capacity", &DocComment::capacity},
+                                                                        {"make", &DocComment::make}};
+    for (const auto& [word, value] : values) {
+        const std::string rest = takeRest(line, word);
+        if (rest.empty()) continue;
+        doc.*value = rest;
+        any = true;
+    }
+    return any;
+}
+
 }  // namespace
 
 DocComment parseDocText(const std::string& text) {
@@ -45,18 +77,10 @@ DocComment parseDocText(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         line = trimmed(line);
-        const std::size_t skip = findCommand(line, "skip");
-        if (skip != std::string::npos) {
-            doc.skip = true;
-            line = trimmed(line.erase(skip, std::strlen("@skip")));
-        }
-        const std::string range = takeRest(line, "range");
-        if (!range.empty()) doc.range = range;
-        const std::string unit = takeRest(line, "unit");
-        if (!unit.empty()) doc.unit = unit;
+        const bool commands = takeCommands(line, doc);
         if (findCommand(line, "brief") == 0) line = trimmed(line.substr(6));
         if (line.empty()) {
-            if (!unit.empty() || !range.empty() || skip != std::string::npos) continue;
+            if (commands) continue;
             paragraph = !doc.text.empty();
             continue;
         }

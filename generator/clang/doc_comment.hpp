@@ -11,10 +11,15 @@
 namespace oroforge::cxx {
 
 struct DocComment {
-    std::string text;   ///< without marks; lines joined by blanks, paragraphs by a newline
-    std::string unit;   ///< what follows "@unit"
-    std::string range;  ///< what follows "@range"
-    bool skip = false;  ///< "@skip": not to be described
+    std::string text;      ///< without marks; lines joined by blanks, paragraphs by a newline
+    std::string unit;      ///< what follows "@unit"
+    std::string range;     ///< what follows "@range"
+    std::string capacity;  ///< what follows "@capacity": for how many elements there is room
+    std::string make;      ///< what follows "@make": C++ of a value of the type
+    bool skip = false;     ///< "@skip": not to be described
+    bool asText = false;   ///< "@text": an array of characters is a string
+    bool bytes = false;    ///< "@bytes": a union is its bytes
+    bool byValue = false;  ///< "@by_value": a smart pointer is what it points to, or nothing
 };
 
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration);

@@ -22,7 +22,8 @@ bool isPublic(const clang::Decl& declaration) {
 
 class RootFinder {
 public:
-    RootFinder(const clang::SourceManager& sources, const SourcePlaces& places) : sources_(sources), places_(places) {}
+    RootFinder(const clang::SourceManager& sources, const SourcePlaces& places, const AdapterFinder& adapters)
+        : sources_(sources), places_(places), adapters_(adapters) {}
 
     void walk(const clang::DeclContext& scope) {
         for (const clang::Decl* declaration : scope.decls()) {
@@ -39,13 +40,16 @@ public:
 
 private:
     void visit(const clang::TypedefNameDecl& alias) {
-        const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
-            alias.getUnderlyingType()->getAsCXXRecordDecl());
-        if (instance == nullptr || alias.getDescribedTemplate() != nullptr || !isPublic(alias)) return;
-        if (!places_.isListed(sources_, alias.getLocation()) || instance->isDependentType()) return;
-        if (!places_.isListed(sources_, instance->getSpecializedTemplate()->getLocation())) return;
+        const clang::CXXRecordDecl* type = alias.getUnderlyingType()->getAsCXXRecordDecl();
+        if (type == nullptr || alias.getDescribedTemplate() != nullptr || !isPublic(alias)) return;
+        if (!places_.isListed(sources_, alias.getLocation()) || type->isDependentType()) return;
+        if (!isOwnInstance(*type) && !adapters_.find(*type)) return;
         const auto name = nameOf(alias);
-        if (name) roots.push_back({instance, alias.getLocation(), *name});
+        if (name) roots.push_back({type, alias.getLocation(), *name});
+    }
+    bool isOwnInstance(const clang::CXXRecordDecl& type) const {
+        const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
+        return instance != nullptr && places_.isListed(sources_, instance->getSpecializedTemplate()->getLocation());
     }
     void visit(const clang::TagDecl& type) {
         const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
@@ -60,12 +64,14 @@ private:
 
     const clang::SourceManager& sources_;
     const SourcePlaces& places_;
+    const AdapterFinder& adapters_;
 };
 
 }  // namespace
 
-std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places) {
-    RootFinder finder(context.getSourceManager(), places);
+std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places,
+                            const AdapterFinder& adapters) {
+    RootFinder finder(context.getSourceManager(), places, adapters);
     finder.walk(*context.getTranslationUnitDecl());
     return finder.roots;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "adapter_match.hpp"
 #include "source_places.hpp"
 
 namespace oroforge::cxx {
@@ -19,8 +20,10 @@ struct Root {
 
 /// In source order. Of class templates that are written in the listed headers these instances: those with an alias
 /// (`using Pose3 = Pose<3>;`), and those of `template struct Pose<2>;`. Left out: other instances (they come in through
-/// fields), nested types that are not public, unnamed types and types local to functions.
-std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places);
+/// fields), nested types that are not public, unnamed types and types local to functions. An alias in a listed header asks
+/// for a class that has an adapter, too, wherever that is written.
+std::vector<Root> findRoots(const clang::ASTContext& context, const SourcePlaces& places,
+                            const AdapterFinder& adapters);
 
 }  // namespace oroforge::cxx
 

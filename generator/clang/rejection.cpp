@@ -19,10 +19,16 @@ constexpr Rule kRules[] = {
     {Reason::PrivateMember, "TK013", "is not public",
      "make it public, give it accessors (width() and setWidth() for width_), or leave it out with [[oro::skip]]"},
     {Reason::Union, "TK014", "is a union; which of its members is meant cannot be known",
-     "use a struct, or std::uint8_t bytes[N] for raw storage"},
-    {Reason::ConstMember, "TK016", "is const ('{}'), so samples cannot be assigned",
-     "remove const, or make it static constexpr"},
+     "use std::variant or a struct; [[oro::bytes]] before the name of the union shows its bytes"},
+    {Reason::RestrictedElement, "TK015",
+     "is of type '{}', of which the elements cannot be assigned or made without arguments",
+     "give the element type a default constructor and no const members, or use a plain field of it"},
+    {Reason::ConstMember, "TK016", "is a constant array '{}', which cannot be copied",
+     "use a constant std::array, or make it static constexpr"},
     {Reason::VolatileMember, "TK017", "is volatile ('{}'), expected a plain value", "remove volatile"},
+    {Reason::UnsuitedAttribute, "TK018", "has an attribute that does not suit its type '{}'",
+     "[[oro::text]] is for arrays of char, [[oro::bytes]] for unions, [[oro::by_value]] for smart pointers, "
+     "[[oro::capacity(n)]] for strings and containers"},
     {Reason::UnboundedArray, "TK019", "is an array '{}' without elements, that is unbounded storage",
      "give it a fixed size, or use std::vector"},
     {Reason::Polymorphic, "TK020", "has virtual functions: it stands for an identity, not for a value",
@@ -32,11 +38,14 @@ constexpr Rule kRules[] = {
      "inherit without virtual, or make the base class a member"},
     {Reason::SameName, "TK023", "has the same name as another field that is inherited", "rename one of them"},
     {Reason::NoDefaultConstructor, "TK024", "has no public default constructor, which ports and properties need",
-     "add a public constructor without arguments"},
+     "add a public constructor without arguments; or tell how a value is made, by [[oro::make(\"T(0)\")]] before the "
+     "name of "
+     "the type: it is then good for properties, but not for ports"},
     {Reason::NotCopyable, "TK025", "lacks a public copy constructor, copy assignment or destructor, which samples need",
      "allow copy construction, copy assignment and destruction"},
     {Reason::Misaligned, "TK026", "is packed to an address that does not suit '{}'",
      "order the fields by size instead of packing them"},
+    {Reason::WideBitField, "TK033", "is wider than its type '{}'", "use several bit-fields, or a larger type"},
     {Reason::Unnamed, "TK028", "has an unnamed type '{}'", "give the type a name"},
     {Reason::InternalLinkage, "TK029", "lies in an unnamed namespace: each file would have its own type",
      "move it into a named namespace"},
@@ -48,9 +57,13 @@ constexpr Rule kRules[] = {
      "use std::string or std::vector"},
     {Reason::OtherString, "TK037", "is a string '{}', expected std::string", "use std::string with UTF-8 text"},
     {Reason::SmartPointer, "TK038", "is a smart pointer '{}': samples would share or lose what it points to",
-     "store the value itself, or a std::vector of values"},
+     "store the value itself, or a std::vector of values; [[oro::by_value]] shows what it points to, or nothing"},
     {Reason::Synchronisation, "TK039", "is '{}', which synchronises threads and is no value",
      "keep it in the component; ports and operations are thread-safe already"},
+    {Reason::Atomic, "TK039", "is '{}', so the struct cannot be copied",
+     "use the plain number, as ports and operations are thread-safe already; or write a copy constructor and an "
+     "assignment "
+     "that load and store it"},
     {Reason::OtherSequence, "TK042", "is '{}', whose elements cannot be reached", "use std::vector or std::deque"},
     {Reason::AnyType, "TK044", "is '{}', which may hold a value of any type",
      "use std::variant of the types that are meant"},
@@ -80,7 +93,7 @@ std::string sentence(const Rejection& rejection) {
     std::string words = ruleOf(rejection.reason).words;
     const std::size_t hole = words.find("{}");
     if (hole != std::string::npos) words.replace(hole, std::strlen("{}"), rejection.type);
-    return rejection.subject + " " + words;
+    return rejection.subject + " " + words + rejection.detail;
 }
 
 const Rejection& origin(const Rejection& rejection) {

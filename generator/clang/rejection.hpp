@@ -19,8 +19,10 @@ enum class Reason {
     PrivateMember,
     Union,
     ConstMember,
+    RestrictedElement,
     VolatileMember,
     UnboundedArray,
+    UnsuitedAttribute,
     Polymorphic,
     HiddenBase,
     VirtualBase,
@@ -28,6 +30,7 @@ enum class Reason {
     NoDefaultConstructor,
     NotCopyable,
     Misaligned,
+    WideBitField,
     Unnamed,
     InternalLinkage,
     HiddenType,
@@ -37,6 +40,7 @@ enum class Reason {
     OtherString,
     SmartPointer,
     Synchronisation,
+    Atomic,
     OtherSequence,
     AnyType,
     SameAlternative,
@@ -61,6 +65,7 @@ struct Rejection {
     Reason reason = Reason::OtherType;
     std::string subject;  ///< "field 'next' of 'Node'"
     std::string type;     ///< as the user wrote it
+    std::string detail;   ///< follows the words; empty if they say all
     clang::SourceLocation at;
     std::vector<Rejection> causes;  ///< not empty: the reason lies inside the type
 };

@@ -31,6 +31,12 @@ diag::Location SourcePlaces::locate(const clang::SourceManager& sources, clang::
     return {file, place.getLine(), place.getColumn()};
 }
 
+diag::Location SourcePlaces::locateWritten(const clang::SourceManager& sources, clang::SourceLocation at) const {
+    if (!at.isMacroID()) return locate(sources, at);
+    const clang::SourceLocation written = sources.getSpellingLoc(at);
+    return sources.isWrittenInScratchSpace(written) ? diag::Location() : locate(sources, written);
+}
+
 bool SourcePlaces::isListed(const clang::SourceManager& sources, clang::SourceLocation at) const {
     if (at.isInvalid()) return false;
     const auto entry = sources.getFileEntryRefForID(sources.getFileID(sources.getExpansionLoc(at)));

@@ -23,6 +23,8 @@ public:
     explicit SourcePlaces(const std::vector<model::Header>& headers);
 
     /// Where the user sees it: for macro expansions the place of the macro's use.
+    /// Of what a macro makes: where it stands in the macro, or in its arguments. Unknown if the macro glued it together.
+    diag::Location locateWritten(const clang::SourceManager& sources, clang::SourceLocation at) const;
     diag::Location locate(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
     /// Whether it stands in one of the listed headers.

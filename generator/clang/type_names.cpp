@@ -32,19 +32,12 @@ std::optional<TypeName> nameOfArgument(const clang::TemplateArgument& argument, 
 }
 
 bool addArguments(const clang::ClassTemplateSpecializationDecl& type, TypeName& name) {
+    const auto all = argumentsOf(type);
+    if (!all) return false;
     std::string cpp, registry;
-    std::vector<clang::TemplateArgument> all;
-    for (const clang::TemplateArgument& argument : type.getTemplateArgs().asArray()) {
-        if (argument.getKind() == clang::TemplateArgument::Pack)
-            all.insert(all.end(), argument.pack_begin(), argument.pack_end());
-        else
-            all.push_back(argument);
-    }
-    for (const clang::TemplateArgument& argument : all) {
-        const auto part = nameOfArgument(argument, type.getASTContext());
-        if (!part) return false;
-        cpp += (cpp.empty() ? "" : ", ") + part->cpp;
-        registry += (registry.empty() ? "" : ",") + part->registry;
+    for (const TypeName& part : *all) {
+        cpp += (cpp.empty() ? "" : ", ") + part.cpp;
+        registry += (registry.empty() ? "" : ",") + part.registry;
     }
     name.cpp += "<" + cpp + ">";
     name.registry += "<" + registry + ">";
@@ -76,6 +69,23 @@ bool isWidth(const BuiltinType& type, unsigned bits, bool isSigned, const clang:
 }
 
 }  // namespace
+
+std::optional<std::vector<TypeName>> argumentsOf(const clang::ClassTemplateSpecializationDecl& type) {
+    std::vector<clang::TemplateArgument> all;
+    for (const clang::TemplateArgument& argument : type.getTemplateArgs().asArray()) {
+        if (argument.getKind() == clang::TemplateArgument::Pack)
+            all.insert(all.end(), argument.pack_begin(), argument.pack_end());
+        else
+            all.push_back(argument);
+    }
+    std::vector<TypeName> names;
+    for (const clang::TemplateArgument& argument : all) {
+        const auto name = nameOfArgument(argument, type.getASTContext());
+        if (!name) return std::nullopt;
+        names.push_back(*name);
+    }
+    return names;
+}
 
 std::optional<TypeName> nameOf(const clang::TagDecl& type) {
     TypeName name;
@@ -117,6 +127,30 @@ std::optional<TypeName> nameOf(const BuiltinType& type, const clang::ASTContext&
         case BuiltinType::Char32: return TypeName{"char32_t", "/char32_t"};
         default: return std::nullopt;
     }
+}
+
+std::string namespaceOf(const clang::TagDecl& type) {
+    const clang::DeclContext* scope = type.getDeclContext()->getEnclosingNamespaceContext();
+    return scope->isTranslationUnit() ? "" : "::" + llvm::cast<clang::NamespaceDecl>(scope)->getQualifiedNameAsString();
+}
+
+std::string unnamedArgument(const clang::TagDecl& type) {
+    const clang::ASTContext& context = type.getASTContext();
+    const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
+    if (instance == nullptr) return "";
+    clang::PrintingPolicy policy(context.getLangOpts());
+    policy.AnonymousTagLocations = false;
+    for (const clang::TemplateArgument& argument : instance->getTemplateArgs().asArray()) {
+        const bool isPack = argument.getKind() == clang::TemplateArgument::Pack;
+        for (const clang::TemplateArgument& part : isPack ? argument.getPackAsArray() : llvm::ArrayRef(argument)) {
+            if (nameOfArgument(part, context)) continue;
+            std::string text;
+            llvm::raw_string_ostream out(text);
+            part.print(policy, out, /*IncludeType=*/false);
+            return text;
+        }
+    }
+    return "";
 }
 
 std::string shownName(const clang::TagDecl& type) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "llvm_compat.hpp"
 
@@ -18,6 +19,15 @@ struct TypeName {
 
 /// Names of a class or enum; nothing if it cannot be named at all (unnamed type, exotic template arguments).
 std::optional<TypeName> nameOf(const clang::TagDecl& type);
+
+/// Names of its template arguments, those of packs one by one; nothing if one of them has none.
+std::optional<std::vector<TypeName>> argumentsOf(const clang::ClassTemplateSpecializationDecl& type);
+
+/// Of a template instance without a name: the first argument that is to blame, as C++ writes it.
+std::string unnamedArgument(const clang::TagDecl& type);
+
+/// "::demo", or nothing for the global one.
+std::string namespaceOf(const clang::TagDecl& type);
 
 /// Name of an alias in the type registry; nothing if its scope has none.
 std::optional<std::string> nameOf(const clang::TypedefNameDecl& alias);

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "type_reader.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "check_headers.hpp"
@@ -9,19 +10,29 @@
 #include "diagnostic_bridge.hpp"
 #include "find_roots.hpp"
 #include "fix_it.hpp"
+#include "hidden_fields.hpp"
+#include "side_notes.hpp"
 #include "sound_types.hpp"
 
 namespace oroforge::cxx {
 
 namespace {
 
+/// What a reading finds besides the types.
+struct Aside {
+    std::string more;  ///< C++ to be read behind the headers
+    Layouts layouts;
+    bool usesMacro = false;  ///< a header looks different where __orogen is not defined
+};
+
 /// Works on the finished AST; Sema is still there, to ask for implicit constructors.
 class TypeConsumer : public clang::SemaConsumer {
 public:
-    TypeConsumer(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
-                 model::TypeModel& into, clang::Preprocessor& preprocessor)
-        : headers_(headers), places_(places), sink_(sink), into_(into) {
+    TypeConsumer(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
+                 diag::Sink& sink, model::TypeModel& into, Aside& aside, clang::Preprocessor& preprocessor)
+        : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {
         attributes_.watch(preprocessor);
+        watchForMacro(preprocessor, aside.usesMacro);
     }
     void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
     void ForgetSema() override { sema_ = nullptr; }
@@ -30,42 +41,54 @@ public:
         for (const model::Header& header : headers_) headers.checkRead(header);
         const bool broken = context.getDiagnostics().hasErrorOccurred();
         diag::Sink found;
-        TypeDescriber types(*sema_, places_, attributes_, found, into_);
+        // Of a broken text classes may be missing that an adapter names.
+        diag::Sink unused;
+        const AdapterFinder adapters(request_.adapters, context, broken ? unused : found);
+        TypeDescriber types(*sema_, places_, attributes_, adapters, found, into_);
         SoundTypes sound;
-        for (const Root& root : findRoots(context, places_)) {
+        const std::vector<Root> roots = findRoots(context, places_, adapters);
+        for (const Root& root : roots) {
             headers.checkGuard(*root.type);
-            if (types.docOf(*root.type).skip) continue;
+            const DocComment doc = types.docOf(*root.type);
+            if (doc.skip || (doc.bytes && root.type->isUnion())) continue;
             // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
             if (broken && !sound.has(*root.type)) continue;
             if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root.type)) types.describe(*record, root);
             if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(root.type)) types.describe(*enumeration);
         }
         passOnWithFixes(found, context, places_, sink_);
+        for (diag::Note& note : unusedTemplates(context, places_, into_)) into_.notes.push_back(std::move(note));
+        aside_.layouts = layoutsOf(context, roots);
     }
 
 private:
+    const ParseRequest& request_;
     const std::vector<model::Header>& headers_;
     const SourcePlaces& places_;
     diag::Sink& sink_;
     model::TypeModel& into_;
+    Aside& aside_;
     Attributes attributes_;
     clang::Sema* sema_ = nullptr;
 };
 
 class TypeAction : public clang::ASTFrontendAction {
 public:
-    TypeAction(const std::vector<model::Header>& headers, const SourcePlaces& places, diag::Sink& sink,
-               model::TypeModel& into)
-        : headers_(headers), places_(places), sink_(sink), into_(into) {}
+    TypeAction(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
+               diag::Sink& sink, model::TypeModel& into, Aside& aside)
+        : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {}
     std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
-        return std::make_unique<TypeConsumer>(headers_, places_, sink_, into_, compiler.getPreprocessor());
+        return std::make_unique<TypeConsumer>(request_, headers_, places_, sink_, into_, aside_,
+                                              compiler.getPreprocessor());
     }
 
 private:
+    const ParseRequest& request_;
     const std::vector<model::Header>& headers_;
     const SourcePlaces& places_;
     diag::Sink& sink_;
     model::TypeModel& into_;
+    Aside& aside_;
 };
 
 /// Remembers every file that was opened, system headers too: a new compiler must regenerate.
@@ -84,14 +107,15 @@ std::vector<std::string> makeArguments(const ParseRequest& request, const std::s
     return arguments;
 }
 
-std::string makeMainText(const std::vector<model::Header>& headers) {
+std::string makeMainText(const std::vector<model::Header>& headers, const std::string& more) {
     std::string text;
     for (const model::Header& header : headers) text += "#include \"" + header.path + "\"\n";
-    return text;
+    return text + more;
 }
 
 std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& request, const std::string& resourceDir,
                                                           const std::vector<model::Header>& headers,
+                                                          const std::string& more,
                                                           clang::DiagnosticsEngine& diagnostics) {
     const std::vector<std::string> arguments = makeArguments(request, resourceDir);
     std::vector<const char*> words;
@@ -104,26 +128,26 @@ std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& re
     invocation->getFrontendOpts().DisableFree = false;   // one process may read many times, as the tests do
     invocation->getDiagnosticOpts().ShowCarets = false;  // else it counts errors on stderr by itself
     invocation->getPreprocessorOpts().addRemappedFile(
-        kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(headers)).release());
+        kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(headers, more)).release());
     return invocation;
 }
 
 /// The compiler's errors go into `compileErrors`, those about types into `sink`. False if it could not start.
 bool read(const ParseRequest& request, const std::string& resourceDir, const std::vector<model::Header>& headers,
-          diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into) {
+          diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into, Aside& aside) {
     const SourcePlaces places(request.headers);
     DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : headers.back().path);
     const auto diagnostics =
         clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &bridge, /*ShouldOwnClient=*/false);
     clang::CompilerInstance compiler;
-    const auto invocation = makeInvocation(request, resourceDir, headers, *diagnostics);
+    const auto invocation = makeInvocation(request, resourceDir, headers, aside.more, *diagnostics);
     if (!invocation) return false;
     const auto files = std::make_shared<FileCollector>();
     compiler.setInvocation(invocation);
     compiler.createDiagnostics(&bridge, /*ShouldOwnClient=*/false);
     bridge.goOnAfterFatalErrors(compiler.getDiagnostics());
     compiler.addDependencyCollector(files);
-    TypeAction action(headers, places, sink, into);
+    TypeAction action(request, headers, places, sink, into, aside);
     const bool started = compiler.ExecuteAction(action);
     for (const std::string& file : files->getDependencies()) {
         if (file != kMainFile) into.files.push_back(file);
@@ -131,16 +155,34 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
     return started || compileErrors.hadErrors();
 }
 
-/// A header may have swallowed those after it, a '}' being forgotten: each once more, alone. What the compiler says then
-/// is left out, as some headers only make sense after others; of those what was found in the whole is true too.
-diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourceDir, const diag::Sink& inWhole) {
+/// The first header with an error; the first of all if it is not known which that is.
+std::size_t firstBroken(const std::vector<model::Header>& headers, const diag::Sink& compileErrors) {
+    std::size_t first = headers.size();
+    const auto add = [&](const diag::Location& where) {
+        std::size_t i = 0;
+        while (i != headers.size() && headers[i].path != where.file.str()) ++i;
+        first = std::min(first, i == headers.size() ? 0 : i);
+    };
+    for (const diag::Diagnostic& error : compileErrors.all()) {
+        add(error.where);
+        for (const diag::Note& note : error.notes) add(note.where);
+    }
+    return first;
+}
+
+/// A header may have swallowed those after it, a '}' being forgotten: these once more, each alone. What the compiler says
+/// then is left out, as some headers only make sense after others; of those what was found in the whole is true too.
+diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourceDir, const diag::Sink& inWhole,
+                         std::size_t first) {
     diag::Sink found;
     std::set<std::string> complete;
     std::set<std::pair<diag::Location, std::string>> known;
-    for (const model::Header& header : request.headers) {
+    for (std::size_t i = first; i < request.headers.size(); ++i) {
+        const model::Header& header = request.headers[i];
         diag::Sink compileErrors;
         model::TypeModel unused;
-        read(request, resourceDir, {header}, compileErrors, found, unused);
+        Aside aside;
+        read(request, resourceDir, {header}, compileErrors, found, unused, aside);
         if (!compileErrors.hadErrors()) complete.insert(header.path);
     }
     for (const diag::Diagnostic& one : found.all()) known.emplace(one.where, one.code);
@@ -148,6 +190,43 @@ diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourc
         if (complete.count(one.where.file) == 0 && known.count({one.where, one.code}) == 0) found.add(one);
     }
     return found;
+}
+
+/// Fields may be hidden from typegen, but not from the compiler.
+void checkHiddenFields(const ParseRequest& request, const std::string& resourceDir, const Aside& described,
+                       model::TypeModel& model, diag::Sink& sink) {
+    ParseRequest asCompiled = request;
+    asCompiled.flags.insert(asCompiled.flags.end(), {"-U__orogen", "-U__orogen2"});
+    diag::Sink compileErrors, aboutTypes;
+    model::TypeModel unused;
+    Aside seen;
+    read(asCompiled, resourceDir, request.headers, compileErrors, aboutTypes, unused, seen);
+    compareLayouts(model, described.layouts, seen.layouts, sink);
+    // Headers that are only included then matter as well.
+    model.files.insert(model.files.end(), unused.files.begin(), unused.files.end());
+}
+
+/// That [[oro::make(…)]] gives a value of the type shows only where it is read as C++: here, not in what is generated.
+void checkMakers(const ParseRequest& request, const std::string& resourceDir, const model::TypeModel& model,
+                 diag::Sink& sink) {
+    for (const model::Struct& type : model.structs) {
+        if (type.make.empty()) continue;
+        const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
+        const std::size_t own = type.cpp.rfind("::", arguments) + 2;
+        Aside aside;
+        aside.more = "namespace oroforge_check {" + (type.space.empty() ? "" : "using namespace " + type.space + ";") +
+                     "using " + type.cpp.substr(own, arguments - own) + " = " + type.cpp + ";\nusing Made = decltype(" +
+                     type.make + ");\nstatic_assert(__is_same(Made, " + type.cpp +
+                     "), \"it is no value of the type\");}\n";
+        diag::Sink compileErrors, aboutTypes;
+        model::TypeModel unused;
+        read(request, resourceDir, request.headers, compileErrors, aboutTypes, unused, aside);
+        if (!compileErrors.hadErrors()) continue;
+        const std::string& error = compileErrors.all().front().message;
+        const std::string why = error.find("__is_same") != std::string::npos ? "it is of another type" : error;
+        sink.error(type.where, "TK040", "'" + type.make + "' makes no value of '" + type.cpp.substr(2) + "': " + why)
+            .hint("give [[oro::make(\"…\")]] an expression that holds in the namespace of the type");
+    }
 }
 
 }  // namespace
@@ -159,13 +238,17 @@ std::optional<model::TypeModel> readTypes(const ParseRequest& request, diag::Sin
     result.headers = request.headers;
     const std::size_t errorsBefore = sink.errorCount();
     diag::Sink compileErrors, aboutTypes;
-    const bool started = read(request, *resourceDir, request.headers, compileErrors, aboutTypes, result);
+    Aside aside;
+    const bool started = read(request, *resourceDir, request.headers, compileErrors, aboutTypes, result, aside);
     if (compileErrors.hadErrors() && request.headers.size() > 1) {
-        aboutTypes = readEachAlone(request, *resourceDir, aboutTypes);
+        aboutTypes = readEachAlone(request, *resourceDir, aboutTypes, firstBroken(request.headers, compileErrors));
     }
     for (const diag::Diagnostic& found : aboutTypes.all()) sink.add(found);
     for (const diag::Diagnostic& error : compileErrors.all()) sink.add(error);
     if (sink.errorCount() != errorsBefore) return std::nullopt;
+    checkMakers(request, *resourceDir, result, sink);
+    if (sink.errorCount() != errorsBefore) return std::nullopt;
+    if (aside.usesMacro) checkHiddenFields(request, *resourceDir, aside, result, sink);
     if (!started) {
         sink.error({"typegen"}, "TK006", "the compiler could not be started with these options");
         return std::nullopt;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <adapters/adapter.hpp>
 #include <diag/sink.hpp>
 #include <model/type_model.hpp>
 
@@ -21,6 +22,7 @@ struct ParseRequest {
     std::vector<std::string> flags;   ///< -I -isystem -D -U -include -std, each word one element
     std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
     std::string resourceDir;          ///< clang's own headers; empty = look for them
+    std::vector<adapters::Adapter> adapters;
 };
 
 /// Structs and enums that are defined in the listed headers, and whatever they use, in no particular order;

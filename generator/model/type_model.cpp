@@ -55,12 +55,18 @@ Json toJson(const Field& field) {
     Json json = {{"name", field.name}, {"type", toJson(field.type)}};
     if (field.declared != field.type.cpp) json["declared"] = field.declared;
     if (field.load.empty()) json["offset"] = field.offset;
+    if (!field.load.empty()) json["bit"] = field.place;
+    if (field.width != 0) json["width"] = field.width;
     if (field.count != 0) json["count"] = field.count;
     addText(json, "load", field.load);
     addText(json, "store", field.store);
+    addText(json, "address", field.address);
     addText(json, "doc", field.doc);
     addText(json, "unit", field.unit);
     addText(json, "range", field.range);
+    addText(json, "capacity", field.capacity);
+    addText(json, "initial", field.initial);
+    addText(json, "also", field.also);
     addText(json, "base", field.base);
     json["where"] = place(field.where);
     return json;
@@ -68,6 +74,8 @@ Json toJson(const Field& field) {
 
 Json toJson(const Struct& type) {
     Json json = {{"cpp", type.cpp}, {"name", type.name}, {"size", type.size}, {"align", type.align}};
+    if (!type.assignable) json["assignable"] = false;
+    addText(json, "make", type.make);
     addText(json, "doc", type.doc);
     json["where"] = place(type.where);
     json["fields"] = Json::array();
@@ -90,6 +98,21 @@ Json toJson(const Enum& type) {
     return json;
 }
 
+Json toJson(const Adapted& type) {
+    Json json = {{"cpp", type.cpp}, {"name", type.name}, {"size", type.size}, {"align", type.align}};
+    addText(json, "doc", type.doc);
+    json["where"] = place(type.where);
+    json["element"] = toJson(type.element);
+    if (!type.columns.empty()) json["row"] = toJson(type.row);
+    addText(json, "count", type.count);
+    addText(json, "columns", type.columns);
+    addText(json, "resize", type.resize);
+    addText(json, "load", type.load);
+    addText(json, "store", type.store);
+    addText(json, "address", type.address);
+    return json;
+}
+
 Json toJson(const Alias& alias) { return {{"name", alias.name}, {"of", alias.of}, {"where", place(alias.where)}}; }
 
 Json toJson(const Header& header) { return {{"path", header.path}, {"include", header.include}}; }
@@ -109,6 +132,7 @@ std::string dump(const TypeModel& model) {
                  {"enums", listOf(model.enums)},
                  {"library", listOf(model.library)},
                  {"arrays", listOf(model.arrays)}};
+    if (!model.adapted.empty()) json["adapted"] = listOf(model.adapted);
     if (!model.aliases.empty()) json["aliases"] = listOf(model.aliases);
     // Comments may hold bytes that are not UTF-8; they must not stop a dump.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -49,10 +49,16 @@ struct Field {
     std::string declared;      ///< the field's C++ type, with its array bounds
     std::uint64_t count = 0;   ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
     std::uint64_t offset = 0;  ///< bytes from the start of the outermost struct
+    std::uint64_t place = 0;   ///< the same in bits, also of bit-fields and of what accessors hide
+    std::uint64_t width = 0;   ///< bits of a bit-field
     std::string load, store;   ///< by copy, if it has no address: C++ of `object` and `value`; no store: it is constant
+    std::string address;       ///< besides both, if a function returns one: C++ of `object`
     std::string doc;           ///< comment above or behind the field, without its marks
     std::string unit;          ///< from "@unit m/s" in the comment
     std::string range;         ///< from "@range 0..5" in the comment
+    std::string capacity;      ///< from "@capacity 20": for how many elements there is room
+    std::string initial;       ///< default member initialiser, as it is written
+    std::string also;          ///< another name of it, from an adapter
     std::string base;          ///< C++ name of the base class it comes from; empty = own field
     diag::Location where;
 };
@@ -62,8 +68,28 @@ struct Struct {
     std::string name;
     std::uint64_t size = 0;
     std::uint64_t align = 0;
+    bool assignable = true;  ///< false: a member is constant; values are read only, and no samples
+    std::string make;        ///< C++ of a first value, where there is no default constructor; such are no samples
+    std::string space;       ///< "::demo": the namespace in which that is to be read; empty = the global one
     std::string doc;
     std::vector<Field> fields;  ///< fields of base classes first
+    diag::Location where;
+};
+
+/// A class whose elements an adapter says how to reach. Texts are C++ of `object`.
+struct Adapted {
+    std::string cpp;
+    std::string name;
+    std::uint64_t size = 0;
+    std::uint64_t align = 0;
+    std::string doc;
+    TypeUse element;
+    TypeUse row;              ///< of a matrix: what its rows are seen as
+    std::string count;        ///< how many elements; of a matrix, rows
+    std::string columns;      ///< of a matrix
+    std::string resize;       ///< to `size`, or `rows` and `columns`; empty: the size is fixed
+    std::string load, store;  ///< also of `value`, and of `index`, or `row` and `column`
+    std::string address;      ///< a reference to the element; empty: it has no address
     diag::Location where;
 };
 
@@ -102,9 +128,11 @@ struct TypeModel {
     std::vector<Header> headers;
     std::vector<Struct> structs;
     std::vector<Enum> enums;
+    std::vector<Adapted> adapted;
     std::vector<Alias> aliases;
     std::vector<TypeUse> library;    ///< each type of the standard library that a field reaches, inner ones included
     std::vector<TypeUse> arrays;     ///< the element type of each array
+    std::vector<diag::Note> notes;   ///< for those who want to know more
     std::vector<std::string> files;  ///< every file that was read, for dependency files
 };
 

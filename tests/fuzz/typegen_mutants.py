@@ -118,7 +118,7 @@ def compile_complaint(compiler, folder, words):
     return ""
 
 
-def complaint(typegen, compiler, folder, words, dice):
+def complaint(typegen, compiler, folder, words, dice, compiled=SUCCESSES_COMPILED):
     """What is wrong with this run; empty if nothing. Second: whether typegen succeeded."""
     status, text = run([typegen, "-o", "generated_output", *words], folder)
     out = folder / "generated_output"
@@ -132,7 +132,7 @@ def complaint(typegen, compiler, folder, words, dice):
         return "failed, but wrote files" if out.exists() else "", False
     if not list(out.rglob("*.cpp")):
         return "succeeded, but wrote nothing", True
-    return compile_complaint(compiler, folder, words) if dice.random() < SUCCESSES_COMPILED else "", True
+    return compile_complaint(compiler, folder, words) if dice.random() < compiled else "", True
 
 
 def try_one(number, seed, cases, typegen, compiler):

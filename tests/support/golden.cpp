@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <fstream>
 
 #include "temp_dir.hpp"
 #include "text_diff.hpp"
@@ -37,6 +38,13 @@ std::string acceptCommand() {
     return "UPDATE_GOLDENS=1 " + fs::read_symlink("/proc/self/exe", ignored).string() + " --gtest_filter=" + filter;
 }
 
+bool hasWhatItNeeds(const fs::path& dir) {
+    std::ifstream file(dir / "needs");
+    for (std::string path; std::getline(file, path);)
+        if (!fs::exists(path)) return false;
+    return true;
+}
+
 std::string relativeName(const fs::path& file) { return file.lexically_relative(sourceRoot()).generic_string(); }
 
 }  // namespace
@@ -48,7 +56,7 @@ std::vector<std::string> goldenCases(const std::string& kind) {
     const fs::path root = sourceRoot() / "tests/golden" / kind;
     if (!fs::is_directory(root)) return names;
     for (const auto& entry : fs::directory_iterator(root)) {
-        if (entry.is_directory()) names.push_back(entry.path().filename().string());
+        if (entry.is_directory() && hasWhatItNeeds(entry.path())) names.push_back(entry.path().filename().string());
     }
     std::sort(names.begin(), names.end());
     return names;

@@ -28,7 +28,8 @@ namespace oroforge::test {
 /// Root of the source tree.
 std::filesystem::path sourceRoot();
 
-/// Names of the case directories of one kind, sorted.
+/// Names of the case directories of one kind, sorted. Without those whose file `needs` names a path, one a line, that is not
+/// on this machine.
 std::vector<std::string> goldenCases(const std::string& kind);
 std::filesystem::path goldenDir(const std::string& kind, const std::string& name);
 

@@ -3,7 +3,9 @@
 #include <collect/close_model.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace oroforge::typekit {
@@ -43,7 +45,9 @@ public:
         const auto [first, isNew] = seen_.emplace(name, std::make_pair(cpp, where));
         if (isNew || first->second.first == cpp) return;
         sink_.error(where, "TK060", "type name '" + name + "' of '" + cpp + "' is already used")
-            .note(first->second.second, "first used here for '" + first->second.first + "'");
+            .note(first->second.second,
+                  (first->second.second.line == 0 ? "it is the name of '" : "first used here for '") +
+                      first->second.first + "'");
     }
 
 private:
@@ -51,9 +55,18 @@ private:
     std::map<std::string, std::pair<std::string, diag::Location>> seen_;
 };
 
+bool isPartOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Whole names only: "/demo/Point" is no part of "/demo/Pointer".
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
+    std::size_t at = text.find(from);
+    while (at != std::string::npos) {
+        const std::size_t end = at + from.size();
+        const bool isWhole =
+            (at == 0 || !isPartOfName(text[at - 1])) && (end == text.size() || !isPartOfName(text[end]));
+        if (isWhole) text.replace(at, from.size(), to);
+        at = text.find(from, isWhole ? at + to.size() : at + 1);
+    }
 }
 
 void rename(model::TypeUse& use, const std::string& from, const std::string& to) {
@@ -71,10 +84,57 @@ void preferAliases(model::TypeModel& model) {
         else
             alias.of = entry->second;
     }
-    for (const auto& [instance, name] : preferred) {
+    // An adapter that keeps a type's name says so by an alias that is none.
+    model.aliases.erase(std::remove_if(model.aliases.begin(), model.aliases.end(),
+                                       [](const model::Alias& alias) { return alias.name == alias.of; }),
+                        model.aliases.end());
+    // "/Q</P<3>>" before "/P<3>", or it would no longer be found.
+    std::vector<std::pair<std::string, std::string>> ordered(preferred.begin(), preferred.end());
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    for (const auto& [instance, name] : ordered) {
         for (model::Struct& type : model.structs) {
             replaceAll(type.name, instance, name);
             for (model::Field& field : type.fields) rename(field.type, instance, name);
+        }
+        for (model::Adapted& type : model.adapted) {
+            replaceAll(type.name, instance, name);
+            rename(type.element, instance, name);
+            rename(type.row, instance, name);
+        }
+    }
+}
+
+/// A smart pointer by value is copied out as a std::optional.
+bool isPointer(const model::Field& field) {
+    return field.type.kind == model::TypeKind::Optional && field.load.find("*object.") != std::string::npos;
+}
+
+/// Whether a value of `use` may hold one of the struct `name`.
+bool mayHold(const model::TypeUse& use, const std::string& name, const model::TypeModel& model,
+             std::set<std::string>& seen) {
+    if (use.name == name) return true;
+    for (const model::TypeUse& element : use.element)
+        if (mayHold(element, name, model, seen)) return true;
+    if (use.kind != model::TypeKind::Struct || !seen.insert(use.name).second) return false;
+    for (const model::Struct& type : model.structs) {
+        if (type.name != use.name) continue;
+        for (const model::Field& field : type.fields)
+            if (mayHold(field.type, name, model, seen)) return true;
+    }
+    return false;
+}
+
+/// Pointers may go round in circles, which a file or a display would follow for ever. Containers hold what they hold.
+void checkCircles(const model::TypeModel& model, diag::Sink& sink) {
+    for (const model::Struct& type : model.structs) {
+        for (const model::Field& field : type.fields) {
+            std::set<std::string> seen;
+            if (!isPointer(field) || !mayHold(field.type, type.name, model, seen)) continue;
+            sink.error(field.where, "TK035",
+                       "field '" + field.name + "' of '" + type.cpp.substr(2) +
+                           "' may point to what holds it: its value would have no end")
+                .hint("use std::vector of the same type for children, or [[oro::skip]]");
         }
     }
 }
@@ -90,17 +150,25 @@ void closeModel(model::TypeModel& model, diag::Sink& sink) {
             if (field.count != 0) arrays.emplace(field.type.name, field.type);
         }
     }
+    for (const model::Adapted& type : model.adapted) {
+        addLibrary(type.element, library);
+        if (!type.columns.empty()) addLibrary(type.row, library);
+    }
     model.library = valuesOf(library);
     model.arrays = valuesOf(arrays);
     sortByName(model.structs);
     sortByName(model.enums);
+    sortByName(model.adapted);
     std::sort(model.files.begin(), model.files.end());
 
+    checkCircles(model, sink);
     NameCheck names(sink);
+    for (const model::TypeUse& use : model.library) names.add(use.name, use.cpp, {});
     for (const model::Struct& type : model.structs) names.add(type.name, type.cpp, type.where);
     for (const model::Enum& type : model.enums) names.add(type.name, type.cpp, type.where);
+    for (const model::Adapted& type : model.adapted) names.add(type.name, type.cpp, type.where);
     for (const model::Alias& alias : model.aliases) names.add(alias.name, "alias of " + alias.of, alias.where);
-    if (model.structs.empty() && model.enums.empty()) {
+    if (model.structs.empty() && model.enums.empty() && model.adapted.empty()) {
         const std::string file = model.headers.empty() ? "typegen" : model.headers.front().path;
         sink.warning({file}, "TK061", "no struct, class or enum is defined in the listed headers: an empty typekit");
     }

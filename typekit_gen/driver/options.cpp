@@ -5,19 +5,23 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 
 #include <diag/nearest_match.hpp>
+
+#include "transports.hpp"
 
 namespace oroforge::typekit {
 
 namespace {
 
-const std::vector<std::string> kTransports = {"corba", "mqueue", "ros", "typelib"};
 const std::vector<std::string> kLongOptions = {
-    "--output",         "--import",     "--transports",   "--notransports", "--verbose", "--debug",
-    "--help",           "--version",    "--list-outputs", "--depfile",      "--dump",    "--template-dir",
-    "--depfile-target", "--flags-from", "--include-as",   "--format",       "--explain"};
+    "--output",   "--import",       "--transports",     "--notransports",     "--verbose",
+    "--debug",    "--help",         "--version",        "--list-outputs",     "--depfile",
+    "--dump",     "--template-dir", "--depfile-target", "--flags-from",       "--include-as",
+    "--format",   "--explain",      "--check",          "--compile-database", "--compile-database-for",
+    "--adapters", "--diff"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
@@ -28,6 +32,17 @@ std::vector<std::string> splitList(const std::string& text) {
         if (!part.empty()) parts.push_back(part);
     }
     return parts;
+}
+
+/// As a shell would have to be told it.
+std::string quoted(const std::string& word) {
+    const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c >= 0x80 || std::strchr("_-+=./,:@%", c) != nullptr;
+    });
+    if (plain && !word.empty()) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
 }
 
 class Parser {
@@ -42,6 +57,8 @@ public:
         valueMissing_ = false;
         if (options_.explain) {
             finishExplain();
+        } else if (options_.diff) {
+            finishDiff();
         } else if (!options_.help && !options_.version) {
             finish();
         }
@@ -77,6 +94,8 @@ private:
         if (word == "-v" || word == "--verbose" || word == "-d" || word == "--debug") return options_.verbose = true;
         if (word == "--list-outputs") return options_.listOutputs = true;
         if (word == "--explain") return options_.explain = true;
+        if (word == "--check") return options_.check = true;
+        if (word == "--diff") return options_.diff = true;
         return false;
     }
 
@@ -103,9 +122,19 @@ private:
         } else if (is(word, "-i", "--import", value)) {
             options_.imports.push_back(value);
         } else if (is(word, "-t", "--transports", value)) {
-            requireTransports(value);
+            if (!valueMissing_) wanted_ = splitList(value);
         } else if (is(word, "-n", "--notransports", value)) {
-            for (const std::string& name : splitList(value)) checkTransport(name);
+            if (valueMissing_) return true;
+            for (const std::string& name : splitList(value)) unwanted_.push_back(name);
+        } else if (is(word, "-p", "--compile-database", value)) {
+            options_.database = value;
+        } else if (is(word, "", "--compile-database-for", value)) {
+            options_.databaseEntry = value;
+        } else if (is(word, "", "--check", value)) {
+            options_.check = true;
+            options_.refresh = value;
+        } else if (is(word, "", "--adapters", value)) {
+            options_.adapters.push_back(value);
         } else if (is(word, "", "--depfile", value)) {
             options_.depfile = value;
         } else if (is(word, "", "--depfile-target", value)) {
@@ -150,18 +179,6 @@ private:
         return "?";
     }
 
-    bool checkTransport(const std::string& name) {
-        const bool known = std::find(kTransports.begin(), kTransports.end(), name) != kTransports.end();
-        if (!known) error("unknown transport '" + name + "', expected " + diag::oneOf(kTransports));
-        return known;
-    }
-
-    void requireTransports(const std::string& list) {
-        for (const std::string& name : splitList(list)) {
-            if (checkTransport(name)) error("transport '" + name + "' is not part of this toolchain's installation");
-        }
-    }
-
     void setIncludeName(const std::string& value) {
         const std::size_t at = value.rfind('=');
         if (at == std::string::npos || at == 0 || at + 1 == value.size()) {
@@ -196,7 +213,39 @@ private:
         if (options_.format != report::Format::Text) error("--explain prints text, so it takes no --format");
     }
 
+    /// Both words are headers or folders; nothing is generated, so nothing has a name.
+    void finishDiff() {
+        if (!options_.name.empty()) options_.inputs.insert(options_.inputs.begin(), options_.name);
+        if (options_.inputs.size() != 2)
+            error("--diff takes two headers or folders, OLD and NEW, found " + std::to_string(options_.inputs.size()));
+        for (const auto& [given, option] :
+             {std::pair(options_.listOutputs, "--list-outputs"), std::pair(options_.dump != Dump::None, "--dump"),
+              std::pair(!options_.depfile.empty(), "--depfile"), std::pair(options_.check, "--check"),
+              std::pair(!options_.output.empty(), "--output")}) {
+            if (given) error(std::string("--diff and ") + option + " exclude each other: --diff only compares");
+        }
+    }
+
+    void finishCheck() {
+        if (!options_.check) return;
+        for (const auto& [given, option] :
+             {std::pair(options_.listOutputs, "--list-outputs"), std::pair(options_.dump != Dump::None, "--dump"),
+              std::pair(!options_.depfile.empty(), "--depfile")}) {
+            if (given) error(std::string("--check and ") + option + " exclude each other: --check only compares");
+        }
+        if (!options_.refresh.empty()) return;
+        options_.refresh = "to refresh: typegen";
+        for (const std::string& word : words_) {
+            if (word != "--check") options_.refresh += " " + quoted(word);
+        }
+    }
+
     void finish() {
+        options_.transports = chooseTransports(wanted_, unwanted_, sink_);
+        finishCheck();
+        if (!options_.databaseEntry.empty() && options_.database.empty()) {
+            error("--compile-database-for=" + options_.databaseEntry + " says which entry, but no --compile-database");
+        }
         if (options_.format != report::Format::Text && (options_.listOutputs || options_.dump != Dump::None)) {
             error(std::string("--format and ") + (options_.listOutputs ? "--list-outputs" : "--dump") +
                   " exclude each other: both write to standard output");
@@ -217,6 +266,8 @@ private:
     const std::vector<std::string>& words_;
     diag::Sink& sink_;
     Options options_;
+    std::vector<std::string> wanted_ = installedTransports();
+    std::vector<std::string> unwanted_;
     std::size_t at_ = 0;
     bool onlyPositional_ = false;
     bool valueMissing_ = false;  // said already; what follows from it is not worth saying

@@ -24,7 +24,14 @@ struct Options {
     std::vector<std::string> flags;    ///< for the compiler
     std::string target = "gnulinux";
     std::string flagsFile;                         ///< more of them, see flags_file.hpp
+    std::string database;                          ///< and more, see compile_database.hpp
+    std::string databaseEntry;                     ///< source or target whose entry is taken; empty = the best
     std::map<std::string, std::string> includeAs;  ///< input → how generated code includes it
+    std::vector<std::string> transports;           ///< to generate for
+    bool diff = false;                             ///< compare two versions of headers, the only two inputs
+    bool check = false;                            ///< compare with what is there, and write nothing
+    std::string refresh;                           ///< what to do when that fails
+    std::vector<std::string> adapters;             ///< files that say how classes are seen
     std::string depfile;
     std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;

@@ -74,6 +74,7 @@ RunRecord::RunRecord(const Options& options, const cxx::ParseRequest& request) :
           request.target, std::string(resources != nullptr ? resources : "")})
         add(request_, word);
     for (const std::string& flag : request.flags) add(request_, flag);
+    for (const std::string& file : options.adapters) add(request_, file);
     for (const model::Header& header : request.headers) {
         add(request_, header.path);
         add(request_, header.include);

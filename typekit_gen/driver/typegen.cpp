@@ -7,10 +7,13 @@
 #include <ostream>
 #include <set>
 
+#include <adapters/read_adapters.hpp>
 #include <clang/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <collect/import_package.hpp>
+#include <diff/compare_models.hpp>
+#include <diff/tell_changes.hpp>
 #include <emit/depfile.hpp>
 #include <emit/outputs.hpp>
 #include <plan/output_names.hpp>
@@ -18,6 +21,8 @@
 #include <plan/typekit_view.hpp>
 #include <report/explain.hpp>
 
+#include "check_output.hpp"
+#include "compile_database.hpp"
 #include "flags_file.hpp"
 #include "run_record.hpp"
 
@@ -31,7 +36,17 @@ namespace oroforge::typekit {
 
 namespace {
 
-std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink& sink) {
+void addDatabaseFlags(const Options& options, cxx::ParseRequest& request, diag::Sink& sink, std::ostream& out) {
+    diag::Sink faultsOfInputs;  // reported where they are read
+    const auto headers = expandInputs(options.inputs, faultsOfInputs);
+    const auto database = readCompileDatabase(options.database, options.databaseEntry, headers, sink);
+    if (!database) return;
+    const auto flags = withoutOverridden(database->flags, request.flags);
+    request.flags.insert(request.flags.end(), flags.begin(), flags.end());
+    if (options.verbose) out << "options of " << database->source << ", from " << database->file << "\n";
+}
+
+std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink& sink, std::ostream& out) {
     cxx::ParseRequest request;
     request.flags = options.flags;
     request.target = options.target;
@@ -43,17 +58,20 @@ std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink&
         const auto flags = readFlagsFile(options.flagsFile, sink);
         request.flags.insert(request.flags.end(), flags.begin(), flags.end());
     }
+    if (!options.database.empty()) addDatabaseFlags(options, request, sink, out);
     request.headers = findHeaders(options.inputs, request.flags, options.name, sink);
     for (model::Header& header : request.headers) {
         const auto named = options.includeAs.find(header.path);
         if (named != options.includeAs.end()) header.include = named->second;
     }
+    request.adapters = adapters::readAdapters(options.adapters, sink);
     if (sink.hadErrors()) return std::nullopt;
     return request;
 }
 
-std::optional<model::TypeModel> readModel(const cxx::ParseRequest& request, diag::Sink& sink) {
+std::optional<model::TypeModel> readModel(const Options& options, const cxx::ParseRequest& request, diag::Sink& sink) {
     auto model = cxx::readTypes(request, sink);
+    if (model) model->files.insert(model->files.end(), options.adapters.begin(), options.adapters.end());
     if (model) closeModel(*model, sink);
     if (sink.hadErrors()) return std::nullopt;
     return model;
@@ -78,12 +96,16 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
     }
     std::set<std::string> inputs;
     for (const std::string& file : model.files) inputs.insert(realPath(file));
+    if (!options.database.empty()) inputs.insert(realPath(compileDatabaseFile(options.database)));
     return emit::writeDepfile(options.depfile, outputs, {inputs.begin(), inputs.end()}, sink);
 }
 
 void tell(const model::TypeModel& model, const emit::Written& written, std::ostream& out) {
     for (const model::Struct& type : model.structs) out << "struct " << type.name << "\n";
     for (const model::Enum& type : model.enums) out << "enum " << type.name << "\n";
+    for (const diag::Note& note : model.notes)
+        out << note.where.file << ":" << note.where.line << ":" << note.where.column << ": note: " << note.message
+            << "\n";
     for (const std::string& file : written.changed) out << "wrote " << file << "\n";
     for (const std::string& file : written.unchanged) out << "unchanged " << file << "\n";
 }
@@ -103,6 +125,7 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
         sink.error({"typegen"}, "TK007", std::string("a template does not fit: ") + error.what());
         return 1;
     }
+    if (options.check) return checkOutput(outputs, options.output, options.refresh, sink) ? 0 : 1;
     emit::Written written;
     if (!emit::writeGenerated(outputs, options.output, sink, &written)) return 1;
     if (!writeDependencies(options, model, sink)) return 1;
@@ -110,30 +133,48 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
     return 0;
 }
 
+int runDiff(const Options& options, diag::Sink& sink, std::ostream& out) {
+    std::vector<model::TypeModel> versions;
+    for (const std::string& input : options.inputs) {
+        Options one = options;
+        one.inputs = {input};
+        const auto request = makeRequest(one, sink, out);
+        auto model = request ? readModel(one, *request, sink) : std::nullopt;
+        if (!model) return 1;
+        versions.push_back(std::move(*model));
+    }
+    const std::vector<Change> changes = compareModels(versions[0], versions[1]);
+    tellChanges(changes, sink);
+    out << verdict(changes) << "\n";
+    return sink.hadErrors() ? 1 : 0;
+}
+
 }  // namespace
 
 int run(const Options& options, diag::Sink& sink, std::ostream& out) {
+    if (options.diff) return runDiff(options, sink, out);
     if (options.listOutputs) {
         emit::listOutputs(out, outputNames(options.name), options.output);
         return 0;
     }
-    const auto request = makeRequest(options, sink);
+    const auto request = makeRequest(options, sink, out);
     if (!request) return 1;
     const RunRecord record(options, *request);
-    if (options.dump == Dump::None && record.isCurrent()) {
+    const bool writes = options.dump == Dump::None && !options.check;
+    if (writes && record.isCurrent()) {
         if (options.verbose) out << "up to date\n";
         return 0;
     }
-    const auto model = readModel(*request, sink);
+    const auto model = readModel(options, *request, sink);
     if (!model) return 1;
     if (options.dump == Dump::Model) {
         out << dump(*model);
         return 0;
     }
-    record.forget();
+    if (writes) record.forget();
     const int status = generate(options, *model, sink, out);
     // Warnings are to be seen in every run.
-    if (status == 0 && options.dump == Dump::None && sink.all().empty()) record.keep(model->files);
+    if (status == 0 && writes && sink.all().empty()) record.keep(model->files);
     return status;
 }
 

@@ -14,6 +14,9 @@ std::string cppString(const std::string& text);
 /// A name made of letters, digits and underscores.
 std::string cppIdentifier(const std::string& text);
 
+/// The name of a type without the leading "::" of the names in it.
+std::string cppShown(const std::string& type);
+
 }  // namespace oroforge::typekit
 
 #endif

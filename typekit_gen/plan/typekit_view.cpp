@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <plan/typekit_view.hpp>
 
+#include <algorithm>
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -9,6 +11,7 @@
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
 #include <plan/output_names.hpp>
+#include <plan/schema_view.hpp>
 
 namespace oroforge::typekit {
 
@@ -18,15 +21,19 @@ using model::TypeKind;
 using model::TypeUse;
 using nlohmann::json;
 
-std::string withoutColons(const std::string& cpp) { return cpp.compare(0, 2, "::") == 0 ? cpp.substr(2) : cpp; }
+std::string docOf(const model::Field& field) {
+    if (field.capacity.empty()) return field.doc;
+    return field.doc + (field.doc.empty() ? "" : ", ") + "at most " + field.capacity;
+}
 
 json viewOf(const model::Field& field, bool last) {
-    json view = {{"name", cppString(field.name)}, {"offset", std::to_string(field.offset)},
-                 {"type", field.type.cpp},        {"count", field.count},
-                 {"doc", cppString(field.doc)},   {"unit", cppString(field.unit)},
+    json view = {{"name", cppString(field.name)},  {"offset", std::to_string(field.offset)},
+                 {"type", field.type.cpp},         {"count", field.count},
+                 {"doc", cppString(docOf(field))}, {"unit", cppString(field.unit)},
                  {"separator", last ? "" : ","}};
     // A base class that is a member has no name that could be asked for; its own struct is checked.
     const bool named = !field.declared.empty();
+    if (!field.address.empty()) view["address"] = field.address;
     if (!field.load.empty()) {
         view["load"] = field.load;
         if (!field.store.empty()) view["store"] = field.store;
@@ -36,17 +43,17 @@ json viewOf(const model::Field& field, bool last) {
     return view;
 }
 
-/// What few members have: a way to copy them, a range.
+/// What few members have: a way to copy them, a range, another name.
 std::string moreOf(const model::Field& field, std::size_t index) {
     const std::string access = field.load.empty() ? "nullptr" : "&access_" + std::to_string(index);
-    if (!field.range.empty()) return ", nullptr, " + access + ", " + cppString(field.range);
+    const std::string also = field.also.empty() ? "" : ", " + cppString(field.also);
+    if (!field.range.empty() || !also.empty()) return ", nullptr, " + access + ", " + cppString(field.range) + also;
     return field.load.empty() ? "" : ", nullptr, " + access;
 }
 
 json viewOf(const model::Struct& type) {
-    json view = {
-        {"cpp", type.cpp},     {"shown", withoutColons(type.cpp)}, {"name", cppString(type.name)}, {"size", type.size},
-        {"align", type.align}, {"doc", cppString(type.doc)}};
+    json view = {{"cpp", type.cpp},   {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
+                 {"size", type.size}, {"align", type.align},         {"doc", cppString(type.doc)}};
     if (!type.fields.empty()) view["hasFields"] = true;
     view["fieldCount"] = type.fields.size();
     view["fields"] = json::array();
@@ -59,9 +66,26 @@ json viewOf(const model::Struct& type) {
     return view;
 }
 
+json viewOf(const model::Adapted& type) {
+    json view = {{"cpp", type.cpp},    {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
+                 {"size", type.size},  {"align", type.align},         {"doc", cppString(type.doc)},
+                 {"load", type.load},  {"element", type.element.cpp}, {"store", type.store},
+                 {"count", type.count}};
+    view[type.columns.empty() ? "isSequence" : "isMatrix"] = true;
+    if (!type.columns.empty()) view["columns"] = {{"text", type.columns}, {"row", type.row.cpp}};
+    const auto isNumber = [](const std::string& text) {
+        return text.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (isNumber(type.count)) view["fixedCount"] = true;
+    if (isNumber(type.columns)) view["fixedColumns"] = true;
+    if (!type.resize.empty()) view["resize"] = {{"call", type.resize}};
+    if (!type.address.empty()) view["address"] = type.address;
+    return view;
+}
+
 json viewOf(const model::Enum& type) {
     json view = {{"cpp", type.cpp},
-                 {"shown", withoutColons(type.cpp)},
+                 {"shown", cppShown(type.cpp)},
                  {"name", cppString(type.name)},
                  {"size", type.size},
                  {"doc", cppString(type.doc)}};
@@ -77,17 +101,20 @@ json viewOf(const model::Enum& type) {
     return view;
 }
 
-/// Types made of the user's own types are instantiated here; those of numbers and strings belong to the runtime.
-bool isOfUserType(const TypeUse& use) {
-    if (use.kind == TypeKind::Struct || use.kind == TypeKind::Enum) return true;
-    for (const TypeUse& element : use.element)
-        if (isOfUserType(element)) return true;
-    return false;
+/// How a value is made where there is no default constructor. The user's words mean what they mean in the type's namespace.
+json makerView(const model::Struct& type) {
+    const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
+    const std::size_t colons = type.cpp.rfind("::", arguments);
+    json view = {{"cpp", type.cpp}, {"make", type.make}, {"key", cppIdentifier(type.cpp)}};
+    view["own"] = type.cpp.substr(colons + 2, arguments - colons - 2);
+    if (!type.space.empty()) view["space"] = type.space;
+    return view;
 }
 
 struct Buckets {
     std::array<json, kBuckets> all;
     json externs = json::array();
+    json makers = json::array();
     std::set<std::string> headers;
     std::set<std::string> entries;
 
@@ -96,6 +123,7 @@ struct Buckets {
             all[i] = {{"index", i},
                       {"structs", json::array()},
                       {"enums", json::array()},
+                      {"adapted", json::array()},
                       {"aliases", json::array()},
                       {"library", json::array()},
                       {"arrays", json::array()},
@@ -110,9 +138,11 @@ struct Buckets {
     void add(const char* list, const std::string& typeName, const json& view) {
         all[bucketOf(typeName)][list].push_back(view);
     }
-    void addInstance(const std::string& typeName, const std::string& cpp) {
-        add("instances", typeName, {{"cpp", cpp}});
-        externs.push_back({{"cpp", cpp}});
+    void addInstance(const std::string& typeName, const std::string& cpp, bool isSample = true) {
+        json view = {{"cpp", cpp}};
+        if (isSample) view["isSample"] = true;
+        add("instances", typeName, view);
+        externs.push_back(view);
     }
 };
 
@@ -120,10 +150,22 @@ Buckets fillBuckets(const model::TypeModel& model) {
     Buckets buckets;
     for (const model::Struct& type : model.structs) {
         buckets.add("structs", type.name, viewOf(type));
-        buckets.addInstance(type.name, type.cpp);
+        for (const model::Field& field : type.fields)
+            if (!field.address.empty()) buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
+        buckets.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
+        if (!type.make.empty()) buckets.makers.push_back(makerView(type));
     }
     for (const model::Enum& type : model.enums) {
         buckets.add("enums", type.name, viewOf(type));
+        buckets.addInstance(type.name, type.cpp);
+    }
+    for (const model::Adapted& type : model.adapted) {
+        json view = viewOf(type);
+        const std::size_t bucket = bucketOf(type.name);
+        view["access"] =
+            "Access" + std::to_string(bucket) + "_" + std::to_string(buckets.all[bucket]["adapted"].size());
+        buckets.add("adapted", type.name, view);
+        buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
         buckets.addInstance(type.name, type.cpp);
     }
     for (const model::Alias& alias : model.aliases)
@@ -141,7 +183,20 @@ Buckets fillBuckets(const model::TypeModel& model) {
         const std::string name = use.name + "[]";
         buckets.add("arrays", name, {{"cpp", use.cpp}, {"name", cppString(name)}});
     }
+    for (json& bucket : buckets.all) {
+        const bool used = std::any_of(bucket.begin(), bucket.end(),
+                                      [](const json& list) { return list.is_array() && !list.empty(); });
+        if (used) bucket["used"] = true;
+    }
     return buckets;
+}
+
+/// A std::optional that the user's header need not know of: what a smart pointer points to.
+bool showsOptional(const model::TypeModel& model) {
+    for (const model::Struct& type : model.structs)
+        for (const model::Field& field : type.fields)
+            if (field.type.kind == TypeKind::Optional && !field.load.empty()) return true;
+    return false;
 }
 
 std::string sourceNames(const model::TypeModel& model) {
@@ -161,9 +216,12 @@ json makeView(const model::TypeModel& model, const std::string& typekit) {
                  {"versionGuard", emit::versionGuard("typegen")},
                  {"userHeader", userHeaderName(typekit)},
                  {"externs", buckets.externs},
+                 {"makers", buckets.makers},
+                 {"schemas", schemaViews(model)},
                  {"buckets", buckets.all}};
     view["includes"] = json::array();
     for (const model::Header& header : model.headers) view["includes"].push_back({{"path", header.include}});
+    if (showsOptional(model)) view["includes"].push_back({{"path", "optional"}});
     return view;
 }
 

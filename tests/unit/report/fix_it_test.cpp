@@ -49,9 +49,10 @@ class FixIt : public testing::TestWithParam<Case> {};
 
 const std::vector<Case> kCases = {
     {"const_and_volatile",
-     "#pragma once\nstruct A {\n    const int a = 1;\n    int const b = 2;\n    volatile double c;\n    const char "
-     "d[4] = \"abc\";\n};\n",
-     "#pragma once\nstruct A {\n    int a = 1;\n    int b = 2;\n    double c;\n    char d[4] = \"abc\";\n};\n"},
+     "#pragma once\n#include <string>\nstruct A {\n    volatile int a = 1;\n    int volatile b = 2;\n"
+     "    const std::string c[2];\n    volatile char d[4] = \"abc\";\n};\n",
+     "#pragma once\n#include <string>\nstruct A {\n    int a = 1;\n    int b = 2;\n"
+     "    std::string c[2];\n    char d[4] = \"abc\";\n};\n"},
     {"c_strings",
      "#pragma once\nstruct A {\n    const char* a;\n    char const *b = nullptr;\n    const char* const c = \"c\";\n"
      "    const char* d{};\n    const char* e = 0;\n};\n",
@@ -62,13 +63,13 @@ const std::vector<Case> kCases = {
      "\"n\"; };\n}\n#endif\n",
      "#ifndef A_HPP\n#define A_HPP\n#include <string>\n#include <string_view>\nnamespace demo {\n"
      "struct A { std::string name = \"n\"; };\n}\n#endif\n"},
-    {"no_guard", "struct A { const int x = 0; };\n", "#pragma once\nstruct A { int x = 0; };\n"},
-    {"no_guard_byte_order_mark", "\xEF\xBB\xBFstruct A { const int x = 0; };\n",
+    {"no_guard", "struct A { volatile int x = 0; };\n", "#pragma once\nstruct A { int x = 0; };\n"},
+    {"no_guard_byte_order_mark", "\xEF\xBB\xBFstruct A { volatile int x = 0; };\n",
      "\xEF\xBB\xBF#pragma once\nstruct A { int x = 0; };\n"},
     {"forgotten_semicolon", "#pragma once\nstruct A { int x }\n;\n", "#pragma once\nstruct A { int x; }\n;\n"},
-    {"in_a_class_of_a_class", "#pragma once\nstruct A { struct B { const float f = 0; } b; };\n",
+    {"in_a_class_of_a_class", "#pragma once\nstruct A { struct B { volatile float f = 0; } b; };\n",
      "#pragma once\nstruct A { struct B { float f = 0; } b; };\n"},
-    {"windows_line_ends", "#pragma once\r\nstruct A {\r\n    const int x = 0;\r\n};\r\n",
+    {"windows_line_ends", "#pragma once\r\nstruct A {\r\n    volatile int x = 0;\r\n};\r\n",
      "#pragma once\r\nstruct A {\r\n    int x = 0;\r\n};\r\n"},
 };
 
@@ -79,8 +80,9 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) { return info.param
 TEST_P(FixIt, RepairsTheHeader) {
     const TempDir dir;
     const fs::path header = dir.write("types.hpp", GetParam().before);
-    const bool isError = GetParam().before.find("const ") != std::string::npos || GetParam().name == "string_view" ||
-                         GetParam().name == "forgotten_semicolon";
+    const std::string& before = GetParam().before;
+    const bool isError = before.find("const ") != std::string::npos || before.find("volatile ") != std::string::npos ||
+                         GetParam().name == "string_view" || GetParam().name == "forgotten_semicolon";
     dir.write("report.json", report(header, isError ? 1 : 0));
     const Outcome applied = applyFixes(dir / "report.json");
     ASSERT_EQ(applied.status, 0) << applied.err;
@@ -98,9 +100,9 @@ INSTANTIATE_TEST_SUITE_P(Headers, FixIt, testing::ValuesIn(kCases), nameOf);
 TEST(FixIt, ProposesNothingWhereItIsNotByTheLetter) {
     const TempDir dir;
     const fs::path header = dir.write("types.hpp",
-                                      "#pragma once\n#define CONST const\nusing Fixed = const int;\n"
+                                      "#pragma once\n#define VOLATILE volatile\nusing Fixed = volatile int;\n"
                                       "inline const char* text() { return \"\"; }\n"
-                                      "struct A {\n    const char *a, *b;\n    CONST int c = 0;\n    Fixed d = 0;\n"
+                                      "struct A {\n    const char *a, *b;\n    VOLATILE int c = 0;\n    Fixed d = 0;\n"
                                       "    const char* e = text();\n    char* f;\n};\n");
     const std::string text = report(header, 1);
     EXPECT_EQ(text.find("replacement"), std::string::npos) << text;

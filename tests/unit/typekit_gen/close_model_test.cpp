@@ -59,6 +59,40 @@ TEST(CloseModel, ArraysAreKnownByTheirElements) {
     EXPECT_EQ(namesOf(model.library), (std::vector<std::string>{"/std/vector</float>"}));
 }
 
+TEST(CloseModel, AnAliasNamesAnInstanceOfWhatHasAnAlias) {
+    model::TypeModel model;
+    model.structs = {makeStruct("/P<3>"), makeStruct("/Q</P<3>>")};
+    model.aliases = {{"/P3", "/P<3>", {}}, {"/Three", "/Q</P<3>>", {}}};
+    diag::Sink sink;
+    typekit::closeModel(model, sink);
+    EXPECT_EQ(model.structs[0].name, "/P3");
+    EXPECT_EQ(model.structs[1].name, "/Three");
+    EXPECT_EQ(model.aliases[1].of, "/Three");
+}
+
+TEST(CloseModel, AnAliasRenamesWholeNamesOnly) {
+    model::TypeModel model;
+    model.structs = {makeStruct("/a/Vec"), makeStruct("/a/Vector"), makeStruct("/b/a/Vec"), makeStruct("/R</a/Vec,2>")};
+    model.aliases = {{"v", "/a/Vec", {}}};
+    diag::Sink sink;
+    typekit::closeModel(model, sink);
+    std::vector<std::string> names;
+    for (const auto& type : model.structs) names.push_back(type.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"/R<v,2>", "/a/Vector", "/b/a/Vec", "v"}));
+}
+
+TEST(CloseModel, ATypeWhoseAdapterKeepsItsNameIsNotCalledByAnAlias) {
+    model::TypeModel model;
+    model.structs = {makeStruct("/lib/Frame")};
+    model.aliases = {{"/lib/Frame", "/lib/Frame", {}}, {"/demo/Frame", "/lib/Frame", {}}};
+    diag::Sink sink;
+    typekit::closeModel(model, sink);
+    EXPECT_EQ(model.structs[0].name, "/lib/Frame");
+    ASSERT_EQ(model.aliases.size(), 1U);
+    EXPECT_EQ(model.aliases[0].name, "/demo/Frame");
+    EXPECT_EQ(sink.all().size(), 0U);
+}
+
 TEST(CloseModel, SortsByName) {
     model::TypeModel model;
     model.structs = {makeStruct("/b"), makeStruct("/c"), makeStruct("/a")};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <adapters/read_adapters.hpp>
 #include <clang/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
@@ -45,6 +46,8 @@ void GoldenTypekit::SetUp() {
     ASSERT_TRUE(options);
     name = options->name;
     cxx::ParseRequest request;
+    request.flags = options->flags;
+    request.adapters = adapters::readAdapters(options->adapters, sink);
     request.headers = typekit::findHeaders(options->inputs, options->flags, options->name, sink);
     auto read = cxx::readTypes(request, sink);
     fs::current_path(before);

@@ -51,10 +51,36 @@ TEST(Options, TakeTheTargetFromTheEnvironment) {
 }
 
 TEST(Options, AllowSwitchingTransportsOff) {
-    EXPECT_EQ(parsed({"--notransports=corba,mqueue", "-t", "", "n", "h"}).name, "n");
+    EXPECT_TRUE(parsed({"--notransports=corba,mqueue", "-t", "", "n", "h"}).transports.empty());
+    EXPECT_TRUE(parsed({"-t", "corba", "-n", "corba", "n", "h"}).transports.empty());
+    EXPECT_TRUE(parsed({"n", "h"}).transports.empty()) << "none is installed";
 }
 
-TEST(Options, RefuseTransportsThatAreNotInstalled) { EXPECT_EQ(errorsOf({"-t", "corba,nope", "n", "h"}).size(), 2U); }
+TEST(Options, RefuseTransportsThatAreNotInstalled) {
+    diag::Sink sink;
+    EXPECT_FALSE(typekit::parseOptions({"-t", "corba,nope", "n", "h"}, sink));
+    ASSERT_EQ(sink.all().size(), 2U);
+    EXPECT_EQ(sink.all()[0].code, "TK068");
+    EXPECT_EQ(sink.all()[0].message,
+              "transport 'corba' is not part of this toolchain's installation; installed: none, known: corba, mqueue, "
+              "ros, typelib");
+    EXPECT_EQ(sink.all()[1].code, "TK003");
+    EXPECT_EQ(
+        errorsOf({"-n", "mqeue", "n", "h"}),
+        (std::vector<std::string>{"unknown transport 'mqeue', expected 'corba', 'mqueue', 'ros' or 'typelib'; did "
+                                  "you mean 'mqueue'?"}));
+}
+
+TEST(Options, CheckWritesNothing) {
+    EXPECT_EQ(parsed({"-o", "a b", "--check", "n", "it's"}).refresh, "to refresh: typegen -o 'a b' n 'it'\\''s'");
+    EXPECT_EQ(parsed({"--check=run make", "n", "h"}).refresh, "run make");
+    EXPECT_EQ(errorsOf({"--check", "--depfile=d", "--list-outputs", "--dump=view", "n", "h"}).size(), 3U);
+}
+
+TEST(Options, SayWhichEntryOnlyOfADatabase) {
+    EXPECT_EQ(parsed({"-pbuild", "--compile-database-for=x.cpp", "n", "h"}).database, "build");
+    EXPECT_EQ(errorsOf({"--compile-database-for=x.cpp", "n", "h"}).size(), 1U);
+}
 
 TEST(Options, ReportEveryFault) {
     const auto errors = errorsOf({"--dmp=view", "--dump=x", "-o", "", "-Wall", "n"});

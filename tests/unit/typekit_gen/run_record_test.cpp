@@ -66,6 +66,17 @@ TEST_F(RunRecordTest, ChangedInputsAreRead) {
     EXPECT_FALSE(upToDate());
 }
 
+TEST_F(RunRecordTest, ChangedAdaptersAreRead) {
+    const std::string begin = "<adapters><struct class=\"Inner\"><member name=\"",
+                      end = "\" get=\"x\"/></struct></adapters>";
+    const std::string option = "--adapters=" + write("a.xml", begin + "a" + end).string();
+    EXPECT_FALSE(upToDate({option}));
+    EXPECT_TRUE(upToDate({option}));
+    write("a.xml", begin + "b" + end);
+    EXPECT_FALSE(upToDate({option}));
+    EXPECT_FALSE(upToDate());
+}
+
 TEST_F(RunRecordTest, WhatIsWrittenDuringARunIsReadAgain) {
     dir.write("inner.hpp", "#pragma once\nstruct Inner { int z; };\n");  // just now
     EXPECT_FALSE(upToDate());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Whole runs of typegen against tests/golden/{model,typekit,diagnostics_types}. A case is a folder with its headers;
+// Whole runs of typegen against tests/golden/{model,typekit,diagnostics_types,remarks}. A case is a folder with its headers;
 // the file `args`, one word on each line, holds the command line.
 #include <fstream>
 #include <sstream>
@@ -34,6 +34,7 @@ Ran typegen(const fs::path& dir, std::vector<std::string> words) {
 
 class Model : public testing::TestWithParam<std::string> {};
 class Typekit : public testing::TestWithParam<std::string> {};
+class Remarks : public testing::TestWithParam<std::string> {};
 class TypeDiagnostics : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -68,6 +69,21 @@ TEST_P(TypeDiagnostics, AreLocatedAndNothingIsWritten) {
     expectGolden(dir / "expected/stderr.txt", ran.err);
 }
 
+/// What is said of headers that are fine: warnings, and what --verbose adds.
+TEST_P(Remarks, AreLocated) {
+    const fs::path dir = goldenDir("remarks", GetParam());
+    const TempDir output;
+    const Ran ran = typegen(dir, {"-v", "-o", output.path().string()});
+    EXPECT_EQ(ran.status, 0);
+    expectGolden(dir / "expected/stderr.txt", ran.err);
+    std::string notes;
+    std::istringstream lines(ran.out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.find(": note: ") != std::string::npos) notes += line + "\n";
+    expectGolden(dir / "expected/notes.txt", notes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Remarks, testing::ValuesIn(goldenCases("remarks")), caseName);
 INSTANTIATE_TEST_SUITE_P(Golden, Model, testing::ValuesIn(goldenCases("model")), caseName);
 INSTANTIATE_TEST_SUITE_P(Golden, Typekit, testing::ValuesIn(goldenCases("typekit")), caseName);
 INSTANTIATE_TEST_SUITE_P(Golden, TypeDiagnostics, testing::ValuesIn(goldenCases("diagnostics_types")), caseName);

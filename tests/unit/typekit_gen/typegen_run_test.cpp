@@ -62,6 +62,69 @@ TEST(Typegen, OutputDoesNotDependOnThePlace) {
     EXPECT_EQ(readTree(one / "out"), readTree(two / "elsewhere"));
 }
 
+// Matrix case 93.
+TEST(Typegen, OutputDoesNotDependOnBlanksAndUmlautsInThePlace) {
+    const TempDir dir;
+    std::vector<std::map<std::string, std::string>> outputs;
+    for (const std::string place : {"plain/", "ein Ordner für $x/"}) {
+        dir.write(place + "include/demo/inner.hpp", "#pragma once\nnamespace demo { struct In { int i; }; }\n");
+        const auto header =
+            dir.write(place + "include/demo/types.hpp",
+                      "#pragma once\n#include <demo/inner.hpp>\nnamespace demo { struct A { In in; }; }\n");
+        const std::string out = (dir / place).string() + "out", depfile = (dir / place).string() + "d";
+        ASSERT_EQ(typegen({"-o", out, "--depfile", depfile, "-I" + (dir / place).string() + "include", "demo",
+                           header.string()}),
+                  0);
+        outputs.push_back(readTree(out));
+    }
+    EXPECT_EQ(outputs[0], outputs[1]);
+    const std::string text = readFile(dir / "ein Ordner für $x/d");
+    EXPECT_NE(text.find("ein\\ Ordner\\ für\\ $$x/include/demo/inner.hpp"), std::string::npos) << text;
+}
+
+// Matrix case 94.
+TEST(Typegen, ReadsTreesOfSymbolicLinks) {
+    const TempDir dir;
+    dir.write("real/sibling.hpp", "#pragma once\nnamespace demo { struct In { int i; }; }\n");
+    dir.write("real/types.hpp", "#pragma once\n#include \"sibling.hpp\"\nnamespace demo { struct A { In in; }; }\n");
+    fs::create_directories(dir / "linked/include/files");
+    fs::create_directory_symlink("../../real", dir / "linked/include/demo");
+    for (const char* name : {"types.hpp", "sibling.hpp"})
+        fs::create_symlink("../../../real/" + std::string(name), dir / "linked/include/files" / name);
+    const std::string include = "-I" + (dir / "linked/include").string();
+    for (const std::string folder : {"demo", "files"}) {
+        const std::string out = (dir / ("out_" + folder)).string();
+        ASSERT_EQ(typegen({"-o", out, include, "demo", (dir / ("linked/include/" + folder + "/types.hpp")).string()}),
+                  0);
+        const std::string text = readFile(dir / ("out_" + folder + "/types/demo/typekit/Types.hpp"));
+        EXPECT_NE(text.find("#include <" + folder + "/types.hpp>"), std::string::npos) << text;
+    }
+    // Relative, and seen from within the tree of links.
+    const fs::path before = fs::current_path();
+    fs::current_path(dir / "linked");
+    const int status = typegen({"-o", "out", "-Iinclude", "demo", "include/demo/types.hpp"});
+    fs::current_path(before);
+    ASSERT_EQ(status, 0);
+    EXPECT_EQ(readTree(dir / "linked/out"), readTree(dir / "out_demo"));
+}
+
+// Matrix case 95.
+TEST(Typegen, OutputDoesNotDependOnLineEndsAndByteOrderMark) {
+    const TempDir dir;
+    const std::string text =
+        "#pragma once\n/// What it is\n/// for.\nstruct A {\n    /** @unit m\n     *  @range 0..1 */\n    double x;\n"
+        "    int y;  ///< count\n};\nenum class E { one,  ///< first\n two };\n";
+    std::string crlf = "\xEF\xBB\xBF";
+    for (const char c : text) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    std::vector<std::map<std::string, std::string>> outputs;
+    for (const std::string& content : {text, crlf}) {
+        const auto header = dir.write("include/demo/types.hpp", content).string();
+        ASSERT_EQ(typegen({"-o", (dir / "out").string(), "demo", header}), 0);
+        outputs.push_back(readTree(dir / "out"));
+    }
+    EXPECT_EQ(outputs[0], outputs[1]);
+}
+
 TEST(Typegen, UnchangedFilesKeepTheirTimes) {
     const TempDir dir;
     const auto header = dir.write("types.hpp", kHeader).string();

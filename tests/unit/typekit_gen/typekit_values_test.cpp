@@ -35,6 +35,7 @@ protected:
             const TypeInfo& info = typeOf(type.name);
             const SourcePtr value = info.buildValue();
             ASSERT_TRUE(value);
+            if (!type.assignable) continue;  // nothing to give to it
             test::ValueFiller filler(model);
             filler.fill(value);
             const SourcePtr fresh = info.buildValue();
@@ -70,6 +71,7 @@ TEST_P(TypekitValues, SurviveAPort) {
     forEachStruct([&](const TypeInfo& info, const SourcePtr& value, test::ValueFiller&) {
         const std::unique_ptr<RTT::base::OutputPortInterface> out(info.outputPort("out"));
         const std::unique_ptr<RTT::base::InputPortInterface> in(info.inputPort("in"));
+        if (!out && !in) return;  // no sample
         ASSERT_TRUE(out->connectTo(in.get()));
         out->write(value);
         const SourcePtr again = info.buildValue();

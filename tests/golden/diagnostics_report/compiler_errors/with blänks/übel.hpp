@@ -4,5 +4,5 @@ struct Broken {
     double level
     int count;
 };
-struct /* ä */ Fixed { const int ß = 1; };
+struct /* ä */ Fixed { volatile int ß = 1; };
 }

@@ -71,6 +71,59 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::ar
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::arrays_of_arrays::Mode>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::arrays_of_arrays::Mode>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::arrays_of_arrays::Mode>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_bb4939f2917eea28
+#define OROFORGE_SCHEMA_bb4939f2917eea28
+RTT_HIDE inline const Schema& describeType(TypeTag<::arrays_of_arrays::Cell>) {
+    static constexpr SchemaField fields[] = {
+        { "value", "double", 8LL * __builtin_offsetof(::arrays_of_arrays::Cell, value), "", nullptr },
+        { "note", "std::string", 8LL * __builtin_offsetof(::arrays_of_arrays::Cell, note), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "arrays_of_arrays::Cell", sizeof(::arrays_of_arrays::Cell), alignof(::arrays_of_arrays::Cell), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_574518d41d70bef4
+#define OROFORGE_SCHEMA_574518d41d70bef4
+RTT_HIDE inline const Schema& describeType(TypeTag<::arrays_of_arrays::Grid>) {
+    static constexpr SchemaField fields[] = {
+        { "cells", "double[3][4]", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, cells), "", nullptr },
+        { "cube", "short[2][3][4]", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, cube), "", nullptr },
+        { "matrix", "std::array<std::array<double, 3>, 3>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, matrix), "", nullptr },
+        { "rows", "std::array<double, 2>[3]", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, rows), "", nullptr },
+        { "pairs", "std::vector<std::array<int, 2>>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, pairs), "", nullptr },
+        { "bits", "std::vector<bool>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, bits), "", nullptr },
+        { "modes", "std::vector<arrays_of_arrays::Mode>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, modes), "", &schemaOf<std::vector<::arrays_of_arrays::Mode>> },
+        { "own", "std::vector<int, arrays_of_arrays::Heap<int>>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, own), "", nullptr },
+        { "fixed", "std::array<arrays_of_arrays::Cell, 2>", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, fixed), "", &schemaOf<::arrays_of_arrays::Cell> },
+        { "board", "arrays_of_arrays::Cell[2][2]", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, board), "", &schemaOf<std::array<::arrays_of_arrays::Cell, 2>> },
+        { "text", "char[32]", 8LL * __builtin_offsetof(::arrays_of_arrays::Grid, text), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "arrays_of_arrays::Grid", sizeof(::arrays_of_arrays::Grid), alignof(::arrays_of_arrays::Grid), fields, 11, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_133abd046d338257
+#define OROFORGE_SCHEMA_133abd046d338257
+RTT_HIDE inline const Schema& describeType(TypeTag<::arrays_of_arrays::Mode>) {
+    static constexpr SchemaField fields[] = {
+        { "Idle", "", static_cast<long long>(::arrays_of_arrays::Mode::Idle), "", nullptr },
+        { "Run", "", static_cast<long long>(::arrays_of_arrays::Mode::Run), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "arrays_of_arrays::Mode", sizeof(::arrays_of_arrays::Mode), alignof(::arrays_of_arrays::Mode), fields, 2, true};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -111,6 +111,121 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::bases::Third>;
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::bases::Third>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::bases::Third>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::bases::Third>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_6e79d0bc2f2f4a5e
+#define OROFORGE_SCHEMA_6e79d0bc2f2f4a5e
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Both>) {
+    static constexpr SchemaField fields[] = {
+        { "First", "bases::First", 0, "", &schemaOf<::bases::First> },
+        { "Second", "bases::Second", 128, "", &schemaOf<::bases::Second> },
+        { "own", "int", 8LL * __builtin_offsetof(::bases::Both, own), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Both", sizeof(::bases::Both), alignof(::bases::Both), fields, 3, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_e6323157cdc8b022
+#define OROFORGE_SCHEMA_e6323157cdc8b022
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Derived>) {
+    static constexpr SchemaField fields[] = {
+        { "id", "int", 8LL * __builtin_offsetof(::bases::Derived, id), "", nullptr },
+        { "own", "int", 8LL * __builtin_offsetof(::bases::Derived, own), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Derived", sizeof(::bases::Derived), alignof(::bases::Derived), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_9ae9bee3f38efcf9
+#define OROFORGE_SCHEMA_9ae9bee3f38efcf9
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Distinct>) {
+    static constexpr SchemaField fields[] = {
+        { "a", "int", 8LL * __builtin_offsetof(::bases::Distinct, a), "", nullptr },
+        { "b", "int", 8LL * __builtin_offsetof(::bases::Distinct, b), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Distinct", sizeof(::bases::Distinct), alignof(::bases::Distinct), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_73769cd83f1e8f55
+#define OROFORGE_SCHEMA_73769cd83f1e8f55
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::First>) {
+    static constexpr SchemaField fields[] = {
+        { "a", "int", 8LL * __builtin_offsetof(::bases::First, a), "", nullptr },
+        { "other", "double", 8LL * __builtin_offsetof(::bases::First, other), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::First", sizeof(::bases::First), alignof(::bases::First), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_f83f03be32651d3e
+#define OROFORGE_SCHEMA_f83f03be32651d3e
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Hides>) {
+    static constexpr SchemaField fields[] = {
+        { "Second", "bases::Second", 0, "", &schemaOf<::bases::Second> },
+        { "a", "double", 8LL * __builtin_offsetof(::bases::Hides, a), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Hides", sizeof(::bases::Hides), alignof(::bases::Hides), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_9c76f61b21bbf8c2
+#define OROFORGE_SCHEMA_9c76f61b21bbf8c2
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Old>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "int", 8LL * __builtin_offsetof(::bases::Old, x), "", nullptr },
+        { "y", "int", 8LL * __builtin_offsetof(::bases::Old, y), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Old", sizeof(::bases::Old), alignof(::bases::Old), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_2b44ed8a985e2bf8
+#define OROFORGE_SCHEMA_2b44ed8a985e2bf8
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Outer>) {
+    static constexpr SchemaField fields[] = {
+        { "inner", "int", 8LL * __builtin_offsetof(::bases::Outer, inner), "", nullptr },
+        { "plain", "int", 8LL * __builtin_offsetof(::bases::Outer, plain), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Outer", sizeof(::bases::Outer), alignof(::bases::Outer), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_8eb37bccfe4dd429
+#define OROFORGE_SCHEMA_8eb37bccfe4dd429
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Second>) {
+    static constexpr SchemaField fields[] = {
+        { "a", "int", 8LL * __builtin_offsetof(::bases::Second, a), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Second", sizeof(::bases::Second), alignof(::bases::Second), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_1251c9804610e532
+#define OROFORGE_SCHEMA_1251c9804610e532
+RTT_HIDE inline const Schema& describeType(TypeTag<::bases::Third>) {
+    static constexpr SchemaField fields[] = {
+        { "b", "int", 8LL * __builtin_offsetof(::bases::Third, b), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "bases::Third", sizeof(::bases::Third), alignof(::bases::Third), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -91,6 +91,99 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::by_copy::Wide>
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::by_copy::Wide>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::by_copy::Wide>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::by_copy::Wide>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_48262125ccbffb74
+#define OROFORGE_SCHEMA_48262125ccbffb74
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Bits>) {
+    static constexpr SchemaField fields[] = {
+        { "low", "unsigned int : 3", 0, "", nullptr },
+        { "signedBits", "int : 5", 3, "", nullptr },
+        { "high", "unsigned int : 12", 32, "", nullptr },
+        { "flag", "bool : 1", 44, "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Bits", sizeof(::by_copy::Bits), alignof(::by_copy::Bits), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_ceb7af210b14dbad
+#define OROFORGE_SCHEMA_ceb7af210b14dbad
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Box>) {
+    static constexpr SchemaField fields[] = {
+        { "count", "int", 8LL * __builtin_offsetof(::by_copy::Box, count), "", nullptr },
+        { "width", "double", 64, "", nullptr },
+        { "name", "std::string", 128, "", nullptr },
+        { "depth", "int", 384, "", nullptr },
+        { "delay", "std::chrono::duration<long, std::ratio<1, 1000>>", 448, "ms", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Box", sizeof(::by_copy::Box), alignof(::by_copy::Box), fields, 5, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_eb772cc4e994622e
+#define OROFORGE_SCHEMA_eb772cc4e994622e
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Cached>) {
+    static constexpr SchemaField fields[] = {
+        { "value", "int", 8LL * __builtin_offsetof(::by_copy::Cached, value), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Cached", sizeof(::by_copy::Cached), alignof(::by_copy::Cached), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_bf803a7f3f1ac90c
+#define OROFORGE_SCHEMA_bf803a7f3f1ac90c
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Packed>) {
+    static constexpr SchemaField fields[] = {
+        { "head", "char", 8LL * __builtin_offsetof(::by_copy::Packed, head), "", nullptr },
+        { "value", "double", 8, "", nullptr },
+        { "list", "float[3]", 72, "", nullptr },
+        { "tail", "char", 8LL * __builtin_offsetof(::by_copy::Packed, tail), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Packed", sizeof(::by_copy::Packed), alignof(::by_copy::Packed), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_524a4e9d00d9c024
+#define OROFORGE_SCHEMA_524a4e9d00d9c024
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Shares>) {
+    static constexpr SchemaField fields[] = {
+        { "tag", "by_copy::Tag", 0, "", &schemaOf<::by_copy::Tag> },
+        { "number", "int", 8LL * __builtin_offsetof(::by_copy::Shares, number), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Shares", sizeof(::by_copy::Shares), alignof(::by_copy::Shares), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_25352a213c090dec
+#define OROFORGE_SCHEMA_25352a213c090dec
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Tag>) {
+    static constexpr Schema schema = {
+        "by_copy::Tag", sizeof(::by_copy::Tag), alignof(::by_copy::Tag), nullptr, 0, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_9fae4790998b868b
+#define OROFORGE_SCHEMA_9fae4790998b868b
+RTT_HIDE inline const Schema& describeType(TypeTag<::by_copy::Wide>) {
+    static constexpr SchemaField fields[] = {
+        { "values", "double[4]", 8LL * __builtin_offsetof(::by_copy::Wide, values), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "by_copy::Wide", sizeof(::by_copy::Wide), alignof(::by_copy::Wide), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -131,6 +131,112 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::variant<int
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::variant<int, std::string, ::containers::Point>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::variant<int, std::string, ::containers::Point>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<std::variant<int, std::string, ::containers::Point>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_e8a8122db6d1fa83
+#define OROFORGE_SCHEMA_e8a8122db6d1fa83
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Choices>) {
+    static constexpr SchemaField fields[] = {
+        { "maybe", "std::optional<double>", 8LL * __builtin_offsetof(::containers::Choices, maybe), "", nullptr },
+        { "place", "std::optional<containers::Point>", 8LL * __builtin_offsetof(::containers::Choices, place), "", &schemaOf<std::optional<::containers::Point>> },
+        { "any", "std::variant<int, std::string, containers::Point>", 8LL * __builtin_offsetof(::containers::Choices, any), "", &schemaOf<std::variant<int, std::string, ::containers::Point>> },
+        { "orNothing", "std::variant<std::monostate, double>", 8LL * __builtin_offsetof(::containers::Choices, orNothing), "", nullptr },
+        { "deep", "std::vector<std::optional<std::variant<int, double>>>", 8LL * __builtin_offsetof(::containers::Choices, deep), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Choices", sizeof(::containers::Choices), alignof(::containers::Choices), fields, 5, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_60d48f1b5f0ec449
+#define OROFORGE_SCHEMA_60d48f1b5f0ec449
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Keyed>) {
+    static constexpr SchemaField fields[] = {
+        { "map", "std::map<std::string, double>", 8LL * __builtin_offsetof(::containers::Keyed, map), "", nullptr },
+        { "points", "std::map<int, containers::Point>", 8LL * __builtin_offsetof(::containers::Keyed, points), "", &schemaOf<std::map<int, ::containers::Point>> },
+        { "hashed", "std::unordered_map<int, double>", 8LL * __builtin_offsetof(::containers::Keyed, hashed), "", nullptr },
+        { "multi", "std::multimap<int, int>", 8LL * __builtin_offsetof(::containers::Keyed, multi), "", nullptr },
+        { "set", "std::set<int>", 8LL * __builtin_offsetof(::containers::Keyed, set), "", nullptr },
+        { "names", "std::unordered_set<std::string>", 8LL * __builtin_offsetof(::containers::Keyed, names), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Keyed", sizeof(::containers::Keyed), alignof(::containers::Keyed), fields, 6, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_aa6f0b554b7e6fd1
+#define OROFORGE_SCHEMA_aa6f0b554b7e6fd1
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Parts>) {
+    static constexpr SchemaField fields[] = {
+        { "pair", "std::pair<int, containers::Point>", 8LL * __builtin_offsetof(::containers::Parts, pair), "", &schemaOf<std::pair<int, ::containers::Point>> },
+        { "tuple", "std::tuple<int, std::string, double>", 8LL * __builtin_offsetof(::containers::Parts, tuple), "", nullptr },
+        { "number", "std::complex<double>", 8LL * __builtin_offsetof(::containers::Parts, number), "", nullptr },
+        { "flags", "std::bitset<12>", 8LL * __builtin_offsetof(::containers::Parts, flags), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Parts", sizeof(::containers::Parts), alignof(::containers::Parts), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_c1c1a1a89379ba1d
+#define OROFORGE_SCHEMA_c1c1a1a89379ba1d
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Point>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "double", 8LL * __builtin_offsetof(::containers::Point, x), "", nullptr },
+        { "y", "double", 8LL * __builtin_offsetof(::containers::Point, y), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Point", sizeof(::containers::Point), alignof(::containers::Point), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_b36a9457105a736d
+#define OROFORGE_SCHEMA_b36a9457105a736d
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Sequences>) {
+    static constexpr SchemaField fields[] = {
+        { "deque", "std::deque<int>", 8LL * __builtin_offsetof(::containers::Sequences, deque), "", nullptr },
+        { "list", "std::list<containers::Point>", 8LL * __builtin_offsetof(::containers::Sequences, list), "", &schemaOf<std::list<::containers::Point>> },
+        { "forward", "std::forward_list<int>", 8LL * __builtin_offsetof(::containers::Sequences, forward), "", nullptr },
+        { "values", "std::valarray<double>", 8LL * __builtin_offsetof(::containers::Sequences, values), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Sequences", sizeof(::containers::Sequences), alignof(::containers::Sequences), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_d3e73ae7a6a08911
+#define OROFORGE_SCHEMA_d3e73ae7a6a08911
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Times>) {
+    static constexpr SchemaField fields[] = {
+        { "wait", "std::chrono::duration<long, std::ratio<1, 1000000000>>", 8LL * __builtin_offsetof(::containers::Times, wait), "ns", nullptr },
+        { "seconds", "std::chrono::duration<float, std::ratio<1, 1>>", 8LL * __builtin_offsetof(::containers::Times, seconds), "s", nullptr },
+        { "when", "std::chrono::time_point<std::chrono::_V2::system_clock, std::chrono::duration<long, std::ratio<1, 1000000000>>>", 8LL * __builtin_offsetof(::containers::Times, when), "ns since the epoch of system_clock", nullptr },
+        { "all", "std::vector<std::chrono::duration<long, std::ratio<1, 1000>>>", 8LL * __builtin_offsetof(::containers::Times, all), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Times", sizeof(::containers::Times), alignof(::containers::Times), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_8daaccbfb85b2736
+#define OROFORGE_SCHEMA_8daaccbfb85b2736
+RTT_HIDE inline const Schema& describeType(TypeTag<std::variant<int, std::string, ::containers::Point>>) {
+    static constexpr SchemaField fields[] = {
+        { "int", "int", -1, "", nullptr },
+        { "string", "std::string", -1, "", nullptr },
+        { "containers::Point", "containers::Point", -1, "", &schemaOf<::containers::Point> }
+    };
+    static constexpr Schema schema = {
+        "std::variant<int, std::string, containers::Point>", sizeof(std::variant<int, std::string, ::containers::Point>), alignof(std::variant<int, std::string, ::containers::Point>), fields, 3, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -51,6 +51,42 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::empty_types::I
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::empty_types::Id>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::empty_types::Id>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::empty_types::Id>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_32033c0968747312
+#define OROFORGE_SCHEMA_32033c0968747312
+RTT_HIDE inline const Schema& describeType(TypeTag<::empty_types::Holder>) {
+    static constexpr SchemaField fields[] = {
+        { "tag", "empty_types::Tag", 8LL * __builtin_offsetof(::empty_types::Holder, tag), "", &schemaOf<::empty_types::Tag> },
+        { "id", "empty_types::Id", 8LL * __builtin_offsetof(::empty_types::Holder, id), "", &schemaOf<::empty_types::Id> }
+    };
+    static constexpr Schema schema = {
+        "empty_types::Holder", sizeof(::empty_types::Holder), alignof(::empty_types::Holder), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_e5228a567296cd0c
+#define OROFORGE_SCHEMA_e5228a567296cd0c
+RTT_HIDE inline const Schema& describeType(TypeTag<::empty_types::Tag>) {
+    static constexpr Schema schema = {
+        "empty_types::Tag", sizeof(::empty_types::Tag), alignof(::empty_types::Tag), nullptr, 0, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_17d57363114c3b69
+#define OROFORGE_SCHEMA_17d57363114c3b69
+RTT_HIDE inline const Schema& describeType(TypeTag<::empty_types::Id>) {
+    static constexpr Schema schema = {
+        "empty_types::Id", sizeof(::empty_types::Id), alignof(::empty_types::Id), nullptr, 0, true};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -51,6 +51,50 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::enum_and_neste
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::enum_and_nested::Mode>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::enum_and_nested::Mode>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::enum_and_nested::Mode>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_ff9c1050dc233a89
+#define OROFORGE_SCHEMA_ff9c1050dc233a89
+RTT_HIDE inline const Schema& describeType(TypeTag<::enum_and_nested::State>) {
+    static constexpr SchemaField fields[] = {
+        { "mode", "enum_and_nested::Mode", 8LL * __builtin_offsetof(::enum_and_nested::State, mode), "", &schemaOf<::enum_and_nested::Mode> },
+        { "part", "enum_and_nested::State::Part", 8LL * __builtin_offsetof(::enum_and_nested::State, part), "", &schemaOf<::enum_and_nested::State::Part> }
+    };
+    static constexpr Schema schema = {
+        "enum_and_nested::State", sizeof(::enum_and_nested::State), alignof(::enum_and_nested::State), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_735827837277fe60
+#define OROFORGE_SCHEMA_735827837277fe60
+RTT_HIDE inline const Schema& describeType(TypeTag<::enum_and_nested::State::Part>) {
+    static constexpr SchemaField fields[] = {
+        { "ok", "bool", 8LL * __builtin_offsetof(::enum_and_nested::State::Part, ok), "", nullptr },
+        { "text", "std::string", 8LL * __builtin_offsetof(::enum_and_nested::State::Part, text), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "enum_and_nested::State::Part", sizeof(::enum_and_nested::State::Part), alignof(::enum_and_nested::State::Part), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_913538fcdf2a3c97
+#define OROFORGE_SCHEMA_913538fcdf2a3c97
+RTT_HIDE inline const Schema& describeType(TypeTag<::enum_and_nested::Mode>) {
+    static constexpr SchemaField fields[] = {
+        { "Idle", "", static_cast<long long>(::enum_and_nested::Mode::Idle), "", nullptr },
+        { "Busy", "", static_cast<long long>(::enum_and_nested::Mode::Busy), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "enum_and_nested::Mode", sizeof(::enum_and_nested::Mode), alignof(::enum_and_nested::Mode), fields, 2, true};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -31,6 +31,25 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::GoldenGlobal>;
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::GoldenGlobal>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::GoldenGlobal>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::GoldenGlobal>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_4bd2ec7b29e5325b
+#define OROFORGE_SCHEMA_4bd2ec7b29e5325b
+RTT_HIDE inline const Schema& describeType(TypeTag<::GoldenGlobal>) {
+    static constexpr SchemaField fields[] = {
+        { "values", "std::vector<float>", 8LL * __builtin_offsetof(::GoldenGlobal, values), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "GoldenGlobal", sizeof(::GoldenGlobal), alignof(::GoldenGlobal), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -41,6 +41,39 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::inherited_and_
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::inherited_and_private_layout::Stamped>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::inherited_and_private_layout::Stamped>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::inherited_and_private_layout::Stamped>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_abaf27c9d02ec628
+#define OROFORGE_SCHEMA_abaf27c9d02ec628
+RTT_HIDE inline const Schema& describeType(TypeTag<::inherited_and_private_layout::Sample>) {
+    static constexpr SchemaField fields[] = {
+        { "time", "long", 8LL * __builtin_offsetof(::inherited_and_private_layout::Sample, time), "", nullptr },
+        { "values", "std::vector<double>", 8LL * __builtin_offsetof(::inherited_and_private_layout::Sample, values), "", nullptr },
+        { "first", "int", 8LL * __builtin_offsetof(::inherited_and_private_layout::Sample, first), "", nullptr },
+        { "second", "int", 8LL * __builtin_offsetof(::inherited_and_private_layout::Sample, second), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "inherited_and_private_layout::Sample", sizeof(::inherited_and_private_layout::Sample), alignof(::inherited_and_private_layout::Sample), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_792e64a66347c1d0
+#define OROFORGE_SCHEMA_792e64a66347c1d0
+RTT_HIDE inline const Schema& describeType(TypeTag<::inherited_and_private_layout::Stamped>) {
+    static constexpr SchemaField fields[] = {
+        { "time", "long", 8LL * __builtin_offsetof(::inherited_and_private_layout::Stamped, time), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "inherited_and_private_layout::Stamped", sizeof(::inherited_and_private_layout::Stamped), alignof(::inherited_and_private_layout::Stamped), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

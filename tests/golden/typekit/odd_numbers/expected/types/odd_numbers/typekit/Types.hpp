@@ -61,6 +61,78 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::odd_numbers::S
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::odd_numbers::Small>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::odd_numbers::Small>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::odd_numbers::Small>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_7b9fc6cb1ef5f453
+#define OROFORGE_SCHEMA_7b9fc6cb1ef5f453
+RTT_HIDE inline const Schema& describeType(TypeTag<::odd_numbers::Numbers>) {
+    static constexpr SchemaField fields[] = {
+        { "precise", "long double", 8LL * __builtin_offsetof(::odd_numbers::Numbers, precise), "", nullptr },
+        { "letter", "wchar_t", 8LL * __builtin_offsetof(::odd_numbers::Numbers, letter), "", nullptr },
+        { "unit", "char16_t", 8LL * __builtin_offsetof(::odd_numbers::Numbers, unit), "", nullptr },
+        { "code", "char32_t", 8LL * __builtin_offsetof(::odd_numbers::Numbers, code), "", nullptr },
+        { "raw", "std::byte", 8LL * __builtin_offsetof(::odd_numbers::Numbers, raw), "", nullptr },
+        { "size", "unsigned long", 8LL * __builtin_offsetof(::odd_numbers::Numbers, size), "", nullptr },
+        { "distance", "long", 8LL * __builtin_offsetof(::odd_numbers::Numbers, distance), "", nullptr },
+        { "tiny", "signed char", 8LL * __builtin_offsetof(::odd_numbers::Numbers, tiny), "", nullptr },
+        { "byte", "unsigned char", 8LL * __builtin_offsetof(::odd_numbers::Numbers, byte), "", nullptr },
+        { "sign", "char", 8LL * __builtin_offsetof(::odd_numbers::Numbers, sign), "", nullptr },
+        { "big", "odd_numbers::Big", 8LL * __builtin_offsetof(::odd_numbers::Numbers, big), "", &schemaOf<::odd_numbers::Big> },
+        { "small", "odd_numbers::Small", 8LL * __builtin_offsetof(::odd_numbers::Numbers, small), "", &schemaOf<::odd_numbers::Small> },
+        { "flags", "odd_numbers::Flags", 8LL * __builtin_offsetof(::odd_numbers::Numbers, flags), "", &schemaOf<::odd_numbers::Flags> },
+        { "choice", "unsigned int", 576, "", nullptr },
+        { "level", "unsigned int : 2", 608, "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "odd_numbers::Numbers", sizeof(::odd_numbers::Numbers), alignof(::odd_numbers::Numbers), fields, 15, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_dc9b1d3cb6da331b
+#define OROFORGE_SCHEMA_dc9b1d3cb6da331b
+RTT_HIDE inline const Schema& describeType(TypeTag<::odd_numbers::Big>) {
+    static constexpr SchemaField fields[] = {
+        { "None", "", static_cast<long long>(::odd_numbers::Big::None), "", nullptr },
+        { "All", "", static_cast<long long>(::odd_numbers::Big::All), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "odd_numbers::Big", sizeof(::odd_numbers::Big), alignof(::odd_numbers::Big), fields, 2, true};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_9ceaff6e0433fe2a
+#define OROFORGE_SCHEMA_9ceaff6e0433fe2a
+RTT_HIDE inline const Schema& describeType(TypeTag<::odd_numbers::Flags>) {
+    static constexpr SchemaField fields[] = {
+        { "kRead", "", static_cast<long long>(::odd_numbers::Flags::kRead), "", nullptr },
+        { "kWrite", "", static_cast<long long>(::odd_numbers::Flags::kWrite), "", nullptr },
+        { "kBoth", "", static_cast<long long>(::odd_numbers::Flags::kBoth), "", nullptr },
+        { "kHigh", "", static_cast<long long>(::odd_numbers::Flags::kHigh), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "odd_numbers::Flags", sizeof(::odd_numbers::Flags), alignof(::odd_numbers::Flags), fields, 4, true};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_5b2834d8ef6d6c72
+#define OROFORGE_SCHEMA_5b2834d8ef6d6c72
+RTT_HIDE inline const Schema& describeType(TypeTag<::odd_numbers::Small>) {
+    static constexpr SchemaField fields[] = {
+        { "Least", "", static_cast<long long>(::odd_numbers::Small::Least), "", nullptr },
+        { "Most", "", static_cast<long long>(::odd_numbers::Small::Most), "", nullptr },
+        { "Max", "", static_cast<long long>(::odd_numbers::Small::Max), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "odd_numbers::Small", sizeof(::odd_numbers::Small), alignof(::odd_numbers::Small), fields, 3, true};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -31,6 +31,26 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::one_struct::Le
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::one_struct::Level>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::one_struct::Level>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::one_struct::Level>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_53f4d35aeb104011
+#define OROFORGE_SCHEMA_53f4d35aeb104011
+RTT_HIDE inline const Schema& describeType(TypeTag<::one_struct::Level>) {
+    static constexpr SchemaField fields[] = {
+        { "value", "double", 8LL * __builtin_offsetof(::one_struct::Level, value), "m", nullptr },
+        { "count", "int", 8LL * __builtin_offsetof(::one_struct::Level, count), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "one_struct::Level", sizeof(::one_struct::Level), alignof(::one_struct::Level), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -51,6 +51,41 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::se
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_7709618188a0b359
+#define OROFORGE_SCHEMA_7709618188a0b359
+RTT_HIDE inline const Schema& describeType(TypeTag<::sequences_and_arrays::Path>) {
+    static constexpr SchemaField fields[] = {
+        { "points", "std::vector<sequences_and_arrays::Point>", 8LL * __builtin_offsetof(::sequences_and_arrays::Path, points), "", &schemaOf<std::vector<::sequences_and_arrays::Point>> },
+        { "rows", "std::vector<std::vector<double>>", 8LL * __builtin_offsetof(::sequences_and_arrays::Path, rows), "", nullptr },
+        { "axis", "std::array<short, 3>", 8LL * __builtin_offsetof(::sequences_and_arrays::Path, axis), "", nullptr },
+        { "label", "char[8]", 8LL * __builtin_offsetof(::sequences_and_arrays::Path, label), "", nullptr },
+        { "corners", "sequences_and_arrays::Point[2]", 8LL * __builtin_offsetof(::sequences_and_arrays::Path, corners), "", &schemaOf<::sequences_and_arrays::Point> }
+    };
+    static constexpr Schema schema = {
+        "sequences_and_arrays::Path", sizeof(::sequences_and_arrays::Path), alignof(::sequences_and_arrays::Path), fields, 5, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_639de8a969cd037c
+#define OROFORGE_SCHEMA_639de8a969cd037c
+RTT_HIDE inline const Schema& describeType(TypeTag<::sequences_and_arrays::Point>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "double", 8LL * __builtin_offsetof(::sequences_and_arrays::Point, x), "", nullptr },
+        { "y", "double", 8LL * __builtin_offsetof(::sequences_and_arrays::Point, y), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "sequences_and_arrays::Point", sizeof(::sequences_and_arrays::Point), alignof(::sequences_and_arrays::Point), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

@@ -81,6 +81,70 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::te
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::template_instance::Vec<float, 2>>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::template_instance::Vec<float, 2>>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::template_instance::Vec<float, 2>>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_224bd675788c8cf6
+#define OROFORGE_SCHEMA_224bd675788c8cf6
+RTT_HIDE inline const Schema& describeType(TypeTag<::template_instance::Pose>) {
+    static constexpr SchemaField fields[] = {
+        { "position", "template_instance::Vec<double, 3>", 8LL * __builtin_offsetof(::template_instance::Pose, position), "", &schemaOf<::template_instance::Vec<double, 3>> },
+        { "path", "std::vector<template_instance::Vec<float, 2>>", 8LL * __builtin_offsetof(::template_instance::Pose, path), "", &schemaOf<std::vector<::template_instance::Vec<float, 2>>> }
+    };
+    static constexpr Schema schema = {
+        "template_instance::Pose", sizeof(::template_instance::Pose), alignof(::template_instance::Pose), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_2af010504d2cd749
+#define OROFORGE_SCHEMA_2af010504d2cd749
+RTT_HIDE inline const Schema& describeType(TypeTag<::template_instance::Vec<double, 3>>) {
+    static constexpr SchemaField fields[] = {
+        { "v", "double[3]", 8LL * __builtin_offsetof(::template_instance::Vec<double, 3>, v), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "template_instance::Vec<double, 3>", sizeof(::template_instance::Vec<double, 3>), alignof(::template_instance::Vec<double, 3>), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_3973bf81d38e53bc
+#define OROFORGE_SCHEMA_3973bf81d38e53bc
+RTT_HIDE inline const Schema& describeType(TypeTag<::template_instance::Vec<short, 7>>) {
+    static constexpr SchemaField fields[] = {
+        { "v", "short[7]", 8LL * __builtin_offsetof(::template_instance::Vec<short, 7>, v), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "template_instance::Vec<short, 7>", sizeof(::template_instance::Vec<short, 7>), alignof(::template_instance::Vec<short, 7>), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_9539fc82d380456d
+#define OROFORGE_SCHEMA_9539fc82d380456d
+RTT_HIDE inline const Schema& describeType(TypeTag<::template_instance::Vec<float, 2>>) {
+    static constexpr SchemaField fields[] = {
+        { "v", "float[2]", 8LL * __builtin_offsetof(::template_instance::Vec<float, 2>, v), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "template_instance::Vec<float, 2>", sizeof(::template_instance::Vec<float, 2>), alignof(::template_instance::Vec<float, 2>), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_7ed871e5dc761b39
+#define OROFORGE_SCHEMA_7ed871e5dc761b39
+RTT_HIDE inline const Schema& describeType(TypeTag<::template_instance::Vec<int, 5>>) {
+    static constexpr SchemaField fields[] = {
+        { "v", "int[5]", 8LL * __builtin_offsetof(::template_instance::Vec<int, 5>, v), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "template_instance::Vec<int, 5>", sizeof(::template_instance::Vec<int, 5>), alignof(::template_instance::Vec<int, 5>), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

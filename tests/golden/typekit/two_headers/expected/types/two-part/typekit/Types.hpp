@@ -42,6 +42,37 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::two_headers::S
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::two_headers::Second>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::two_headers::Second>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::two_headers::Second>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_cf7bc0d0651c075a
+#define OROFORGE_SCHEMA_cf7bc0d0651c075a
+RTT_HIDE inline const Schema& describeType(TypeTag<::two_headers::First>) {
+    static constexpr SchemaField fields[] = {
+        { "a", "int", 8LL * __builtin_offsetof(::two_headers::First, a), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "two_headers::First", sizeof(::two_headers::First), alignof(::two_headers::First), fields, 1, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_ef44ba7a69b89b50
+#define OROFORGE_SCHEMA_ef44ba7a69b89b50
+RTT_HIDE inline const Schema& describeType(TypeTag<::two_headers::Second>) {
+    static constexpr SchemaField fields[] = {
+        { "first", "two_headers::First", 8LL * __builtin_offsetof(::two_headers::Second, first), "", &schemaOf<::two_headers::First> },
+        { "big", "unsigned long long", 8LL * __builtin_offsetof(::two_headers::Second, big), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "two_headers::Second", sizeof(::two_headers::Second), alignof(::two_headers::Second), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
 #pragma GCC diagnostic pop
 
 #endif

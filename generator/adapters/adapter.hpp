@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What adapter files say: how the values of a class with private storage are reached. Plain data.
+#ifndef OROFORGE_GENERATOR_ADAPTERS_ADAPTER_HPP
+#define OROFORGE_GENERATOR_ADAPTERS_ADAPTER_HPP
+
+#include <string>
+#include <vector>
+
+#include <adapters/accessor.hpp>
+
+namespace oroforge::adapters {
+
+enum class Shape { Struct, Sequence, Matrix };
+
+/// What a template argument must be: "double", "-1", "$N" (any, and it is called so) or "..." (all that follow).
+using Pattern = std::string;
+
+struct Member {
+    std::string name, also, doc, unit, range;
+    Accessor get;
+    Accessor set;  ///< not given: the result of `get` is assigned to
+    diag::Location where;
+};
+
+struct Adapter {
+    Shape shape = Shape::Struct;
+    std::string className;           ///< "Eigen::Matrix", without a leading "::"
+    std::vector<Pattern> arguments;  ///< of a class template
+    std::string name;                ///< in the type registry, with variables; empty = made of the C++ name
+    std::string alias;               ///< another one
+    std::string doc;
+    std::vector<Member> members;   ///< of a struct
+    Accessor size, rows, columns;  ///< a number if it never changes
+    Accessor resize;               ///< not given: the size is fixed
+    Accessor element, set;         ///< like `get` and `set` of a member
+    diag::Location where;
+    diag::Location classWhere;
+    bool isShipped = false;  ///< with typegen
+};
+
+}  // namespace oroforge::adapters
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Which adapter is meant for a class.
+#ifndef OROFORGE_GENERATOR_CLANG_ADAPTER_MATCH_HPP
+#define OROFORGE_GENERATOR_CLANG_ADAPTER_MATCH_HPP
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <adapters/adapter.hpp>
+#include <diag/sink.hpp>
+
+#include "llvm_compat.hpp"
+
+namespace oroforge::cxx {
+
+struct AdapterMatch {
+    const adapters::Adapter* adapter;
+    std::map<std::string, std::string> cpp;    ///< what the variables stand for in C++ …
+    std::map<std::string, std::string> names;  ///< … and in the type registry, without a leading '/'
+};
+
+class AdapterFinder {
+public:
+    AdapterFinder(const std::vector<adapters::Adapter>& all, const clang::ASTContext& context, diag::Sink& sink);
+
+    /// The first that fits; nothing if there is none.
+    std::optional<AdapterMatch> find(const clang::CXXRecordDecl& type) const;
+
+private:
+    struct Entry {
+        const adapters::Adapter* adapter;
+        const clang::Decl* declaration;  // the canonical class or class template
+    };
+    std::vector<Entry> entries_;
+};
+
+}  // namespace oroforge::cxx
+
+#endif

@@ -1,0 +1,5 @@
+#pragma once
+namespace bad {
+struct Pose { float x, y; };
+struct Fine { int a; };
+}

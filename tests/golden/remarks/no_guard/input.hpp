@@ -1,0 +1,2 @@
+// Case 66 of the type matrix.
+struct Open { int x; };

@@ -1,0 +1,4 @@
+#pragma once
+namespace odd_files {
+struct Tyre { double radius; };
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Runs of typegen with adapter files.
+#include <driver/typegen.hpp>
+
+#include <filesystem>
+#include <sstream>
+
+#include <adapters/accessor.hpp>
+#include <adapters/name_pattern.hpp>
+#include <adapters/read_adapters.hpp>
+#include <support/golden.hpp>
+#include <support/temp_dir.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fs = std::filesystem;
+using namespace oroforge;
+using namespace oroforge::test;
+
+namespace {
+
+struct Ran {
+    int status;
+    std::string out, err;
+};
+
+Ran typegen(const std::vector<std::string>& words) {
+    std::ostringstream out, err;
+    const int status = typekit::run(words, out, err);
+    return {status, out.str(), err.str()};
+}
+
+const char* const kHeader =
+    "#pragma once\n"
+    "class Pose {\n"
+    "public:\n"
+    "    double& x() { return x_; }\n"
+    "    double x() const { return x_; }\n"
+    "    double operator[](int) const { return x_; }\n"
+    "    double& operator[](int) { return x_; }\n"
+    "private:\n"
+    "    double x_ = 0;\n"
+    "};\n"
+    "struct Robot { Pose pose; };\n";
+
+std::string file(const std::string& content) { return "<adapters>\n" + content + "\n</adapters>\n"; }
+
+const std::string kPose = "<struct class=\"Pose\"><member name=\"x\" get=\"x()\"/></struct>";
+
+}  // namespace
+
+TEST(AdaptersRun, AreInputsOfTheDepfile) {
+    const TempDir dir;
+    const auto header = dir.write("t.hpp", kHeader).string(), xml = dir.write("a.xml", file(kPose)).string();
+    const std::string depfile = (dir / "d").string();
+    const Ran ran = typegen({"-o", (dir / "out").string(), "--depfile", depfile, "--adapters=" + xml, "demo", header});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(readFile(depfile).find(xml), std::string::npos);
+}
+
+TEST(AdaptersRun, TheFirstFileThatFitsIsTaken) {
+    const TempDir dir;
+    const auto header =
+        dir.write("t.hpp", "#pragma once\nnamespace KDL {\n" + std::string(kHeader + 13) + "using Vector = Pose;\n}\n")
+            .string();
+    const auto xml =
+        dir.write("a.xml", file("<sequence class=\"KDL::Vector\" name=\"mine\" size=\"1\" element=\"[index]\"/>"))
+            .string();
+    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("\"name\": \"mine\""), std::string::npos) << ran.out;
+}
+
+TEST(AdaptersRun, AnAdapterThatIsNotUsedIsAWarning) {
+    const TempDir dir;
+    const auto header = dir.write("t.hpp", kHeader).string();
+    const auto xml =
+        dir.write("a.xml", file(kPose + "<struct class=\"Poze\"><member name=\"x\" get=\"y\"/></struct>")).string();
+    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header});
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_NE(ran.err.find("warning: [TK074] no class 'Poze' in the headers; did you mean 'Pose'?"), std::string::npos)
+        << ran.err;
+}
+
+TEST(AdaptersRun, ThoseThatAreShippedAreSound) {
+    diag::Sink sink;
+    EXPECT_GT(adapters::readAdapters({}, sink).size(), 20U);
+    EXPECT_TRUE(sink.empty());
+}
+
+TEST(Accessor, BecomesCppWithItsVariablesReplaced) {
+    diag::Sink sink;
+    const auto cpp = [&](const std::string& text) {
+        return adapters::cppOf(
+            adapters::bound(adapters::parseAccessor(text, {}, {"index", "value"}, sink), {{"N", "3"}}));
+    };
+    EXPECT_EQ(cpp("x"), ".x");
+    EXPECT_EQ(cpp(" M . p ( ) "), ".M.p()");
+    EXPECT_EQ(cpp("at( index,$N )[0]"), ".at(index, 3)[0]");
+    EXPECT_EQ(cpp("(value)"), "(value)");
+    EXPECT_EQ(cpp("$N"), "3");
+    EXPECT_TRUE(sink.empty());
+}
+
+TEST(NamePattern, HasVariablesWithAndWithoutBraces) {
+    const std::map<std::string, std::string> variables = {{"N", "3"}, {"Nd", "4"}};
+    EXPECT_EQ(adapters::expanded("/a/V${N}d", variables), "/a/V3d");
+    EXPECT_EQ(adapters::expanded("/a/V$Nd", variables), "/a/V4");
+    EXPECT_EQ(adapters::expanded("$N$N", variables), "33");
+    for (const char* bad : {"$", "a${N", "$-", "${}"}) {
+        bool hasBadPart = false;
+        for (const auto& part : adapters::partsOf(bad))
+            hasBadPart = hasBadPart || (part.isVariable && part.text.empty());
+        EXPECT_TRUE(hasBadPart) << bad;
+    }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Changes of a package's types as diagnostics and as one line for people.
+#ifndef OROFORGE_TYPEKIT_GEN_DIFF_TELL_CHANGES_HPP
+#define OROFORGE_TYPEKIT_GEN_DIFF_TELL_CHANGES_HPP
+
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+#include <diff/compare_models.hpp>
+
+namespace oroforge::typekit {
+
+/// Breaking ones are errors TK064, the others notes.
+void tellChanges(const std::vector<Change>& changes, diag::Sink& sink);
+
+/// "breaking: 2 changes break, 1 does not", "compatible: 1 change", "compatible: no change".
+std::string verdict(const std::vector<Change>& changes);
+
+}  // namespace oroforge::typekit
+
+#endif
