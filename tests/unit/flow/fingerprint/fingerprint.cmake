@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# The same two components, each time built with another version of one header and what typegen makes of it.
+set(fingerprint_dir ${PROJECT_BINARY_DIR}/tests/fingerprint)
+set(fingerprint_libraries "")
+
+function(fingerprint_library version)
+  set(name fingerprint_${version})
+  string(TOUPPER ${version} macro)
+  set(sources ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/components.cpp)
+  if(NOT "UNDESCRIBED" IN_LIST ARGN)
+    set(generated ${CMAKE_CURRENT_BINARY_DIR}/${name})
+    set(buckets ${generated}/types_0.cpp ${generated}/types_1.cpp ${generated}/types_2.cpp ${generated}/types_3.cpp)
+    add_custom_command(OUTPUT ${buckets}
+      COMMAND typegen -DVERSION_${macro} -o ${generated} sample ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp
+      DEPENDS typegen ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp VERBATIM)
+    list(APPEND sources ${buckets})
+  endif()
+  add_library(${name} MODULE ${sources})
+  target_compile_definitions(${name} PRIVATE RTT_COMPONENT VERSION_${macro} ${ARGN}
+    WRITER=Writer_${version} READER=Reader_${version})
+  target_compile_options(${name} PRIVATE -O0 -g0)  # each for one short run
+  target_include_directories(${name} PRIVATE ${generated}/types ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint)
+  target_link_libraries(${name} PRIVATE orocos-rtt)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0
+    OUTPUT_NAME ${name}-${OROCOS_TARGET} LIBRARY_OUTPUT_DIRECTORY ${fingerprint_dir})
+  set(fingerprint_libraries ${fingerprint_libraries} ${name} PARENT_SCOPE)
+endfunction()
+
+foreach(version first same swapped renamed retyped renumbered more_modes units)
+  fingerprint_library(${version})
+endforeach()
+fingerprint_library(larger UNDESCRIBED)
+fingerprint_library(plain UNDESCRIBED)
+
+oroforge_add_test(fingerprint_test
+  SOURCES fingerprint_test.cpp schema_test.cpp log_capture.cpp
+  LIBS orocos-rtt
+  DEFINITIONS FINGERPRINT_DIR="${fingerprint_dir}" FINGERPRINT_TARGET="${OROCOS_TARGET}"
+  DEPENDS ${fingerprint_libraries})
