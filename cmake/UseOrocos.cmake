@@ -13,6 +13,7 @@
 #   orocos_executable(name src…)     program                    bin
 #   orocos_configure_executable(target)
 #   orocos_typegen_headers(header…)  typekit made by typegen    …/types
+#   orocos_typegen_headers(header… COMMITTED folder)   of sources that typegen wrote before
 #   orocos_generate_components(manifest.xml)
 #   orocos_install_headers(…) orocos_generate_package(…) orocos_uninstall_target()
 #   orocos_find_package(pkg …) orocos_use_package(pkg …)
@@ -33,6 +34,7 @@ include(GNUInstallDirs)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosTargets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosGenerate.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/OrocosTypegen.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosPackage.cmake)
 
 if(NOT USE_OROCOS_RTT)

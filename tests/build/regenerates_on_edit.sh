@@ -46,4 +46,11 @@ for generator in "Unix Makefiles" Ninja; do
   rebuild "a touch"
   grep -q 'Generating typekit' again.log || fail "$generator: touching the header had no effect"
   expect_idle "after a touch"
+  for folder in typekit generated; do
+    file=$(find b/$folder -name '*.hpp' | sort | head -n 1)
+    rm "$file"
+    rebuild "the removal of $file"
+    expect_file "$file"
+    expect_idle "after the removal of $file"
+  done
 done
