@@ -41,9 +41,10 @@ public:
         for (const model::Header& header : headers_) headers.checkRead(header);
         const bool broken = context.getDiagnostics().hasErrorOccurred();
         diag::Sink found;
-        // Of a broken text classes may be missing that an adapter names.
+        // Of a broken text, or a part of it, classes may be missing that an adapter names.
         diag::Sink unused;
-        const AdapterFinder adapters(request_.adapters, context, broken ? unused : found);
+        const bool isWhole = !broken && headers_.size() == request_.headers.size();
+        const AdapterFinder adapters(request_.adapters, context, isWhole ? found : unused);
         TypeDescriber types(*sema_, places_, attributes_, adapters, found, into_);
         SoundTypes sound;
         const std::vector<Root> roots = findRoots(context, places_, adapters);

@@ -102,6 +102,7 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
 
 void tell(const model::TypeModel& model, const emit::Written& written, std::ostream& out) {
     for (const model::Struct& type : model.structs) out << "struct " << type.name << "\n";
+    for (const model::Adapted& type : model.adapted) out << "class " << type.name << "\n";
     for (const model::Enum& type : model.enums) out << "enum " << type.name << "\n";
     for (const diag::Note& note : model.notes)
         out << note.where.file << ":" << note.where.line << ":" << note.where.column << ": note: " << note.message

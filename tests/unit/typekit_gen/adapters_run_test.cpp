@@ -115,3 +115,24 @@ TEST(NamePattern, HasVariablesWithAndWithoutBraces) {
         EXPECT_TRUE(hasBadPart) << bad;
     }
 }
+
+TEST(AdaptersRun, AreNotSaidToBeUnusedBecauseOfAHeaderThatDoesNotCompile) {
+    const TempDir dir;
+    const auto bad = dir.write("bad.hpp", "#pragma once\nstruct Bad { int x\n").string();
+    const auto good = dir.write("good.hpp", kHeader).string();
+    const auto more = dir.write("more.hpp", "#pragma once\nstruct More {};\n").string();
+    const auto xml = dir.write("a.xml", file(kPose)).string();
+    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters=" + xml, "demo", bad, good, more});
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_EQ(ran.err.find("TK074"), std::string::npos) << ran.err;
+}
+
+TEST(AdaptersRun, ListTheirTypesWhenAsked) {
+    const TempDir dir;
+    const auto header = dir.write("t.hpp", kHeader).string();
+    const std::string list = "<sequence class=\"Pose\" size=\"1\" element=\"[index]\"/>";
+    const auto xml = dir.write("a.xml", file(list)).string();
+    const Ran ran = typegen({"-v", "-o", (dir / "out").string(), "--adapters=" + xml, "demo", header});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("class /Pose\n"), std::string::npos) << ran.out;
+}
