@@ -38,3 +38,8 @@ oroforge_add_test(fingerprint_test
   LIBS orocos-rtt
   DEFINITIONS FINGERPRINT_DIR="${fingerprint_dir}" FINGERPRINT_TARGET="${OROCOS_TARGET}"
   DEPENDS ${fingerprint_libraries})
+
+oroforge_add_script_test(fingerprint.deployer_check
+  COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/deployer_check.sh $<TARGET_FILE:deployer> ${fingerprint_dir}
+    ${OROCOS_TARGET}
+  DEPENDS deployer ${fingerprint_libraries})
