@@ -20,8 +20,8 @@ struct Change {
 };
 
 /// In the order of the new types, then of the old ones that are gone. Breaking is what makes the runtime refuse to connect
-/// ports of the two versions (RTT::types::schemaDifference() has the same rules), what property files or sources name and no
-/// longer find, and what can no longer be written.
+/// ports of the two versions (see RTT::types::schemaDifference()), what property files or sources name and no longer find,
+/// and what can no longer be written.
 std::vector<Change> compareModels(const model::TypeModel& old, const model::TypeModel& now);
 
 }  // namespace oroforge::typekit
