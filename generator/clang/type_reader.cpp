@@ -20,9 +20,9 @@ namespace {
 
 /// What a reading finds besides the types.
 struct Aside {
-    std::string more;  ///< C++ to be read behind the headers
-    Layouts layouts;
-    bool usesMacro = false;  ///< a header looks different where __orogen is not defined
+    std::string more;        ///< C++ to be read behind the headers
+    Layouts layouts;         ///< if a header looks different where __orogen is not defined, which …
+    bool usesMacro = false;  ///< … this tells
 };
 
 /// Works on the finished AST; Sema is still there, to ask for implicit constructors.
@@ -59,7 +59,7 @@ public:
         }
         passOnWithFixes(found, context, places_, sink_);
         for (diag::Note& note : unusedTemplates(context, places_, into_)) into_.notes.push_back(std::move(note));
-        aside_.layouts = layoutsOf(context, roots);
+        if (aside_.usesMacro) aside_.layouts = layoutsOf(context, roots);
     }
 
 private:
