@@ -200,6 +200,7 @@ void FieldCollector::addForm(const clang::FieldDecl& field, const FieldForm& for
     added.offset = bits / 8;
     added.load = form.load;
     added.store = form.store;
+    added.isPointee = doc_.byValue;
     hasConstants_ = hasConstants_ || (!form.load.empty() && form.store.empty());
 }
 

@@ -53,6 +53,7 @@ struct Field {
     std::uint64_t width = 0;   ///< bits of a bit-field
     std::string load, store;   ///< by copy, if it has no address: C++ of `object` and `value`; no store: it is constant
     std::string address;       ///< besides both, if a function returns one: C++ of `object`
+    bool isPointee = false;    ///< what a smart pointer points to, or nothing
     std::string doc;           ///< comment above or behind the field, without its marks
     std::string unit;          ///< from "@unit m/s" in the comment
     std::string range;         ///< from "@range 0..5" in the comment

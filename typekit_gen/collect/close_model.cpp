@@ -105,11 +105,6 @@ void preferAliases(model::TypeModel& model) {
     }
 }
 
-/// A smart pointer by value is copied out as a std::optional.
-bool isPointer(const model::Field& field) {
-    return field.type.kind == model::TypeKind::Optional && field.load.find("*object.") != std::string::npos;
-}
-
 /// Whether a value of `use` may hold one of the struct `name`.
 bool mayHold(const model::TypeUse& use, const std::string& name, const model::TypeModel& model,
              std::set<std::string>& seen) {
@@ -130,7 +125,7 @@ void checkCircles(const model::TypeModel& model, diag::Sink& sink) {
     for (const model::Struct& type : model.structs) {
         for (const model::Field& field : type.fields) {
             std::set<std::string> seen;
-            if (!isPointer(field) || !mayHold(field.type, type.name, model, seen)) continue;
+            if (!field.isPointee || !mayHold(field.type, type.name, model, seen)) continue;
             sink.error(field.where, "TK035",
                        "field '" + field.name + "' of '" + type.cpp.substr(2) +
                            "' may point to what holds it: its value would have no end")
