@@ -6,6 +6,11 @@ namespace RTT {
 
 base::AttributeBase::~AttributeBase() = default;
 
+const std::string& base::AttributeBase::nameOf(const AttributeBase* other) {
+    static const std::string none;
+    return other ? other->mname : none;
+}
+
 Alias::Alias(const std::string& name, base::DataSourceBase::shared_ptr source) : AttributeBase(name), data(source) {}
 
 base::DataSourceBase::shared_ptr Alias::getDataSource() const { return data; }

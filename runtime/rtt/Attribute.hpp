@@ -21,16 +21,17 @@ public:
 
     /** Not ready. */
     Attribute() {}
-    explicit Attribute(const std::string& name) : AttributeBase(name), data(internal::ValueDataSource<T>::make()) {}
-    Attribute(const std::string& name, T value)
+    [[gnu::cold]] explicit Attribute(const std::string& name)
+        : AttributeBase(name), data(internal::ValueDataSource<T>::make()) {}
+    [[gnu::cold]] Attribute(const std::string& name, T value)
         : AttributeBase(name), data(internal::ValueDataSource<T>::make(value)) {}
-    Attribute(const std::string& name, internal::AssignableDataSource<T>* source) : AttributeBase(name), data(source) {}
+    [[gnu::cold]] Attribute(const std::string& name, internal::AssignableDataSource<T>* source)
+        : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
-    Attribute(base::AttributeBase* other)
-        : AttributeBase(other ? other->getName() : std::string()),
-          data(other ? DataSourceType::narrow(other->getDataSource().get()) : nullptr) {}
+    [[gnu::cold]] Attribute(base::AttributeBase* other)
+        : AttributeBase(nameOf(other)), data(other ? DataSourceType::narrow(other->getDataSource().get()) : nullptr) {}
 
-    Attribute& operator=(base::AttributeBase* other) { return *this = Attribute(other); }
+    [[gnu::cold]] Attribute& operator=(base::AttributeBase* other) { return *this = Attribute(other); }
 
     T get() const { return data->get(); }
     typename DataSourceType::const_reference_t rvalue() const { return data->rvalue(); }
@@ -44,8 +45,8 @@ public:
     typename DataSourceType::shared_ptr getAssignableDataSource() const { return data; }
     void setDataSource(typename DataSourceType::shared_ptr source) { data = source; }
 
-    Attribute<T>* clone() const override { return new Attribute<T>(mname, data.get()); }
-    Attribute<T>* copy(internal::CopyMap& replacements, bool instantiate) const override {
+    [[gnu::cold]] Attribute<T>* clone() const override { return new Attribute<T>(mname, data.get()); }
+    [[gnu::cold]] Attribute<T>* copy(internal::CopyMap& replacements, bool instantiate) const override {
         if (!instantiate) return new Attribute<T>(mname, data->copy(replacements));
         auto* made = new Attribute<T>(mname, data->clone());
         data->noteCopy(replacements, made->data.get());
@@ -62,22 +63,23 @@ protected:
 template <typename T>
 class Constant : public base::AttributeBase {
 public:
-    Constant(const std::string& name, T value)
+    [[gnu::cold]] Constant(const std::string& name, T value)
         : AttributeBase(name), data(new internal::ConstantDataSource<T>(std::move(value))) {}
-    Constant(const std::string& name, internal::DataSource<T>* source) : AttributeBase(name), data(source) {}
+    [[gnu::cold]] Constant(const std::string& name, internal::DataSource<T>* source)
+        : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
-    Constant(base::AttributeBase* other)
-        : AttributeBase(other ? other->getName() : std::string()),
+    [[gnu::cold]] Constant(base::AttributeBase* other)
+        : AttributeBase(nameOf(other)),
           data(other ? internal::DataSource<T>::narrow(other->getDataSource().get()) : nullptr) {}
 
-    Constant& operator=(base::AttributeBase* other) { return *this = Constant(other); }
+    [[gnu::cold]] Constant& operator=(base::AttributeBase* other) { return *this = Constant(other); }
 
     T get() const { return data->get(); }
     typename internal::DataSource<T>::const_reference_t rvalue() const { return data->rvalue(); }
 
     base::DataSourceBase::shared_ptr getDataSource() const override { return data; }
-    Constant<T>* clone() const override { return new Constant<T>(mname, data.get()); }
-    Constant<T>* copy(internal::CopyMap&, bool) const override { return clone(); }
+    [[gnu::cold]] Constant<T>* clone() const override { return new Constant<T>(mname, data.get()); }
+    [[gnu::cold]] Constant<T>* copy(internal::CopyMap&, bool) const override { return clone(); }
 
 protected:
     typename internal::DataSource<T>::shared_ptr data;

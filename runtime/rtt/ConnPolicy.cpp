@@ -77,6 +77,12 @@ ConnPolicy::ConnPolicy(Builtin)
 
 ConnPolicy::ConnPolicy() : ConnPolicy(Default()) { name_id.clear(); }
 
+const ConnPolicy& internal::policyOfPorts() {
+    thread_local ConnPolicy policy;
+    policy = ConnPolicy();
+    return policy;
+}
+
 ConnPolicy::ConnPolicy(int type_) : ConnPolicy() { type = type_; }
 
 ConnPolicy::ConnPolicy(int type_, int lock_policy_) : ConnPolicy(type_) { lock_policy = lock_policy_; }

@@ -74,6 +74,11 @@ private:
 /** E.g. `PUSH PerConnection LOCK_FREE BUFFER[10] (name_id=/chat)`. */
 RTT_API std::ostream& operator<<(std::ostream& os, const ConnPolicy& policy);
 
+namespace internal {
+/** What ConnPolicy() gives, until this thread calls it again: so that not every place that makes a port makes a policy. */
+RTT_API const ConnPolicy& policyOfPorts();
+}  // namespace internal
+
 }  // namespace RTT
 
 #endif

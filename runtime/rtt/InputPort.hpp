@@ -24,8 +24,9 @@ public:
     typedef T& reference_t;
 
     /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
-    InputPort(const std::string& name = "unnamed", const ConnPolicy& default_policy = ConnPolicy(),
-              const types::Schema& schema = types::schemaOf<T>())
+    [[gnu::cold]] InputPort(const std::string& name = "unnamed",
+                            const ConnPolicy& default_policy = internal::policyOfPorts(),
+                            const types::Schema& schema = types::schemaOf<T>())
         : base::InputPortInterface(name, default_policy, &types::typeOps<T>()) {
         static_assert(types::isSample<T>,
                       "a port makes, copies and assigns samples: this type lacks a default constructor or the copying "
@@ -47,12 +48,12 @@ public:
     void getDataSample(reference_t sample) { copyDataSample(&sample); }
 
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
-    InputPort<T>* clone() const override;
-    base::PortInterface* antiClone() const override;
+    [[gnu::cold]] InputPort<T>* clone() const override;
+    [[gnu::cold]] base::PortInterface* antiClone() const override;
     /** A new data source of T that reads this port at each evaluation. */
-    base::DataSourceBase* getDataSource() override;
-    Service* createPortObject() override;
-    base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
+    [[gnu::cold]] base::DataSourceBase* getDataSource() override;
+    [[gnu::cold]] Service* createPortObject() override;
+    [[gnu::cold]] base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
 };
 
 }  // namespace RTT

@@ -24,8 +24,8 @@ public:
     typedef T& reference_t;
 
     /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
-    OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true,
-               const types::Schema& schema = types::schemaOf<T>())
+    [[gnu::cold]] OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true,
+                             const types::Schema& schema = types::schemaOf<T>())
         : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {
         static_assert(types::isSample<T>,
                       "a port makes, copies and assigns samples: this type lacks a default constructor or the copying "
@@ -46,12 +46,12 @@ public:
     bool getLastWrittenValue(reference_t sample) const { return copyLastWritten(&sample); }
 
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
-    OutputPort<T>* clone() const override;
-    base::PortInterface* antiClone() const override;
+    [[gnu::cold]] OutputPort<T>* clone() const override;
+    [[gnu::cold]] base::PortInterface* antiClone() const override;
     /** A new data source of T that gives the last written value. */
-    base::DataSourceBase* getDataSource() const override;
-    Service* createPortObject() override;
-    base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
+    [[gnu::cold]] base::DataSourceBase* getDataSource() const override;
+    [[gnu::cold]] Service* createPortObject() override;
+    [[gnu::cold]] base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
 };
 
 }  // namespace RTT

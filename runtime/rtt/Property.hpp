@@ -37,26 +37,29 @@ public:
 
     /** Not ready. */
     Property() {}
-    explicit Property(const std::string& name) : PropertyBase(name, ""), _value(internal::ValueDataSource<T>::make()) {}
-    Property(const std::string& name, const std::string& description, const T& value = types::ValueTraits<T>::make())
+    [[gnu::cold]] explicit Property(const std::string& name)
+        : PropertyBase(name, ""), _value(internal::ValueDataSource<T>::make()) {}
+    [[gnu::cold]] Property(const std::string& name, const std::string& description,
+                           const T& value = types::ValueTraits<T>::make())
         : PropertyBase(name, description), _value(internal::ValueDataSource<T>::make(value)) {}
-    Property(const std::string& name, const std::string& description,
-             const typename internal::AssignableDataSource<T>::shared_ptr& source)
+    [[gnu::cold]] Property(const std::string& name, const std::string& description,
+                           const typename internal::AssignableDataSource<T>::shared_ptr& source)
         : PropertyBase(name, description), _value(source) {}
     // The pointer form exists because a pointer would rather become the value of a Property<bool>.
-    Property(const std::string& name, const std::string& description, internal::AssignableDataSource<T>* source)
+    [[gnu::cold]] Property(const std::string& name, const std::string& description,
+                           internal::AssignableDataSource<T>* source)
         : PropertyBase(name, description), _value(source) {}
     /** Copies the value. */
-    Property(const Property<T>& other)
+    [[gnu::cold]] Property(const Property<T>& other)
         : PropertyBase(other), _value(other._value ? internal::ValueDataSource<T>::make(other.rvalue()) : nullptr) {}
     /** Shares the value of `source`; not ready, and an error in the log, if it is of another type. */
-    Property(base::PropertyBase* source)
+    [[gnu::cold]] Property(base::PropertyBase* source)
         : PropertyBase(internal::detail::nameOf(source), internal::detail::descriptionOf(source)),
           _value(source ? SourceType::narrow(source->getDataSource().get()) : nullptr) {
         if (source && !_value) internal::detail::logPropertyMismatch(*source, internal::DataSource<T>::GetType());
     }
 
-    Property<T>& operator=(base::PropertyBase* source) {
+    [[gnu::cold]] Property<T>& operator=(base::PropertyBase* source) {
         Property<T> made(source);
         _name = made._name;
         _description = made._description;
@@ -103,22 +106,22 @@ public:
 
     base::DataSourceBase::shared_ptr getDataSource() const override { return _value; }
     typename SourceType::shared_ptr getAssignableDataSource() const { return _value; }
-    bool setDataSource(const base::DataSourceBase::shared_ptr& source) override {
+    [[gnu::cold]] bool setDataSource(const base::DataSourceBase::shared_ptr& source) override {
         auto* same = SourceType::narrow(source.get());
         if (same) _value = same;
         return same != nullptr;
     }
     /** Fills the value from the members in `bag`; false if the type cannot be composed from it. */
-    bool compose(const PropertyBag& bag);
+    [[gnu::cold]] bool compose(const PropertyBag& bag);
 
     std::string getType() const override { return internal::DataSource<T>::GetType(); }
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSource<T>::GetTypeInfo(); }
 
-    Property<T>* clone() const override { return new Property<T>(*this); }
-    Property<T>* create() const override {
+    [[gnu::cold]] Property<T>* clone() const override { return new Property<T>(*this); }
+    [[gnu::cold]] Property<T>* create() const override {
         return new Property<T>(_name, _description, internal::ValueDataSource<T>::make());
     }
-    base::PropertyBase* create(const base::DataSourceBase::shared_ptr& source) const override {
+    [[gnu::cold]] base::PropertyBase* create(const base::DataSourceBase::shared_ptr& source) const override {
         auto* same = SourceType::narrow(source.get());
         return same ? new Property<T>(_name, _description, same) : nullptr;
     }

@@ -31,6 +31,9 @@ public:
     void setName(const std::string& name) { mname = name; }
 
 protected:
+    /** Empty if there is no `other`. */
+    static const std::string& nameOf(const AttributeBase* other);
+
     std::string mname;
 };
 

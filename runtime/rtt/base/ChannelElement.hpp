@@ -20,8 +20,8 @@ public:
     typedef T& reference_t;
 
     /** The neighbours, if they carry samples of T; null otherwise. */
-    shared_ptr getInput() const;
-    shared_ptr getOutput() const;
+    [[gnu::cold]] shared_ptr getInput() const;
+    [[gnu::cold]] shared_ptr getOutput() const;
 
     /** Takes one sample. NotConnected makes the output port drop this channel. */
     virtual WriteStatus write(param_t sample);
@@ -29,14 +29,14 @@ public:
     virtual FlowStatus read(reference_t sample, bool copy_old_data = true);
     /** Passes a sample that shows the size of later ones. It is never delivered as data. Without `reset` samples that are
         there stay. Overriding one of both forms is enough. */
-    virtual WriteStatus data_sample(param_t sample, bool reset);
-    virtual WriteStatus data_sample(param_t sample);
+    [[gnu::cold]] virtual WriteStatus data_sample(param_t sample, bool reset);
+    [[gnu::cold]] virtual WriteStatus data_sample(param_t sample);
     /** The sample given last to data_sample(), or a default one. */
-    virtual value_t data_sample();
+    [[gnu::cold]] virtual value_t data_sample();
 
     WriteStatus writeErased(const void* sample) override { return write(*static_cast<const T*>(sample)); }
     FlowStatus readErased(void* sample, bool copyOld) override { return read(*static_cast<T*>(sample), copyOld); }
-    WriteStatus sampleErased(const void* sample, bool reset) override {
+    [[gnu::cold]] WriteStatus sampleErased(const void* sample, bool reset) override {
         return data_sample(*static_cast<const T*>(sample), reset);
     }
 };

@@ -81,8 +81,10 @@ public:
     typename DataSource<R>::const_reference_t rvalue() const override { return kept().get(); }
     /** Null before the first evaluation. */
     const void* getRawConstPointer() override { return result_.address(); }
-    CallSource* clone() const override { return new CallSource(call_); }
-    CallSource* copy(GenericCall::CopyMap& cloned) const override { return new CallSource(call_.copy(cloned)); }
+    [[gnu::cold]] CallSource* clone() const override { return new CallSource(call_); }
+    [[gnu::cold]] CallSource* copy(GenericCall::CopyMap& cloned) const override {
+        return new CallSource(call_.copy(cloned));
+    }
 
 private:
     const ResultStore<R>& kept() const {

@@ -21,12 +21,17 @@ public:
     typedef typename base::ChannelElement<T>::reference_t reference_t;
 
     /** Sized by `first`, which may be null. */
-    ChannelStorage(const ConnPolicy& policy, const void* first) : core_(types::typeOps<T>(), policy, first) {}
+    [[gnu::cold]] ChannelStorage(const ConnPolicy& policy, const void* first)
+        : core_(types::typeOps<T>(), policy, first) {}
+    /** Null, with an error logged, if the policy is not valid. */
+    [[gnu::cold, gnu::noinline]] static BasePtr make(const ConnPolicy& policy) {
+        return StorageCore::heldIfReady(new ChannelStorage<T>(policy, nullptr));
+    }
 
     WriteStatus write(param_t sample) override { return StorageCore::writeTyped(*this, &sample); }
     FlowStatus read(reference_t sample, bool copyOld) override { return core_.store().read(&sample, copyOld); }
     using base::ChannelElement<T>::data_sample;
-    WriteStatus data_sample(param_t sample, bool reset) override {
+    [[gnu::cold]] WriteStatus data_sample(param_t sample, bool reset) override {
         return ChannelStorage::sampleErased(&sample, reset);
     }
 
@@ -36,19 +41,19 @@ public:
         return status;
     }
     FlowStatus readErased(void* sample, bool copyOld) override { return core_.store().read(sample, copyOld); }
-    WriteStatus sampleErased(const void* sample, bool reset) override {
+    [[gnu::cold]] WriteStatus sampleErased(const void* sample, bool reset) override {
         core_.store().setSample(sample, reset);
         return Base::sampleErased(sample, reset);
     }
-    bool getSampleErased(void* sample) override { return core_.store().getSample(sample); }
+    [[gnu::cold]] bool getSampleErased(void* sample) override { return core_.store().getSample(sample); }
 
-    void clear() override { core_.store().clear(); }
+    [[gnu::cold]] void clear() override { core_.store().clear(); }
     bool signal() override { return core_.hasManyReaders() ? core_.signalReaders() : Base::signal(); }
-    bool connectTo(BasePtr const& output, bool mandatory = true) override {
+    [[gnu::cold]] bool connectTo(BasePtr const& output, bool mandatory = true) override {
         return core_.connect(*this, output, mandatory);
     }
-    const ConnPolicy* getConnPolicy() const override { return &core_.policy(); }
-    std::string getElementName() const override { return "ChannelStorage"; }
+    [[gnu::cold]] const ConnPolicy* getConnPolicy() const override { return &core_.policy(); }
+    [[gnu::cold]] std::string getElementName() const override { return StorageCore::elementName(); }
 
     StorageCore& core() { return core_; }
     StorageCore* storageCore() override { return &core_; }

@@ -39,12 +39,13 @@ public:
 
     /** A storage element for samples of T, sized by `initial_value`; null, with an error logged, if the policy is not valid. */
     template <typename T>
-    static typename base::ChannelElement<T>::shared_ptr buildDataStorage(ConnPolicy const& policy,
-                                                                         const T& initial_value = T()) {
+    [[gnu::cold]] static typename base::ChannelElement<T>::shared_ptr buildDataStorage(ConnPolicy const& policy,
+                                                                                       const T& initial_value = T()) {
         return buildStorage<T>(policy, &initial_value);
     }
     template <typename T>
-    static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy, const void* first) {
+    [[gnu::cold]] static typename base::ChannelElement<T>::shared_ptr buildStorage(ConnPolicy const& policy,
+                                                                                   const void* first) {
         auto* const made = new ChannelStorage<T>(policy, first);
         const typename base::ChannelElement<T>::shared_ptr held(made);
         return made->core() ? held : nullptr;

@@ -124,8 +124,8 @@ void* ElementPlace::address(bool forWriting) const {
     return container && at < ops->size(container) ? ops->at(container, at) : nullptr;
 }
 
-PartPlace::PartPlace(void* at, base::DataSourceBase::shared_ptr parent_)
-    : parent(std::move(parent_)),
+PartPlace::PartPlace(void* at, base::DataSourceBase* parent_)
+    : parent(parent_),
       at_(at),
       offset_(static_cast<const char*>(at) - static_cast<const char*>(parent->getRawPointer())) {}
 

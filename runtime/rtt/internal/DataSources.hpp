@@ -25,14 +25,14 @@ public:
     typedef typename AssignableDataSource<T>::reference_t reference_t;
     typedef typename DataSource<T>::const_reference_t const_reference_t;
 
-    ValueDataSource(const_reference_t value, CopyTag) : mdata(value) { this->addressIsFixed(); }
+    ValueDataSource(const_reference_t value, CopyTag) : mdata(types::copyOf<T>(value)) { this->addressIsFixed(); }
     ValueDataSource() : mdata(types::ValueTraits<T>::make()) { this->addressIsFixed(); }
-    explicit ValueDataSource(T value) : mdata(std::move(value)) { this->addressIsFixed(); }
+    explicit ValueDataSource(T value) : mdata(types::movedFrom(value)) { this->addressIsFixed(); }
     /** A new variable. Apart, so that all who make one share the code. */
-    [[gnu::noinline]] static ValueDataSource<T>* make(const T& value) {
+    [[gnu::cold, gnu::noinline]] static ValueDataSource<T>* make(const T& value) {
         return new ValueDataSource<T>(value, CopyTag());
     }
-    [[gnu::noinline]] static ValueDataSource<T>* make() { return new ValueDataSource<T>(); }
+    [[gnu::cold, gnu::noinline]] static ValueDataSource<T>* make() { return new ValueDataSource<T>(); }
 
     bool evaluate() const override { return true; }  // get() would copy the value for nothing
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(mdata); }
@@ -41,8 +41,8 @@ public:
     void set(param_t value) override { types::assignValue(mdata, value); }
     reference_t set() override { return mdata; }
 
-    ValueDataSource<T>* clone() const override { return make(mdata); }
-    ValueDataSource<T>* copy(CopyMap& cloned) const override {
+    [[gnu::cold]] ValueDataSource<T>* clone() const override { return make(mdata); }
+    [[gnu::cold]] ValueDataSource<T>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ValueDataSource<T>*>(known);
         auto* self = const_cast<ValueDataSource<T>*>(this);
         this->noteCopy(cloned, self);
@@ -60,8 +60,8 @@ public:
     typedef typename BoundT::result_t T;
     using BoundT::BoundT;
 
-    UnboundDataSource<BoundT>* clone() const override { return fresh(); }
-    UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
+    [[gnu::cold]] UnboundDataSource<BoundT>* clone() const override { return fresh(); }
+    [[gnu::cold]] UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<UnboundDataSource<BoundT>*>(known);
         auto* made = fresh();
         this->noteCopy(cloned, made);
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    [[gnu::noinline]] UnboundDataSource<BoundT>* fresh() const {
+    [[gnu::cold, gnu::noinline]] UnboundDataSource<BoundT>* fresh() const {
         return new UnboundDataSource<BoundT>(this->rvalue(), CopyTag());
     }
 };
@@ -80,9 +80,10 @@ class ConstantDataSource : public DataSource<T> {
 public:
     typedef boost::intrusive_ptr<ConstantDataSource<T>> shared_ptr;
 
-    ConstantDataSource(typename DataSource<T>::const_reference_t value, CopyTag) : mdata(value) {}
-    explicit ConstantDataSource(T value) : mdata(std::move(value)) {}
-    [[gnu::noinline]] static ConstantDataSource<T>* make(typename DataSource<T>::const_reference_t value) {
+    ConstantDataSource(typename DataSource<T>::const_reference_t value, CopyTag)
+        : mdata(types::copyOf<std::remove_const_t<T>>(value)) {}
+    explicit ConstantDataSource(T value) : mdata(types::movedFrom(value)) {}
+    [[gnu::cold, gnu::noinline]] static ConstantDataSource<T>* make(typename DataSource<T>::const_reference_t value) {
         return new ConstantDataSource<T>(value, CopyTag());
     }
 
@@ -91,8 +92,10 @@ public:
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(mdata); }
     typename DataSource<T>::const_reference_t rvalue() const override { return mdata; }
 
-    ConstantDataSource<T>* clone() const override { return make(mdata); }
-    ConstantDataSource<T>* copy(CopyMap&) const override { return const_cast<ConstantDataSource<T>*>(this); }
+    [[gnu::cold]] ConstantDataSource<T>* clone() const override { return make(mdata); }
+    [[gnu::cold]] ConstantDataSource<T>* copy(CopyMap&) const override {
+        return const_cast<ConstantDataSource<T>*>(this);
+    }
 
 private:
     const std::remove_const_t<T> mdata;
@@ -122,8 +125,10 @@ public:
     void set(param_t value) override { types::assignValue(*mptr, value); }
     reference_t set() override { return *mptr; }
 
-    ReferenceDataSource<T>* clone() const override { return new ReferenceDataSource<T>(*mptr); }
-    ReferenceDataSource<T>* copy(CopyMap&) const override { return const_cast<ReferenceDataSource<T>*>(this); }
+    [[gnu::cold]] ReferenceDataSource<T>* clone() const override { return new ReferenceDataSource<T>(*mptr); }
+    [[gnu::cold]] ReferenceDataSource<T>* copy(CopyMap&) const override {
+        return const_cast<ReferenceDataSource<T>*>(this);
+    }
 
 private:
     typename DataSource<T>::value_t* mptr;
@@ -141,8 +146,8 @@ public:
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
-    ConstReferenceDataSource<T>* clone() const override { return new ConstReferenceDataSource<T>(*mptr); }
-    ConstReferenceDataSource<T>* copy(CopyMap&) const override {
+    [[gnu::cold]] ConstReferenceDataSource<T>* clone() const override { return new ConstReferenceDataSource<T>(*mptr); }
+    [[gnu::cold]] ConstReferenceDataSource<T>* copy(CopyMap&) const override {
         return const_cast<ConstReferenceDataSource<T>*>(this);
     }
 

@@ -23,8 +23,10 @@ public:
     typename DataSource<T>::result_t get() const override { return alias_->get(); }
     typename DataSource<T>::result_t value() const override { return alias_->value(); }
     typename DataSource<T>::const_reference_t rvalue() const override { return alias_->rvalue(); }
-    AliasDataSource<T>* clone() const override { return new AliasDataSource<T>(alias_.get()); }
-    AliasDataSource<T>* copy(CopyMap& cloned) const override { return new AliasDataSource<T>(alias_->copy(cloned)); }
+    [[gnu::cold]] AliasDataSource<T>* clone() const override { return new AliasDataSource<T>(alias_.get()); }
+    [[gnu::cold]] AliasDataSource<T>* copy(CopyMap& cloned) const override {
+        return new AliasDataSource<T>(alias_->copy(cloned));
+    }
 
 protected:
     typename DataSource<T>::shared_ptr alias_;
@@ -43,8 +45,10 @@ public:
     void set(typename AssignableDataSource<T>::param_t value) override { alias_->set(value); }
     typename AssignableDataSource<T>::reference_t set() override { return alias_->set(); }
     void updated() override { alias_->updated(); }
-    AliasAssignableDataSource<T>* clone() const override { return new AliasAssignableDataSource<T>(alias_.get()); }
-    AliasAssignableDataSource<T>* copy(CopyMap& cloned) const override {
+    [[gnu::cold]] AliasAssignableDataSource<T>* clone() const override {
+        return new AliasAssignableDataSource<T>(alias_.get());
+    }
+    [[gnu::cold]] AliasAssignableDataSource<T>* copy(CopyMap& cloned) const override {
         return new AliasAssignableDataSource<T>(alias_->copy(cloned));
     }
 
@@ -52,59 +56,70 @@ protected:
     typename AssignableDataSource<T>::shared_ptr alias_;
 };
 
-/** Runs an action each time before the source of type `Alias` is read. Owns the action. */
-template <typename T, class Alias>
-class ActionAlias : public Alias {
+/** A source that runs an action each time before it is read. Owns the action. */
+template <typename T>
+class ActionAliasDataSource : public DataSource<T> {
 public:
-    template <class Source>
-    ActionAlias(base::ActionInterface* action, Source* of) : Alias(of), action_(action) {}
+    ActionAliasDataSource(base::ActionInterface* action, DataSource<T>* of) : action_(action), alias_(of) {}
 
     bool evaluate() const override {
         action_->readArguments();
-        return action_->execute() && Alias::evaluate();
+        return action_->execute() && alias_->evaluate();
     }
     typename DataSource<T>::result_t get() const override {
         action_->readArguments();
         action_->execute();
-        return Alias::get();
+        return alias_->get();
+    }
+    typename DataSource<T>::result_t value() const override { return alias_->value(); }
+    typename DataSource<T>::const_reference_t rvalue() const override { return alias_->rvalue(); }
+    void reset() override {
+        alias_->reset();
+        action_->reset();
+    }
+
+    [[gnu::cold]] ActionAliasDataSource<T>* clone() const override {
+        return new ActionAliasDataSource<T>(action_->clone(), alias_.get());
+    }
+    [[gnu::cold]] ActionAliasDataSource<T>* copy(CopyMap& cloned) const override {
+        return new ActionAliasDataSource<T>(action_->copy(cloned), alias_->copy(cloned));
+    }
+
+private:
+    std::unique_ptr<base::ActionInterface> action_;
+    typename DataSource<T>::shared_ptr alias_;
+};
+
+/** The same with a value that can be changed. */
+template <typename T>
+class ActionAliasAssignableDataSource : public AliasAssignableDataSource<T> {
+public:
+    ActionAliasAssignableDataSource(base::ActionInterface* action, AssignableDataSource<T>* of)
+        : AliasAssignableDataSource<T>(of), action_(action) {}
+
+    bool evaluate() const override {
+        action_->readArguments();
+        return action_->execute() && this->alias_->evaluate();
+    }
+    typename DataSource<T>::result_t get() const override {
+        action_->readArguments();
+        action_->execute();
+        return this->alias_->get();
     }
     void reset() override {
         this->alias_->reset();
         action_->reset();
     }
 
-protected:
+    [[gnu::cold]] ActionAliasAssignableDataSource<T>* clone() const override {
+        return new ActionAliasAssignableDataSource<T>(action_->clone(), this->alias_.get());
+    }
+    [[gnu::cold]] ActionAliasAssignableDataSource<T>* copy(CopyMap& cloned) const override {
+        return new ActionAliasAssignableDataSource<T>(action_->copy(cloned), this->alias_->copy(cloned));
+    }
+
+private:
     std::unique_ptr<base::ActionInterface> action_;
-};
-
-/** A source that runs an action each time before it is read. Owns the action. */
-template <typename T>
-class ActionAliasDataSource : public ActionAlias<T, AliasDataSource<T>> {
-public:
-    ActionAliasDataSource(base::ActionInterface* action, DataSource<T>* of)
-        : ActionAlias<T, AliasDataSource<T>>(action, of) {}
-
-    ActionAliasDataSource<T>* clone() const override {
-        return new ActionAliasDataSource<T>(this->action_->clone(), this->alias_.get());
-    }
-    ActionAliasDataSource<T>* copy(CopyMap& cloned) const override {
-        return new ActionAliasDataSource<T>(this->action_->copy(cloned), this->alias_->copy(cloned));
-    }
-};
-
-/** The same with a value that can be changed. */
-template <typename T>
-class ActionAliasAssignableDataSource : public ActionAlias<T, AliasAssignableDataSource<T>> {
-public:
-    ActionAliasAssignableDataSource(base::ActionInterface* action, AssignableDataSource<T>* of)
-        : ActionAlias<T, AliasAssignableDataSource<T>>(action, of) {}
-
-    ActionAliasAssignableDataSource<T>* clone() const override {
-        return new ActionAliasAssignableDataSource<T>(this->action_->clone(), this->alias_.get());
-    }
-    ActionAliasAssignableDataSource<T>* copy(CopyMap& cloned) const override {
-        return new ActionAliasAssignableDataSource<T>(this->action_->copy(cloned), this->alias_->copy(cloned));
-    }
 };
 
 /** A reference that is bound after construction; using it before is a programming error. */
@@ -123,8 +138,10 @@ public:
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
     void set(typename AssignableDataSource<T>::param_t value) override { *mptr = value; }
     typename AssignableDataSource<T>::reference_t set() override { return *mptr; }
-    LateReferenceDataSource<T>* clone() const override { return new LateReferenceDataSource<T>(mptr); }
-    LateReferenceDataSource<T>* copy(CopyMap&) const override { return const_cast<LateReferenceDataSource<T>*>(this); }
+    [[gnu::cold]] LateReferenceDataSource<T>* clone() const override { return new LateReferenceDataSource<T>(mptr); }
+    [[gnu::cold]] LateReferenceDataSource<T>* copy(CopyMap&) const override {
+        return const_cast<LateReferenceDataSource<T>*>(this);
+    }
 
 private:
     value_t* mptr;
@@ -144,8 +161,10 @@ public:
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
-    LateConstReferenceDataSource<T>* clone() const override { return new LateConstReferenceDataSource<T>(mptr); }
-    LateConstReferenceDataSource<T>* copy(CopyMap&) const override {
+    [[gnu::cold]] LateConstReferenceDataSource<T>* clone() const override {
+        return new LateConstReferenceDataSource<T>(mptr);
+    }
+    [[gnu::cold]] LateConstReferenceDataSource<T>* copy(CopyMap&) const override {
         return const_cast<LateConstReferenceDataSource<T>*>(this);
     }
 
@@ -178,8 +197,8 @@ public:
     typename DataSource<T>::const_reference_t rvalue() const override { return view_; }
     void set(typename AssignableDataSource<T>::param_t value) override { view_ = value; }
     typename AssignableDataSource<T>::reference_t set() override { return view_; }
-    ArrayDataSource<T>* clone() const override { return new ArrayDataSource<T>(view_); }
-    ArrayDataSource<T>* copy(CopyMap& cloned) const override {
+    [[gnu::cold]] ArrayDataSource<T>* clone() const override { return new ArrayDataSource<T>(view_); }
+    [[gnu::cold]] ArrayDataSource<T>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ArrayDataSource<T>*>(known);
         auto* self = const_cast<ArrayDataSource<T>*>(this);
         this->noteCopy(cloned, self);

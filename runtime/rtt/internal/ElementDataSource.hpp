@@ -38,19 +38,17 @@ private:
 template <typename E>
 class ElementDataSource : public AssignableDataSource<E> {
 public:
-    ElementDataSource(base::DataSourceBase* parent, base::DataSourceBase* index, const types::SequenceOps* ops)
+    [[gnu::cold]] ElementDataSource(base::DataSourceBase* parent, base::DataSourceBase* index,
+                                    const types::SequenceOps* ops)
         : place_(parent, index, ops), spare_(types::ValueTraits<E>::make()) {}
 
     bool evaluate() const override { return place_.evaluate(); }
     typename DataSource<E>::result_t get() const override {
         place_.evaluate();
-        return types::copyOf<E>(rvalue());
+        return types::copyOf<E>(element(false));
     }
-    typename DataSource<E>::result_t value() const override { return types::copyOf<E>(rvalue()); }
-    typename DataSource<E>::const_reference_t rvalue() const override {
-        if (void* at = place_.address(false)) return *static_cast<E*>(at);
-        return spare();
-    }
+    typename DataSource<E>::result_t value() const override { return types::copyOf<E>(element(false)); }
+    typename DataSource<E>::const_reference_t rvalue() const override { return element(false); }
     void set(typename AssignableDataSource<E>::param_t value) override {
         place_.evaluate();
         // Kept for updated(), which may follow and stores it again where elements have no address.
@@ -59,8 +57,7 @@ public:
     }
     typename AssignableDataSource<E>::reference_t set() override {
         place_.evaluate();
-        if (void* at = place_.address(true)) return *static_cast<E*>(at);
-        return spare();
+        return element(true);
     }
     void updated() override {
         if (!place_.ops->at)
@@ -71,17 +68,19 @@ public:
     bool isAssignable() const override { return std::is_copy_assignable<E>::value && place_.isAssignable(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
-    ElementDataSource<E>* clone() const override {
+    [[gnu::cold]] ElementDataSource<E>* clone() const override {
         return new ElementDataSource<E>(place_.parent.get(), place_.index.get(), place_.ops);
     }
-    ElementDataSource<E>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
+    [[gnu::cold]] ElementDataSource<E>* copy(
+        std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         return new ElementDataSource<E>(place_.parent->copy(cloned), place_.index->copy(cloned), place_.ops);
     }
 
 private:
-    /** A copy of an element that has no address. */
-    [[gnu::noinline]] E& spare() const {
-        if (!place_.load(&spare_)) types::assignValue(spare_, types::ValueTraits<E>::make());
+    /** The element, or a copy of one that has no address. */
+    [[gnu::noinline]] E& element(bool forWriting) const {
+        if (void* at = place_.address(forWriting)) return *static_cast<E*>(at);
+        if (!place_.load(&spare_)) types::resetValue(spare_);
         return spare_;
     }
 

@@ -14,7 +14,7 @@ namespace internal {
 /** What parts have in common, whatever their type: where they are in the value of their parent, which is kept alive. */
 class RTT_API PartPlace {
 public:
-    PartPlace(void* at, base::DataSourceBase::shared_ptr parent);
+    PartPlace(void* at, base::DataSourceBase* parent);
 
     /** Found anew if the parent's value may move, because it is an element of a container. */
     void* address() const { return parent->hasFixedAddress() ? at_ : moved(); }
@@ -38,12 +38,13 @@ public:
     typedef typename AssignableDataSource<T>::reference_t reference_t;
     typedef typename DataSource<T>::value_t value_t;
 
-    PartDataSource(reference_t ref, base::DataSourceBase::shared_ptr parent)
-        : place_(std::addressof(ref), std::move(parent)) {
+    PartDataSource(reference_t ref, const base::DataSourceBase::shared_ptr& parent)
+        : PartDataSource(ref, parent.get()) {}
+    PartDataSource(reference_t ref, base::DataSourceBase* parent) : place_(std::addressof(ref), parent) {
         if (place_.parent->hasFixedAddress()) this->addressIsFixed();
     }
 
-    [[gnu::noinline]] static PartDataSource<T>* make(reference_t ref, const base::DataSourceBase::shared_ptr& parent) {
+    [[gnu::cold, gnu::noinline]] static PartDataSource<T>* make(reference_t ref, base::DataSourceBase* parent) {
         return new PartDataSource<T>(ref, parent);
     }
 
@@ -59,8 +60,9 @@ public:
     void updated() override { place_.parent->updated(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
-    PartDataSource<T>* clone() const override { return make(part(), place_.parent); }
-    PartDataSource<T>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
+    [[gnu::cold]] PartDataSource<T>* clone() const override { return make(part(), place_.parent.get()); }
+    [[gnu::cold]] PartDataSource<T>* copy(
+        std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<PartDataSource<T>*>(known);
         base::DataSourceBase* parent = place_.parent->copy(cloned);
         auto* made = make(*static_cast<value_t*>(place_.addressIn(*parent)), parent);
@@ -80,8 +82,8 @@ class ArrayPartDataSource : public AssignableDataSource<types::carray<E>> {
 public:
     typedef types::carray<E> T;
 
-    ArrayPartDataSource(E* at, std::size_t count, base::DataSourceBase::shared_ptr parent)
-        : place_(at, std::move(parent)), view_(at, count) {}
+    ArrayPartDataSource(E* at, std::size_t count, const base::DataSourceBase::shared_ptr& parent)
+        : place_(at, parent.get()), view_(at, count) {}
 
     T get() const override { return view(); }
     T value() const override { return view(); }
@@ -95,10 +97,11 @@ public:
     void updated() override { place_.parent->updated(); }
     base::DataSourceBase::shared_ptr getParent() override { return place_.parent; }
 
-    ArrayPartDataSource<E>* clone() const override {
+    [[gnu::cold]] ArrayPartDataSource<E>* clone() const override {
         return new ArrayPartDataSource<E>(view().address(), view_.count(), place_.parent);
     }
-    ArrayPartDataSource<E>* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
+    [[gnu::cold]] ArrayPartDataSource<E>* copy(
+        std::map<const base::DataSourceBase*, base::DataSourceBase*>& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ArrayPartDataSource<E>*>(known);
         base::DataSourceBase* parent = place_.parent->copy(cloned);
         auto* made = new ArrayPartDataSource<E>(static_cast<E*>(place_.addressIn(*parent)), view_.count(), parent);

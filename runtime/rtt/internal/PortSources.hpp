@@ -46,21 +46,25 @@ public:
     /** With `orDefault` a default value stands for one that there is not, and evaluate() is always true. */
     explicit PortSource(const PortLink& link, bool orDefault = false) : link_(link), or_default_(orDefault), value_() {}
 
+    [[gnu::cold, gnu::noinline]] static PortSource<T>* make(const base::PortInterface& port) {
+        return new PortSource<T>(PortLink(port));
+    }
+
     /** False if the port has no value, or is gone. */
     bool evaluate() const override {
         if (link_.fetch(&value_)) return true;
-        if (or_default_) value_ = T();
+        if (or_default_) types::resetValue(value_);
         return or_default_;
     }
     result_t get() const override {
         this->evaluate();
-        return types::copyOf<T>(value_);
+        return PortSource::value();
     }
     result_t value() const override { return types::copyOf<T>(value_); }
     const_reference_t rvalue() const override { return value_; }
 
-    PortSource* clone() const override { return new PortSource(link_, or_default_); }
-    PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override {
+    [[gnu::cold]] PortSource* clone() const override { return new PortSource(link_, or_default_); }
+    [[gnu::cold]] PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override {
         return const_cast<PortSource*>(this);
     }
 

@@ -26,6 +26,14 @@ StorageCore::StorageCore(const types::TypeOps& ops, const ConnPolicy& policy, co
 
 StorageCore::~StorageCore() { ChannelArray::retire(readers_.load(std::memory_order_relaxed)); }
 
+base::ChannelElementBase::shared_ptr StorageCore::heldIfReady(base::ChannelElementBase* made) {
+    base::ChannelElementBase::shared_ptr held(made);
+    if (!*made->storageCore()) held.reset();
+    return held;
+}
+
+std::string StorageCore::elementName() { return "ChannelStorage"; }
+
 void StorageCore::addReader(base::ChannelElementBase& reader) {
     const ChannelArray* old;
     {

@@ -31,6 +31,9 @@ public:
     void removeReader(const base::ChannelElementBase* reader);
     bool signalReaders() const;
     // The rare functions of the element that this belongs to.
+    /** The new element, or null, and it deleted, if its storage could not be made. */
+    static base::ChannelElementBase::shared_ptr heldIfReady(base::ChannelElementBase* made);
+    static std::string elementName();
     static WriteStatus writeTyped(base::ChannelElementBase& element, const void* sample);
     bool connect(base::ChannelElementBase& element, base::ChannelElementBase::shared_ptr const& output, bool mandatory);
 

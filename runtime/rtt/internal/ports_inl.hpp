@@ -26,12 +26,12 @@ base::PortInterface* InputPort<T>::antiClone() const {
 
 template <typename T>
 base::DataSourceBase* InputPort<T>::getDataSource() {
-    return new internal::PortSource<T>(internal::PortLink(*this));
+    return internal::PortSource<T>::make(*this);
 }
 
 template <typename T>
 base::ChannelElementBase::shared_ptr InputPort<T>::buildStorage(ConnPolicy const& policy) const {
-    return internal::ConnFactory::buildStorage<T>(policy, nullptr);
+    return internal::ChannelStorage<T>::make(policy);
 }
 
 template <typename T>
@@ -56,17 +56,17 @@ OutputPort<T>* OutputPort<T>::clone() const {
 
 template <typename T>
 base::PortInterface* OutputPort<T>::antiClone() const {
-    return new InputPort<T>(getName(), ConnPolicy(), *sampleSchema());
+    return new InputPort<T>(getName(), internal::policyOfPorts(), *sampleSchema());
 }
 
 template <typename T>
 base::DataSourceBase* OutputPort<T>::getDataSource() const {
-    return new internal::PortSource<T>(internal::PortLink(*this));
+    return internal::PortSource<T>::make(*this);
 }
 
 template <typename T>
 base::ChannelElementBase::shared_ptr OutputPort<T>::buildStorage(ConnPolicy const& policy) const {
-    return internal::ConnFactory::buildStorage<T>(policy, nullptr);
+    return internal::ChannelStorage<T>::make(policy);
 }
 
 template <typename T>

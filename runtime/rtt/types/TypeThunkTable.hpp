@@ -4,8 +4,10 @@
 #define ORO_TYPE_THUNK_TABLE_HPP
 
 #include "SequenceOps.hpp"
+#include <rtt/rtt-config.h>
 #include <boost/intrusive_ptr.hpp>
 #include <string>
+#include <typeinfo>
 
 namespace RTT {
 
@@ -44,6 +46,11 @@ struct TypeThunks {
     boost::intrusive_ptr<base::ChannelElementBase> (*dataStorage)(const ConnPolicy& policy);
     const Schema& (*schema)();  ///< how the typekit sees the type
 };
+
+namespace detail {
+/** The evaluated value of `source`; null if there is no source, or it is of another type, or cannot be evaluated. */
+RTT_API const void* valueOfType(base::DataSourceBase* source, const std::type_info& id);
+}  // namespace detail
 
 }  // namespace types
 }  // namespace RTT

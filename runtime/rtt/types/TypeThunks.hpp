@@ -28,7 +28,7 @@ struct Thunks {
     using Assignable = internal::AssignableDataSource<T>;
 
     /** A new variable with the value of `from`; null if `from` is of another type. */
-    static internal::ValueDataSource<T>* valueOf(Source* from) {
+    [[gnu::cold]] static internal::ValueDataSource<T>* valueOf(Source* from) {
         auto* made = internal::ValueDataSource<T>::make();
         if (!from) return made;
         base::DataSourceBase::shared_ptr owned(made);
@@ -36,41 +36,40 @@ struct Thunks {
                    ? static_cast<internal::ValueDataSource<T>*>(base::DataSourceBase::release(std::move(owned)))
                    : nullptr;
     }
-    static Source* value() { return internal::ValueDataSource<T>::make(); }
-    static Source* reference(void* at) { return new internal::ReferenceDataSource<T>(*static_cast<T*>(at)); }
-    static Source* part(void* at, std::size_t, Source* parent) {
+    [[gnu::cold]] static Source* value() { return internal::ValueDataSource<T>::make(); }
+    [[gnu::cold]] static Source* reference(void* at) {
+        return new internal::ReferenceDataSource<T>(*static_cast<T*>(at));
+    }
+    [[gnu::cold]] static Source* part(void* at, std::size_t, Source* parent) {
         return internal::PartDataSource<T>::make(*static_cast<T*>(at), parent);
     }
-    static Source* element(Source* parent, Source* index, const SequenceOps* ops) {
+    [[gnu::cold]] static Source* element(Source* parent, Source* index, const SequenceOps* ops) {
         return new internal::ElementDataSource<T>(parent, index, ops);
     }
-    static Source* actionAlias(base::ActionInterface* action, Source* source) {
+    [[gnu::cold]] static Source* actionAlias(base::ActionInterface* action, Source* source) {
         auto* same = internal::DataSource<T>::narrow(source);
         return same ? new internal::ActionAliasDataSource<T>(action, same) : nullptr;
     }
-    static base::AttributeBase* constant(const std::string& name, Source* source) {
-        if (!source || !source->getTypeId() || *source->getTypeId() != typeid(T) || !source->evaluate()) return nullptr;
-        const T& value = *static_cast<const T*>(source->getRawConstPointer());
-        return new Constant<T>(name, internal::ConstantDataSource<T>::make(value));
+    [[gnu::cold]] static base::AttributeBase* constant(const std::string& name, Source* source) {
+        const auto* const value = static_cast<const T*>(valueOfType(source, typeid(T)));
+        return value ? new Constant<T>(name, internal::ConstantDataSource<T>::make(*value)) : nullptr;
     }
-    static base::AttributeBase* variable(const std::string& name, int) {
+    [[gnu::cold]] static base::AttributeBase* variable(const std::string& name, int) {
         return new Attribute<T>(name, new internal::UnboundDataSource<internal::ValueDataSource<T>>());
     }
-    static base::AttributeBase* attribute(const std::string& name, Source* source) {
-        if (!source) return new Attribute<T>(name);
-        auto* same = Assignable::narrow(source);
+    [[gnu::cold]] static base::AttributeBase* attribute(const std::string& name, Source* source) {
+        auto* same = source ? Assignable::narrow(source) : internal::ValueDataSource<T>::make();
         return same ? new Attribute<T>(name, same) : nullptr;
     }
-    static base::PropertyBase* property(const std::string& name, const std::string& description, Source* source) {
-        if (auto* same = Assignable::narrow(source)) return new Property<T>(name, description, same);
-        auto* made = valueOf(source);
-        return made ? new Property<T>(name, description, made) : nullptr;
+    [[gnu::cold]] static base::PropertyBase* property(const std::string& name, const std::string& description,
+                                                      Source* source) {
+        Assignable* value = Assignable::narrow(source);
+        if (!value) value = valueOf(source);
+        return value ? new Property<T>(name, description, value) : nullptr;
     }
-    static base::InputPortInterface* inputPort(const std::string& name) { return new InputPort<T>(name); }
-    static base::OutputPortInterface* outputPort(const std::string& name) { return new OutputPort<T>(name); }
-
-    static base::ChannelElementBase::shared_ptr dataStorage(const ConnPolicy& policy) {
-        return internal::ConnFactory::buildDataStorage<T>(policy);
+    [[gnu::cold]] static base::InputPortInterface* inputPort(const std::string& name) { return new InputPort<T>(name); }
+    [[gnu::cold]] static base::OutputPortInterface* outputPort(const std::string& name) {
+        return new OutputPort<T>(name);
     }
 
     static constexpr TypeThunks table() {
@@ -87,7 +86,7 @@ struct Thunks {
         if constexpr (isSample<T>) {
             t.inputPort = &inputPort;
             t.outputPort = &outputPort;
-            t.dataStorage = &dataStorage;
+            t.dataStorage = &internal::ChannelStorage<T>::make;
         }
         t.schema = &schemaOf<T>;
         return t;
@@ -100,19 +99,22 @@ struct Thunks<carray<E>> {
     using T = carray<E>;
     using Source = base::DataSourceBase;
 
-    static Source* value() { return new internal::ArrayDataSource<T>(); }
-    static Source* reference(void* at) { return new internal::ReferenceDataSource<T>(*static_cast<T*>(at)); }
-    static Source* part(void* at, std::size_t count, Source* parent) {
+    [[gnu::cold]] static Source* value() { return new internal::ArrayDataSource<T>(); }
+    [[gnu::cold]] static Source* reference(void* at) {
+        return new internal::ReferenceDataSource<T>(*static_cast<T*>(at));
+    }
+    [[gnu::cold]] static Source* part(void* at, std::size_t count, Source* parent) {
         return new internal::ArrayPartDataSource<E>(static_cast<E*>(at), count, parent);
     }
-    static base::AttributeBase* variable(const std::string& name, int sizehint) {
+    [[gnu::cold]] static base::AttributeBase* variable(const std::string& name, int sizehint) {
         return new Attribute<T>(name, new internal::ArrayDataSource<T>(sizehint > 0 ? std::size_t(sizehint) : 0));
     }
-    static base::AttributeBase* attribute(const std::string& name, Source* source) {
+    [[gnu::cold]] static base::AttributeBase* attribute(const std::string& name, Source* source) {
         auto* same = internal::AssignableDataSource<T>::narrow(source);
         return same ? new Attribute<T>(name, same) : nullptr;
     }
-    static base::PropertyBase* property(const std::string& name, const std::string& description, Source* source) {
+    [[gnu::cold]] static base::PropertyBase* property(const std::string& name, const std::string& description,
+                                                      Source* source) {
         auto* same = internal::AssignableDataSource<T>::narrow(source);
         return same ? new Property<T>(name, description, same) : nullptr;
     }

@@ -5,6 +5,7 @@
 #define ORO_TYPES_VALUE_TRAITS_HPP
 
 #include <type_traits>
+#include <utility>
 
 namespace RTT {
 namespace types {
@@ -20,11 +21,34 @@ template <class T>
 inline constexpr bool isSample =
     std::is_default_constructible<T>::value&& std::is_copy_constructible<T>::value&& std::is_copy_assignable<T>::value;
 
+namespace detail {
+// Types that are costly to copy have the code for it in one place, not wherever it is used.
+template <class T>
+[[gnu::noinline]] T copyApart(const T& value) {
+    return value;
+}
+template <class T>
+[[gnu::noinline]] T moveApart(T& value) {
+    return std::move(value);
+}
+template <class T>
+[[gnu::noinline]] void assignApart(T& to, const T& from) {
+    to = from;
+}
+template <class T>
+[[gnu::cold, gnu::noinline]] void resetApart(T& value) {
+    value = ValueTraits<T>::make();
+}
+}  // namespace detail
+
 /** False, and nothing changed, if values of T cannot be assigned: properties and attributes of T are read only. */
 template <class T>
 bool assignValue(T& to, const T& from) {
-    if constexpr (std::is_copy_assignable<T>::value) {
+    if constexpr (std::is_trivially_copyable<T>::value && std::is_copy_assignable<T>::value) {
         to = from;
+        return true;
+    } else if constexpr (std::is_copy_assignable<T>::value) {
+        detail::assignApart(to, from);
         return true;
     } else {
         (void)to;
@@ -33,14 +57,16 @@ bool assignValue(T& to, const T& from) {
     }
 }
 
-namespace detail {
+/** Gives it its first value again, if values of T can be assigned. */
 template <class T>
-[[gnu::noinline]] T copyApart(const T& value) {
-    return value;
+void resetValue(T& value) {
+    if constexpr (std::is_copy_assignable<T>::value)
+        detail::resetApart(value);
+    else
+        (void)value;
 }
-}  // namespace detail
 
-/** `value` as a function returns it. For types that are costly to copy the code is in one place, not wherever it is used. */
+/** `value` as a function returns it. */
 template <class Result, class T>
 Result copyOf(T& value) {
     typedef std::remove_cv_t<Result> Plain;
@@ -48,6 +74,15 @@ Result copyOf(T& value) {
         return value;
     else
         return detail::copyApart<Plain>(value);
+}
+
+/** `value`, which nobody uses later. */
+template <class T>
+T movedFrom(T& value) {
+    if constexpr (std::is_trivially_copyable<T>::value)
+        return value;
+    else
+        return detail::moveApart(value);
 }
 
 }  // namespace types

@@ -7,6 +7,7 @@
 #include "TransportPlugin.hpp"
 #include "TypeConstructor.hpp"
 #include "TypeInfoGenerator.hpp"
+#include "TypeThunkTable.hpp"
 #include "TypeMarshaller.hpp"
 #include "TypekitPlugin.hpp"
 #include "ValueFactory.hpp"
@@ -82,6 +83,10 @@ base::DataSourceBase::shared_ptr TypeConstructor::convert(base::DataSourceBase::
 namespace detail {
 
 const void* valueOfType(const base::DataSourceBase::shared_ptr& source, const std::type_info& id) {
+    return valueOfType(source.get(), id);
+}
+
+const void* valueOfType(base::DataSourceBase* source, const std::type_info& id) {
     if (!source || !source->getTypeId() || *source->getTypeId() != id || !source->evaluate()) return nullptr;
     return source->getRawConstPointer();
 }

@@ -56,9 +56,16 @@ TEST(UserCode, IsToldTheSampleByTheLongForm) {
     EXPECT_TRUE(element->reset);
 }
 
+namespace {
+// Apart: GCC 12 guesses that a call of it might reach one of the classes above, and warns that the object is too small.
+[[gnu::noinline]] RTT::base::ChannelElement<Samples>::shared_ptr plainElement() {
+    return new RTT::base::ChannelElement<Samples>();
+}
+}  // namespace
+
 // An element that does nothing passes both on.
 TEST(UserCode, PassesTheSampleOn) {
-    const RTT::base::ChannelElement<Samples>::shared_ptr first(new RTT::base::ChannelElement<Samples>());
+    const RTT::base::ChannelElement<Samples>::shared_ptr first = plainElement();
     Publisher* const last = new Publisher();
     ASSERT_TRUE(first->connectTo(RTT::base::ChannelElementBase::shared_ptr(last)));
     EXPECT_EQ(first->data_sample(Samples(5)), RTT::WriteSuccess);
