@@ -3,7 +3,6 @@
 #include <render/renderer.hpp>
 
 #include <algorithm>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -32,12 +31,14 @@ bool isPresent(const nlohmann::json& value) {
 mustache::data toData(const nlohmann::json& value) {
     if (value.is_object()) {
         mustache::data object(mustache::data::type::object);
-        for (const auto& [key, item] : value.items()) object.set(key, toData(item));
+        for (const auto& [key, item] : value.items()) object[key] = toData(item);
         return object;
     }
     if (value.is_array()) {
         mustache::data list(mustache::data::type::list);
-        for (const auto& item : value) list.push_back(toData(item));
+        // Its own push_back() copies all that is below, at each level.
+        auto& items = const_cast<mustache::list&>(list.list_value());
+        for (const auto& item : value) items.push_back(toData(item));
         return list;
     }
     if (!isPresent(value)) return mustache::data(false);
@@ -89,7 +90,29 @@ std::string markTagLines(const std::string& text) {
     return result;
 }
 
-std::string prepared(const std::string& text) { return markTagLines(markVariables(text)); }
+constexpr int kDeepest = 20;
+
+/// With the texts of partials put in: the engine would parse them again each time.
+std::string withPartials(const std::string& text, const Templates& templates, const std::string& name, int depth = 0) {
+    if (depth == kDeepest) throw RenderError(name + ": partials include each other without end");
+    std::string result;
+    std::size_t at = 0;
+    for (std::size_t open; (open = text.find("{{>", at)) != std::string::npos;) {
+        const std::size_t close = text.find("}}", open);
+        if (close == std::string::npos) break;
+        const std::string partial = trimmed(text.substr(open + 3, close - open - 3));
+        const std::string* found = templates.find(partial);
+        if (found == nullptr) throw RenderError(name + ": no partial '" + partial + "'");
+        result.append(text, at, open - at);
+        result += withPartials(markTagLines(markVariables(*found)), templates, name, depth + 1);
+        at = close + 2;
+    }
+    return result + text.substr(at);
+}
+
+std::string prepared(const std::string& text, const Templates& templates, const std::string& name) {
+    return withPartials(markTagLines(markVariables(text)), templates, name);
+}
 
 std::string withoutTagLines(const std::string& text) {
     std::string result;
@@ -105,8 +128,8 @@ std::string withoutTagLines(const std::string& text) {
 
 class Context : public mustache::context<std::string> {
 public:
-    Context(const mustache::data* root, const Templates& templates, std::string name)
-        : mustache::context<std::string>(root), templates_(templates), name_(std::move(name)) {}
+    Context(const mustache::data* root, std::string name)
+        : mustache::context<std::string>(root), name_(std::move(name)) {}
 
     const mustache::data* get(const std::string& key) const override {
         const bool variable = !key.empty() && key.front() == kVariableMark;
@@ -119,20 +142,11 @@ public:
         return found;
     }
 
-    const mustache::data* get_partial(const std::string& partial) const override {
-        const std::string* text = templates_.find(partial);
-        if (text == nullptr) throw RenderError(name_ + ": no partial '" + partial + "'");
-        partials_.emplace_back(prepared(*text));
-        return &partials_.back();
-    }
-
 private:
     static bool isEmptyString(const mustache::data& value) { return value.is_string() && value.string_value().empty(); }
 
-    const Templates& templates_;
     std::string name_;
     mustache::data empty_{std::string()};
-    mutable std::deque<mustache::data> partials_;  // the engine keeps pointers while it renders
 };
 
 }  // namespace
@@ -142,10 +156,10 @@ Renderer::Renderer(Templates templates) : templates_(std::move(templates)) {}
 std::string Renderer::render(const std::string& templateName, const nlohmann::json& view) const {
     const std::string* text = templates_.find(templateName);
     if (text == nullptr) throw RenderError("no template '" + templateName + "'");
-    mustache::mustache engine(prepared(*text));
+    mustache::mustache engine(prepared(*text, templates_, templateName));
     if (!engine.is_valid()) throw RenderError(templateName + ": " + engine.error_message());
     const mustache::data data = toData(view);
-    Context context(&data, templates_, templateName);
+    Context context(&data, templateName);
     std::string result = engine.render(context);
     if (!engine.is_valid()) throw RenderError(templateName + ": " + engine.error_message());
     return withoutTagLines(result);
