@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "command_words.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -21,15 +22,20 @@ std::string below(const std::string& directory, const std::string& path) {
     return (fs::path(directory) / path).lexically_normal().string();
 }
 
-constexpr int kDeepest = 10;  // response files that name each other
-
-void expand(const std::vector<std::string>& words, const std::string& directory, int depth,
+/// The words of response files take their place. `open`: those that are being read, which may name each other.
+void expand(const std::vector<std::string>& words, const std::string& directory, std::vector<std::string>& open,
             std::vector<std::string>& result) {
     for (const std::string& word : words) {
         std::ifstream in;
-        if (depth < kDeepest && word.size() > 1 && word[0] == '@') in.open(below(directory, word.substr(1)));
+        std::error_code ignored;
+        const std::string file = word.size() > 1 && word[0] == '@' ? below(directory, word.substr(1)) : "";
+        const bool isNew = !file.empty() && std::find(open.begin(), open.end(), file) == open.end();
+        // Opening a folder succeeds, and reading it fails.
+        if (isNew && !fs::is_directory(file, ignored)) in.open(file);
         if (in.is_open()) {
-            expand(splitCommand(std::string(std::istreambuf_iterator<char>(in), {})), directory, depth + 1, result);
+            open.push_back(file);
+            expand(splitCommand(std::string(std::istreambuf_iterator<char>(in), {})), directory, open, result);
+            open.pop_back();
         } else {
             result.push_back(word);
         }
@@ -117,8 +123,8 @@ std::vector<std::string> splitCommand(const std::string& line) {
 }
 
 std::vector<std::string> flagsOfCommand(const std::vector<std::string>& words, const std::string& directory) {
-    std::vector<std::string> all;
-    expand(words, directory, 0, all);
+    std::vector<std::string> all, open;
+    expand(words, directory, open, all);
     return Picker(directory).pick(all);
 }
 

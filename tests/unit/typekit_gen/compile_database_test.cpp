@@ -69,6 +69,21 @@ TEST(CompileDatabase, ReadsResponseFiles) {
               (Words{"-D", "X", "-I", (dir / "a b").string()}));
 }
 
+TEST(CompileDatabase, TakesFoldersForNoResponseFiles) {
+    const TempDir dir;
+    dir.write("folder/words.rsp", "-DX");
+    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@folder", "@", "@.", "-DY"}, dir.path().string()), (Words{"-D", "Y"}));
+}
+
+TEST(CompileDatabase, ReadsResponseFilesThatNameEachOtherOnce) {
+    const TempDir dir;
+    std::string text = "-DX\n";
+    for (int i = 0; i != 100; ++i) text += "@words.rsp @other.rsp\n";
+    dir.write("words.rsp", text);
+    dir.write("other.rsp", "-DY @words.rsp");
+    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@words.rsp"}, dir.path().string()).size(), 2U + 100U * 2U);
+}
+
 TEST(CompileDatabase, TakesTheSourceThatIncludesMostHeaders) {
     const TempDir dir;
     const auto a = dir.write("include/demo/a.hpp", "").string(), b = dir.write("include/demo/b.hpp", "").string();
