@@ -11,6 +11,7 @@ namespace oroforge::typekit {
 
 namespace {
 
+using model::Adapted;
 using model::Enum;
 using model::Enumerator;
 using model::Field;
@@ -24,6 +25,14 @@ std::string placeText(std::uint64_t bits) {
 std::string typeText(const Field& field) {
     const std::string type = cppShown(field.declared.empty() ? field.type.cpp : field.declared);
     return field.width == 0 ? type : type + " : " + std::to_string(field.width);
+}
+
+/// "3", "2 x 3"; "any number of" if it may change.
+std::string shapeText(const Adapted& type) {
+    const auto number = [](const std::string& cpp) {
+        return cpp.find_first_not_of("0123456789") == std::string::npos ? cpp : "any number of";
+    };
+    return type.columns.empty() ? number(type.count) : number(type.count) + " x " + number(type.columns);
 }
 
 std::string nowAndThen(const std::string& now, const std::string& then) { return now + ", was " + then; }
@@ -55,16 +64,26 @@ public:
         }
         const std::string subject = "'" + cppShown(now.cpp) + "'";
         if (old.assignable && !now.assignable) add(true, subject + " can no longer be assigned", now.where, old.where);
-        if (changes.size() != before) return;
-        // Nothing that has a name accounts for it.
-        if (old.size != now.size)
-            add(true, subject + " has " + nowAndThen(std::to_string(now.size) + " bytes", std::to_string(old.size)),
-                now.where, old.where);
-        else if (old.align != now.align)
+        // Else something that has a name accounts for it.
+        if (changes.size() == before) compareSizes(old, now);
+    }
+
+    void compare(const Adapted& old, const Adapted& now) {
+        const std::size_t before = changes.size();
+        const std::string subject = "'" + cppShown(now.cpp) + "'";
+        if (old.element.cpp != now.element.cpp)
             add(true,
-                subject + " is aligned to " +
-                    nowAndThen(std::to_string(now.align) + " bytes", std::to_string(old.align)),
+                "an element of " + subject + " is of type " +
+                    nowAndThen("'" + cppShown(now.element.cpp) + "'", "'" + cppShown(old.element.cpp) + "'"),
                 now.where, old.where);
+        if (old.columns.empty() != now.columns.empty())
+            add(true,
+                subject + " is " + (now.columns.empty() ? "a sequence, was a matrix" : "a matrix, was a sequence"),
+                now.where, old.where);
+        if (shapeText(old) != shapeText(now))
+            add(true, subject + " has " + nowAndThen(shapeText(now) + " elements", shapeText(old)), now.where,
+                old.where);
+        if (changes.size() == before) compareSizes(old, now);
     }
 
     void compare(const Enum& old, const Enum& now) {
@@ -103,6 +122,19 @@ public:
     }
 
 private:
+    template <class Type>
+    void compareSizes(const Type& old, const Type& now) {
+        const std::string subject = "'" + cppShown(now.cpp) + "'";
+        if (old.size != now.size)
+            add(true, subject + " has " + nowAndThen(std::to_string(now.size) + " bytes", std::to_string(old.size)),
+                now.where, old.where);
+        else if (old.align != now.align)
+            add(true,
+                subject + " is aligned to " +
+                    nowAndThen(std::to_string(now.align) + " bytes", std::to_string(old.align)),
+                now.where, old.where);
+    }
+
     static std::string nameOf(const Field& field, const Struct& type) {
         return "field '" + field.name + "' of '" + cppShown(type.cpp) + "'";
     }
@@ -155,6 +187,7 @@ private:
 std::vector<Change> compareModels(const model::TypeModel& old, const model::TypeModel& now) {
     Comparison comparison;
     comparison.compareAll(old.structs, now.structs, "struct");
+    comparison.compareAll(old.adapted, now.adapted, "class");
     comparison.compareAll(old.enums, now.enums, "enum");
     return comparison.changes;
 }

@@ -96,6 +96,33 @@ TEST(DiffOfFolders, ComparesAllTheirHeaders) {
     EXPECT_NE(run.err.find("field 'x' of 'demo::B' is of type 'long', was 'int'"), std::string::npos) << run.err;
 }
 
+TEST(DiffOfAdaptedClasses, ComparesTheirElementsAndSizes) {
+    const TempDir dir;
+    const std::string adapters =
+        dir.write("a.xml",
+                  "<adapters><sequence class=\"Ring\" size=\"4\" element=\"[index]\"/>"
+                  "<sequence class=\"Row\" arguments=\"$N\" size=\"$N\" element=\"[index]\"/></adapters>")
+            .string();
+    const std::string rest =
+        "template <int N> struct Row { int& operator[](int i); int operator[](int i) const; private: int at[N]; };\n"
+        "using R = Row<2>;\n";
+    const auto ring = [&](const std::string& element, const std::string& length) {
+        return "#pragma once\nclass Ring { public: " + element + "& operator[](int i); " + element +
+               " operator[](int i) const; private: int at[" + length + "]; };\n" + rest;
+    };
+    const auto compared = [&](const std::string& text) {
+        const std::string old = dir.write("old.hpp", ring("int", "4")).string();
+        return diff({"--adapters=" + adapters, "--diff", old, dir.write("new.hpp", text).string()});
+    };
+    EXPECT_EQ(compared(ring("int", "4")).out, "compatible: no change\n");
+    EXPECT_NE(compared(ring("float", "4")).err.find("an element of 'Ring' is of type 'float', was 'int'"),
+              std::string::npos);
+    EXPECT_NE(compared(ring("int", "8")).err.find("'Ring' has 32 bytes, was 16"), std::string::npos);
+    const auto gone = compared("#pragma once\n" + rest);
+    EXPECT_NE(gone.err.find("class 'Ring' is gone"), std::string::npos) << gone.err;
+    EXPECT_EQ(gone.out, "breaking: 1 change breaks, 0 would not\n");
+}
+
 TEST(DiffOfFolders, IsADocumentForPrograms) {
     const TempDir dir;
     const std::string old = dir.write("old.hpp", "#pragma once\nstruct S { int a; };\n").string();
