@@ -4,6 +4,7 @@
 
 #include <driver/create.hpp>
 #include <render/renderer.hpp>
+#include <report/explain.hpp>
 #include <report/report.hpp>
 
 namespace oroforge::render {
@@ -15,6 +16,7 @@ namespace {
 using namespace oroforge;
 
 void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
+    if (options.explain) return report::explain(options.words, {"orocreate-pkg", "OC001"}, out, sink);
     render::Templates templates(render::componentTemplates());
     if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
     const render::Renderer renderer(templates);

@@ -20,6 +20,8 @@ constexpr const char* kUsage =
     "  orocreate-pkg NAME --from MANIFEST     a new package in ./NAME with the components that MANIFEST describes\n"
     "  orocreate-pkg --generate MANIFEST --output DIR\n"
     "                                         the base classes alone; what the package's build calls\n"
+    "  orocreate-pkg --explain [CODE...]      what a code means, as the OM003 in \"error: [OM003] ...\"; none = list "
+    "them\n"
     "\n"
     "Kinds, any number of them, none = all: component plugin service support typekit;\n"
     "cmake (only the build files), empty (only package.xml).\n";
@@ -42,6 +44,7 @@ void declare(CLI::App& app, Options& options) {
         ->check(CLI::IsMember({"model", "view"}));
     app.add_option("--format", options.format, "How errors and warnings are told: text, json or sarif")
         ->check(CLI::IsMember(report::formatNames()));
+    app.add_flag("--explain", options.explain, "Print what these codes of errors mean; without any list them all");
     app.add_flag("-f,--force", options.force,
                  "Write into an existing directory; sources there are kept, build files are kept as *.old");
     app.set_version_flag("--version", "orocreate-pkg (Oroforge) " OROFORGE_VERSION);
@@ -77,6 +80,11 @@ void checkCombination(const Options& options, diag::Sink& sink) {
     const auto complain = [&](bool wrong, const char* text) {
         if (wrong) sink.error(here, "OC001", text).hint(kHelpHint);
     };
+    if (options.explain) {
+        complain(options.format != "text", "--explain prints text, so it takes no --format");
+        complain(!options.generate.empty() || !options.from.empty(), "--explain takes codes and no manifest");
+        return;
+    }
     complain(options.format != "text" && (options.listOutputs || !options.dump.empty()),
              "--format excludes --list-outputs and --dump: both write to standard output");
     if (options.generate.empty()) {

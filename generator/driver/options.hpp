@@ -22,6 +22,7 @@ struct Options {
     std::string templateDir;
     std::string dump;             ///< "model" or "view": print that step instead of writing files
     std::string format = "text";  ///< of diagnostics, see report::formatNames()
+    bool explain = false;         ///< tell what the codes mean that `words` then are
     bool listOutputs = false;
     bool force = false;
 };

@@ -56,7 +56,7 @@ const Explanation* explanationOf(const std::string& code) {
     return nullptr;
 }
 
-void explain(const std::vector<std::string>& codes, const std::string& program, std::ostream& out, diag::Sink& sink) {
+void explain(const std::vector<std::string>& codes, const Explainer& program, std::ostream& out, diag::Sink& sink) {
     std::vector<std::string> known;
     for (const Explanation& explanation : explanations()) {
         known.push_back(explanation.code);
@@ -66,8 +66,9 @@ void explain(const std::vector<std::string>& codes, const std::string& program, 
     for (const std::string& code : codes) {
         const Explanation* explanation = explanationOf(code);
         if (explanation == nullptr) {
-            sink.error({program}, "TK003", "no diagnostic has the code '" + code + "'" + diag::didYouMean(code, known))
-                .hint(program + " --explain lists all codes");
+            sink.error({program.name}, program.badOption,
+                       "no diagnostic has the code '" + code + "'" + diag::didYouMean(code, known))
+                .hint(program.name + " --explain lists all codes");
             continue;
         }
         out << (first ? "" : "\n") << explanation->code << ": " << explanation->title << "\n\n" << explanation->text;

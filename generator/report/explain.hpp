@@ -26,9 +26,14 @@ const std::vector<Explanation>& explanations();
 /// Null if there is none. Upper and lower case are the same.
 const Explanation* explanationOf(const std::string& code);
 
+struct Explainer {
+    std::string name;       ///< of the program that the user called
+    std::string badOption;  ///< its code for a command line that makes no sense
+};
+
 /// What the user of `program` asked for with --explain: the texts of these codes, or a list of all if there are none.
-/// Codes that do not exist are errors TK003.
-void explain(const std::vector<std::string>& codes, const std::string& program, std::ostream& out, diag::Sink& sink);
+/// Codes that do not exist are errors.
+void explain(const std::vector<std::string>& codes, const Explainer& program, std::ostream& out, diag::Sink& sink);
 
 }  // namespace oroforge::report
 

@@ -188,7 +188,7 @@ bool tellOnly(const Options& options, diag::Sink& sink, std::ostream& out) {
     } else if (options.version) {
         out << "typegen " << OROFORGE_VERSION << "\n";
     } else if (options.explain) {
-        report::explain(options.codes, "typegen", out, sink);
+        report::explain(options.codes, {"typegen", "TK003"}, out, sink);
     } else {
         return false;
     }

@@ -35,6 +35,18 @@ TEST_F(OrocreatePkg, HelpAndVersionSucceed) {
     EXPECT_EQ(run({"--version"}).status, 0);
 }
 
+TEST_F(OrocreatePkg, ExplainsItsCodes) {
+    const test::Outcome one = run({"--explain", "om051", "OC004"});
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_EQ(one.out.rfind("OM051: a buffer without a size\n\n", 0), 0U) << one.out;
+    EXPECT_NE(one.out.find("\nOC004: a folder that exists already\n"), std::string::npos) << one.out;
+    EXPECT_NE(run({"--explain"}).out.find("OM010  a name that is no identifier\n"), std::string::npos);
+    const test::Outcome unknown = run({"--explain", "OM151"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("[OC001] no diagnostic has the code 'OM151'"), std::string::npos) << unknown.err;
+    EXPECT_EQ(run({"--explain", "OM051", "--generate", "m.xml"}).status, 1);
+}
+
 TEST_F(OrocreatePkg, RefusesAnExistingDirectory) {
     fs::create_directory(dir_ / "mypkg");
 

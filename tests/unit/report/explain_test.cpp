@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include <driver/typegen.hpp>
+#include <support/child_process.hpp>
 #include <support/golden.hpp>
 #include <support/temp_dir.hpp>
 
@@ -18,10 +19,11 @@ using namespace oroforge::test;
 namespace {
 
 std::set<std::string> codesInSources() {
-    const std::regex quotedCode("\"((TK|EMIT)[0-9]{3})\"");
+    const std::regex quotedCode("\"((TK|EMIT|OM|OC)[0-9]{3})\"");
     std::set<std::string> codes;
-    for (const char* part : {"generator/adapters", "generator/clang", "generator/emit", "generator/model",
-                             "generator/render", "generator/report", "generator/view", "typekit_gen"}) {
+    for (const char* part : {"generator/adapters", "generator/check", "generator/clang", "generator/driver",
+                             "generator/emit", "generator/manifest", "generator/model", "generator/render",
+                             "generator/report", "generator/view", "typekit_gen"}) {
         for (const auto& [name, text] : readTree(sourceRoot() / part)) {
             for (std::sregex_iterator at(text.begin(), text.end(), quotedCode), end; at != end; ++at) {
                 codes.insert((*at)[1]);
@@ -56,13 +58,28 @@ Ran typegen(const std::string& text) {
     return {status, err.str()};
 }
 
+Ran orocreatePkg(const std::string& manifest) {
+    const TempDir dir;
+    Command command;
+    command.program = OROCREATE_PKG;
+    command.directory = dir.path();
+    command.arguments = {"--generate", dir.write("tank.xml", manifest).string(), "--output", (dir / "out").string()};
+    const Outcome outcome = run(command);
+    return {outcome.status, outcome.err};
+}
+
+/// Examples are headers, or of the codes OM manifests.
+Ran readBy(const std::string& code, const std::string& example) {
+    return code.compare(0, 2, "OM") == 0 ? orocreatePkg(example) : typegen(example);
+}
+
 std::vector<std::string> allCodes() {
     std::vector<std::string> codes;
     for (const report::Explanation& explanation : report::explanations()) codes.push_back(explanation.code);
     return codes;
 }
 
-/// Those whose explanation has such a block of C++; lines with '$' are commands.
+/// Those whose explanation has such a block of C++ or XML; lines with '$' are commands.
 std::vector<std::string> codesWith(const std::string& title) {
     std::vector<std::string> codes;
     for (const report::Explanation& explanation : report::explanations()) {
@@ -100,12 +117,12 @@ TEST_P(Explained, ByATitleAndAParagraph) {
 }
 
 TEST_P(Example, GivesTheCode) {
-    const Ran ran = typegen(block(*report::explanationOf(GetParam()), "Example:"));
+    const Ran ran = readBy(GetParam(), block(*report::explanationOf(GetParam()), "Example:"));
     EXPECT_NE(ran.err.find("[" + GetParam() + "]"), std::string::npos) << ran.err;
 }
 
 TEST_P(WayOut, IsAccepted) {
-    const Ran ran = typegen(block(*report::explanationOf(GetParam()), "Instead:"));
+    const Ran ran = readBy(GetParam(), block(*report::explanationOf(GetParam()), "Instead:"));
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.err, "");
 }
