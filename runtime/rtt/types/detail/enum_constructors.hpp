@@ -4,6 +4,7 @@
 #define ORO_ENUM_CONSTRUCTORS_HPP
 
 #include <rtt/types/StructTable.hpp>
+#include <string>
 
 namespace RTT {
 namespace types {
@@ -12,8 +13,20 @@ class TypeInfo;
 
 namespace detail {
 
-/** Adds the silent conversions from int to the enum and, if int is registered, from the enum to int. */
-void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumOps& numbers);
+/** The enumerators by which a value is called; the tables belong to the typekit. */
+struct EnumNames {
+    const Enumerator* values;
+    std::size_t count;
+    const EnumOps& ops;
+
+    /** By a name, or a number; false, and nothing changed, if it is neither. Real-time safe. */
+    bool set(const std::string& text, void* value) const;
+    /** The first name of that value, else its number. */
+    std::string textOf(const void* value) const;
+};
+
+/** Adds the silent conversions from int and from a name to the enum, the one from the enum to int, and string(value). */
+void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names);
 
 }  // namespace detail
 

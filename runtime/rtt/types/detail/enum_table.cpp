@@ -9,7 +9,6 @@
 #include <rtt/types/TypeOps.hpp>
 #include "enum_constructors.hpp"
 #include "table_generator.hpp"
-#include <cstdlib>
 #include <istream>
 #include <ostream>
 
@@ -25,21 +24,21 @@ class EnumTable : public TableGenerator, public CompositionFactory, public Strea
 public:
     EnumTable(const char* name, const Enumerator* values, std::size_t count, const char* doc, const TypeOps& ops,
               const TypeThunks& thunks, const EnumOps& numbers, TypeRef type)
-        : TableGenerator(name, doc, ops, thunks), values_(values), count_(count), numbers_(numbers), type_(type) {}
+        : TableGenerator(name, doc, ops, thunks), names_{values, count, numbers}, type_(type) {}
 
     bool installTypeInfoObject(TypeInfo* info) override {
         TableGenerator::installTypeInfoObject(info);
         const auto self = boost::static_pointer_cast<EnumTable>(getSharedPtr());
         info->setCompositionFactory(self);
         info->setStreamFactory(self);
-        addEnumConstructors(*info, type_, numbers_);
+        addEnumConstructors(*info, type_, names_);
         return false;
     }
 
     /** On disk an enum is its enumerator's name; a value without one is its number. */
     DataSourceBase::shared_ptr decomposeType(DataSourceBase::shared_ptr source) const override {
         const void* value = valueOfType(source, *ops().id);
-        return value ? new internal::ValueDataSource<std::string>(textOf(value)) : nullptr;
+        return value ? new internal::ValueDataSource<std::string>(names_.textOf(value)) : nullptr;
     }
     bool composeType(DataSourceBase::shared_ptr source, DataSourceBase::shared_ptr target) const override {
         if (const void* text = valueOfType(source, typeid(std::string)))
@@ -50,7 +49,7 @@ public:
     }
 
     std::ostream& write(std::ostream& os, DataSourceBase::shared_ptr source) const override {
-        if (const void* value = valueOfType(source, *ops().id)) os << textOf(value);
+        if (const void* value = valueOfType(source, *ops().id)) os << names_.textOf(value);
         return os;
     }
     std::istream& read(std::istream& is, DataSourceBase::shared_ptr target) const override {
@@ -59,33 +58,23 @@ public:
         return is;
     }
     bool fromString(const std::string& text, DataSourceBase::shared_ptr target) const override {
-        for (std::size_t i = 0; i != count_; ++i)
-            if (text == values_[i].name) return setNumber(target, values_[i].value);
-        char* end = nullptr;
-        const long long number = numbers_.isUnsigned ? static_cast<long long>(std::strtoull(text.c_str(), &end, 10))
-                                                     : std::strtoll(text.c_str(), &end, 10);
-        return end != text.c_str() && *end == '\0' && setNumber(target, number);
+        void* const storage = storageOfType(target, *ops().id);
+        if (!storage || !names_.set(text, storage)) return false;
+        target->updated();
+        return true;
     }
     bool isStreamable() const override { return true; }
 
 private:
-    std::string textOf(const void* value) const {
-        const long long number = numbers_.get(value);
-        for (std::size_t i = 0; i != count_; ++i)
-            if (values_[i].value == number) return values_[i].name;
-        return numbers_.isUnsigned ? std::to_string(static_cast<unsigned long long>(number)) : std::to_string(number);
-    }
     bool setNumber(const DataSourceBase::shared_ptr& target, long long number) const {
         void* storage = storageOfType(target, *ops().id);
         if (!storage) return false;
-        numbers_.set(storage, number);
+        names_.ops.set(storage, number);
         target->updated();
         return true;
     }
 
-    const Enumerator* values_;
-    std::size_t count_;
-    const EnumOps& numbers_;
+    const EnumNames names_;
     TypeRef type_;
 };
 
