@@ -3,8 +3,9 @@
 # Copyright Oroforge contributors
 """compare_layouts.py TYPEGEN COMPILER… : what typegen says of random headers, against what a compiled program says.
 
-Every struct and enum of the headers must be there, with every field; sizes, alignments, offsets and the values of
-enumerators must be the program's. LAYOUT_SEEDS=100 LAYOUT_FIRST=… searches for longer.
+Every struct and enum of the headers must be there, with every field; sizes, alignments, offsets, bits of bit-fields and the
+values of enumerators must be the program's; the C++ types of fields, and the code that reaches them, must compile; units, ranges
+and comments must be there. LAYOUT_SEEDS=100 LAYOUT_FIRST=… searches for longer.
 """
 import json
 import os
@@ -17,23 +18,42 @@ from random_header import RandomHeader
 TYPES_PER_HEADER = 200
 
 
-def program(header):
-    """Prints what the compiler knows, one JSON value a line."""
-    lines = ['#include "types.hpp"', '#include <cstdio>', '#include <type_traits>',
-             'template <class E> void value(E e) {',
-             '    using U = std::underlying_type_t<E>;',
-             '    if (std::is_unsigned_v<U>) std::printf("\\"%llu\\"", static_cast<unsigned long long>(static_cast<U>(e)));',
-             '    else std::printf("\\"%lld\\"", static_cast<long long>(static_cast<U>(e)));',
-             '}',
-             '#pragma GCC diagnostic ignored "-Winvalid-offsetof"',
-             'int main() {']
+PROGRAM_HEAD = """#include "types.hpp"
+#include <cstdio>
+#include <cstring>
+#include <type_traits>
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+template <class E> void value(E e) {
+    using U = std::underlying_type_t<E>;
+    if (std::is_unsigned_v<U>) std::printf("\\"%llu\\"", static_cast<unsigned long long>(static_cast<U>(e)));
+    else std::printf("\\"%lld\\"", static_cast<long long>(static_cast<U>(e)));
+}
+template <class S, class Fill> void bits(Fill fill) {
+    alignas(S) static unsigned char raw[sizeof(S)];
+    std::memset(raw, 0, sizeof raw);
+    fill(*reinterpret_cast<S*>(raw));
+    int first = -1, count = 0;
+    for (unsigned i = 0; i != 8 * sizeof raw; ++i)
+        if (raw[i / 8] >> i % 8 & 1 && count++ == 0) first = static_cast<int>(i);
+    std::printf("%d, %d]", first, count);
+}
+"""
+
+
+def program(header, model):
+    """Prints what the compiler knows, one JSON value a line; and compiles what generated code would do with each field."""
+    lines = [PROGRAM_HEAD] + accesses(model) + ['int main() {']
     for struct in header.structs:
         lines.append(f'    std::printf("[\\"{struct.name}\\", %zu, %zu", sizeof({struct.name}), alignof({struct.name}));')
-        for field, kind in struct.fields:
-            if kind == 'copied':
-                lines.append(f'    std::printf(", [\\"{field}\\", null]");')
+        for field in struct.fields:
+            name = field.name
+            if field.how == 'copied':
+                lines.append(f'    std::printf(", [\\"{name}\\"]");')
+            elif field.how == 'bits':
+                lines.append(f'    std::printf(", [\\"{name}\\", "); bits<{struct.name}>([](auto& s) {{ '
+                             f's.{name} = static_cast<decltype(s.{name})>(~0ULL); }});')
             else:
-                lines.append(f'    std::printf(", [\\"{field}\\", %zu]", __builtin_offsetof({struct.name}, {field}));')
+                lines.append(f'    std::printf(", [\\"{name}\\", %zu]", 8 * __builtin_offsetof({struct.name}, {name}));')
         lines.append('    std::printf("]\\n");')
     for enum, names in header.enums:
         lines.append(f'    std::printf("[\\"{enum}\\", %zu", sizeof({enum}));')
@@ -43,9 +63,28 @@ def program(header):
     return '\n'.join(lines + ['}']) + '\n'
 
 
+def accesses(model):
+    lines = []
+    for number, struct in enumerate(model['structs']):
+        lines.append(f'inline void access_{number}({struct["cpp"]}& object) {{')
+        for field in struct['fields']:
+            cpp = field['type']['cpp']
+            if 'load' in field:
+                store = f' {field["store"]};' if 'store' in field else ''
+                lines.append(f'    {{ {cpp} value{{}}; {field["load"]};{store} }}')
+            else:
+                declared = field.get('declared', cpp)
+                lines.append(f'    static_assert(std::is_same_v<decltype({struct["cpp"]}::{field["name"]}), {declared}>);')
+        lines.append('}')
+    return lines
+
+
 def differences(header, model, truth):
     structs = {struct['cpp'][2:]: struct for struct in model['structs']}
+    # An instance of a template has the name of its alias.
+    structs.update({struct['name'][1:].replace('/', '::'): struct for struct in model['structs']})
     enums = {enum['cpp'][2:]: enum for enum in model['enums']}
+    known = {struct.name: struct for struct in header.structs}
     for name, *facts in truth:
         if name in enums:
             enum = enums[name]
@@ -54,22 +93,32 @@ def differences(header, model, truth):
             if [[v['name'], v['value']] for v in enum['values']] != facts[1:]:
                 yield f'enum {name}: values {enum["values"]}, not {facts[1:]}'
         elif name in structs:
-            yield from struct_differences(structs[name], facts)
+            yield from struct_differences(structs[name], facts, known[name])
         else:
             yield f'{name} is missing'
 
 
-def struct_differences(struct, facts):
+def struct_differences(struct, facts, known):
     if [struct['size'], struct['align']] != facts[:2]:
         yield f'{struct["cpp"]}: size and alignment {struct["size"]}, {struct["align"]}, not {facts[:2]}'
+    if struct.get('assignable', True) != known.sample:
+        yield f'{struct["cpp"]}: {"can" if known.sample else "cannot"} be assigned'
     fields = {field['name']: field for field in struct['fields']}
-    for name, offset in facts[2:]:
+    told = {field.name: field.told for field in known.fields}
+    for name, *places in facts[2:]:
+        subject = f'{struct["cpp"]}::{name}'
         if name not in fields:
-            yield f'{struct["cpp"]}::{name} is missing'
-        elif 'offset' in fields[name] and fields[name]['offset'] != offset:
-            yield f'{struct["cpp"]}::{name}: offset {fields[name]["offset"]}, not {offset}'
-        elif 'offset' not in fields[name] and 'load' not in fields[name]:
-            yield f'{struct["cpp"]}::{name}: cannot be reached'
+            yield f'{subject} is missing'
+            continue
+        field = fields[name]
+        found = [8 * field['offset'] if 'offset' in field else field['bit']] if 'offset' in field or 'load' in field else []
+        if not found:
+            yield f'{subject}: cannot be reached'
+        elif places and found + ([field['width']] if 'width' in field else []) != places:
+            yield f'{subject}: at bit {found}, width {field.get("width")}, not {places}'
+        for key, text in told[name].items():
+            if field.get(key) != text:
+                yield f'{subject}: {key} {field.get(key)!r}, not {text!r}'
     if len(fields) != len(facts) - 2:
         yield f'{struct["cpp"]}: {len(fields)} fields, not {len(facts) - 2}'
 
@@ -81,13 +130,17 @@ def run(command, folder):
     return done.stdout
 
 
+def write(path, text):
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+
+
 def compare(seed, typegen, compiler):
     header = RandomHeader(seed, TYPES_PER_HEADER)
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in (('types.hpp', header.text()), ('program.cpp', program(header))):
-            with open(os.path.join(folder, name), 'w', encoding='utf-8') as file:
-                file.write(text)
+        write(os.path.join(folder, 'types.hpp'), header.text())
         model = json.loads(run([typegen, '--dump=model', 'random', 'types.hpp'], folder))
+        write(os.path.join(folder, 'program.cpp'), program(header, model))
         run(compiler + ['-w', '-O0', '-o', 'program', 'program.cpp'], folder)
         truth = [json.loads(line) for line in run(['./program'], folder).splitlines()]
     assert len(truth) == TYPES_PER_HEADER
