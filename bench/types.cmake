@@ -4,7 +4,10 @@
 if(OROFORGE_BUILD_TOOLS)
   set(dir ${PROJECT_BINARY_DIR}/bench/measured)
   set(header ${dir}/include/measured/measured.hpp)
-  set(sources ${dir}/Plugin.cpp ${dir}/types_0.cpp ${dir}/types_1.cpp ${dir}/types_2.cpp ${dir}/types_3.cpp)
+  set(sources ${dir}/Plugin.cpp)
+  foreach(i RANGE 15)
+    list(APPEND sources ${dir}/types_${i}.cpp)
+  endforeach()
   add_custom_command(OUTPUT ${sources}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}/include/measured
     COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/typegen_bench.py --header 200 > ${header}

@@ -179,7 +179,11 @@ endfunction()
 
 # Compares committed files with what typegen makes of the headers, and renews them: as targets, and the former as a test.
 function(_oro_check_committed target command headers dir)
-  string(REPLACE ";" "\;" how "to refresh: cmake --build ${PROJECT_BINARY_DIR} --target ${target}-refresh")
+  set(folder ${PROJECT_BINARY_DIR})
+  if(folder MATCHES " ")
+    set(folder "'${folder}'")
+  endif()
+  string(REPLACE ";" "\;" how "to refresh: cmake --build ${folder} --target ${target}-refresh")
   set(check ${command} "--check=${how}" ${PROJECT_NAME} ${headers})
   add_custom_target(${target}-check COMMAND ${check} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     COMMENT "Comparing typekit ${PROJECT_NAME} with its headers" VERBATIM)

@@ -23,6 +23,17 @@ struct Member {
     diag::Location where;
 };
 
+/// What scripts may call as `Type(arguments)`.
+struct Constructor {
+    struct Argument {
+        std::string type, name;  ///< the type as C++ says it, without "::" in front, or a "$variable"
+        diag::Location where;
+    };
+    std::vector<Argument> arguments;
+    Accessor call;  ///< a static function of the class; not given: its constructor
+    diag::Location where;
+};
+
 struct Adapter {
     Shape shape = Shape::Struct;
     std::string className;           ///< "Eigen::Matrix", without a leading "::"
@@ -34,6 +45,8 @@ struct Adapter {
     Accessor size, rows, columns;  ///< a number if it never changes
     Accessor resize;               ///< not given: the size is fixed
     Accessor element, set;         ///< like `get` and `set` of a member
+    Accessor initial;              ///< a static function that makes the first value; not given: `T()`
+    std::vector<Constructor> constructors;
     diag::Location where;
     diag::Location classWhere;
     bool isShipped = false;  ///< with typegen

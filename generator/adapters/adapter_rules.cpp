@@ -24,10 +24,17 @@ struct Rule {
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all = {
         {"adapters", {}, {}, {"struct", "sequence", "matrix"}},
-        {"struct", {"class"}, {"arguments", "name", "alias", "doc"}, {"member"}},
+        {"struct", {"class"}, {"arguments", "name", "alias", "doc", "initial"}, {"member", "constructor"}},
         {"member", {"name", "get"}, {"also", "set", "doc", "unit", "range"}, {}},
-        {"sequence", {"class", "size", "element"}, {"arguments", "name", "alias", "doc", "resize", "set"}, {}},
-        {"matrix", {"class", "rows", "columns", "element"}, {"arguments", "name", "alias", "doc", "resize", "set"}, {}},
+        {"sequence",
+         {"class", "size", "element"},
+         {"arguments", "name", "alias", "doc", "initial", "resize", "set"},
+         {"constructor"}},
+        {"matrix",
+         {"class", "rows", "columns", "element"},
+         {"arguments", "name", "alias", "doc", "initial", "resize", "set"},
+         {"constructor"}},
+        {"constructor", {"arguments"}, {"call"}, {}},
     };
     return all;
 }

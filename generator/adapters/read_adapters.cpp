@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <adapters/read_adapters.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
@@ -35,10 +36,10 @@ bool isIdentifier(const std::string& text) {
 }
 
 /// "std::complex<double>, $N": split at the commas that are not within brackets.
-std::vector<Pattern> splitArguments(const std::string& text) {
+std::vector<Pattern> splitArguments(const std::string& text, bool keepBlanks = false) {
     std::vector<Pattern> parts(1);
     int depth = 0;
-    for (const char c : withoutBlanks(text)) {
+    for (const char c : keepBlanks ? text : withoutBlanks(text)) {
         if (c == '<' || c == '(') ++depth;
         if (c == '>' || c == ')') --depth;
         if (c == ',' && depth == 0)
@@ -72,7 +73,13 @@ public:
         result.element = accessor(element, "element", element1);
         result.set = setter(element, element1);
         checkSizes(result);
-        for (const xml::Element& child : element.children) readMember(child, result);
+        result.initial = accessor(element, "initial", {});
+        for (const xml::Element& child : element.children) {
+            if (child.name == "constructor")
+                readConstructor(child, result);
+            else
+                readMember(child, result);
+        }
         if (result.shape == Shape::Struct && result.members.empty())
             sink_.error(element.where, "TK070", "<struct> without a <member>");
         return result;
@@ -192,6 +199,37 @@ private:
             if (one->number.empty() || one->number[0] == '$' || std::stoul(one->number) != 0) continue;
             sink_.error(one->where, "TK070", "a size of 0, expected at least one element");
         }
+    }
+
+    /// "double x, KDL::Vector p"
+    void readConstructor(const xml::Element& element, Adapter& into) {
+        Constructor made;
+        made.where = element.where;
+        const xml::Attribute& attribute = *element.attribute("arguments");
+        Names words;
+        for (const Pattern& part : splitArguments(attribute.value, /*keepBlanks=*/true)) {
+            Constructor::Argument argument = constructorArgument(part);
+            argument.where = attribute.valueWhere;
+            if (!isIdentifier(argument.name) || argument.type.empty())
+                return error(attribute, "expected arguments with their types, such as 'double x, KDL::Vector p'");
+            if (argument.type[0] == '$') checkVariable(attribute, argument.type.substr(1), variables_);
+            if (std::find(words.begin(), words.end(), argument.name) != words.end())
+                return error(attribute, "but two arguments are called '" + argument.name + "'");
+            words.push_back(argument.name);
+            made.arguments.push_back(argument);
+        }
+        made.call = accessor(element, "call", words);
+        into.constructors.push_back(made);
+    }
+
+    static Constructor::Argument constructorArgument(const std::string& text) {
+        const std::size_t end = text.find_last_not_of(' ');
+        const std::size_t begin = text.find_last_of(' ', end) + 1;  // the name, unless it is all
+        if (end == std::string::npos || begin == 0) return {};
+        const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ', begin - 1);
+        if (first >= begin || last == std::string::npos) return {};
+        const std::string type = text.substr(first, last - first + 1);
+        return {type.compare(0, 2, "::") == 0 ? type.substr(2) : type, text.substr(begin, end - begin + 1), {}};
     }
 
     void readMember(const xml::Element& element, Adapter& into) {

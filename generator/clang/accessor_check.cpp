@@ -66,6 +66,8 @@ clang::ExprResult AccessorCheck::apply(clang::Expr* base, const adapters::Step& 
     for (const std::string& word : step.arguments) {
         if (word == "value") {
             arguments.push_back(makeObject(value.withConst()));
+        } else if (const auto known = words_.find(word); known != words_.end()) {
+            arguments.push_back(makeObject(known->second.withConst()));
         } else if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
             const llvm::APInt number(context_.getIntWidth(context_.IntTy), std::stoul(word));
             arguments.push_back(clang::IntegerLiteral::Create(context_, number, context_.IntTy, at_));
@@ -94,6 +96,26 @@ Accessed AccessorCheck::access(const adapters::Accessor& accessor, bool isConst,
     else
         result.expression = made.get();
     return result;
+}
+
+std::string AccessorCheck::construct(const std::vector<clang::QualType>& arguments) {
+    FirstError errors(context_.getDiagnostics());
+    llvm::SmallVector<clang::Expr*, 4> values;
+    for (const clang::QualType argument : arguments) values.push_back(makeObject(argument.withConst()));
+    const clang::ExprResult made = sema_.BuildCXXTypeConstructExpr(context_.getTrivialTypeSourceInfo(type_, at_), at_,
+                                                                   values, at_, /*ListInitialization=*/false);
+    return errors.text(!made.isUsable() || made.get()->containsErrors());
+}
+
+std::string AccessorCheck::makesValue(const Accessed& made) {
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(made.expression->IgnoreImplicit());
+    const auto* function =
+        call != nullptr ? llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getCalleeDecl()) : nullptr;
+    if (function == nullptr || !function->isStatic()) return "expected the call of a static function of the class";
+    FirstError errors(context_.getDiagnostics());
+    const clang::ExprResult value =
+        sema_.PerformCopyInitialization(clang::InitializedEntity::InitializeTemporary(type_), at_, made.expression);
+    return errors.text(!value.isUsable() || value.get()->containsErrors());
 }
 
 std::string AccessorCheck::assign(const Accessed& target, clang::QualType value) {

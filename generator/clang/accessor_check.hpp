@@ -4,7 +4,10 @@
 #ifndef OROFORGE_GENERATOR_CLANG_ACCESSOR_CHECK_HPP
 #define OROFORGE_GENERATOR_CLANG_ACCESSOR_CHECK_HPP
 
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <adapters/accessor.hpp>
 
@@ -30,6 +33,15 @@ public:
     AccessorCheck(const AccessorCheck&) = delete;
     AccessorCheck& operator=(const AccessorCheck&) = delete;
 
+    /// Further arguments that calls may have.
+    void setWords(std::map<std::string, clang::QualType> words) { words_ = std::move(words); }
+
+    /// Why such a call of its constructor makes no value; empty if it does.
+    std::string construct(const std::vector<clang::QualType>& arguments);
+
+    /// Why what was accessed is no value that everybody can make: by a static function, of the class or of what becomes one.
+    std::string makesValue(const Accessed& made);
+
     /// Of a const object if it is only to be read. "value" is an argument of type `value`, all others are std::size_t.
     Accessed access(const adapters::Accessor& accessor, bool isConst, clang::QualType value = {});
 
@@ -45,6 +57,7 @@ private:
     clang::ASTContext& context_;
     clang::QualType type_;
     clang::SourceLocation at_;
+    std::map<std::string, clang::QualType> words_;
 };
 
 }  // namespace oroforge::cxx

@@ -113,6 +113,31 @@ bool fits(const std::vector<adapters::Pattern>& wanted, const std::vector<TypeNa
 
 }  // namespace
 
+std::optional<clang::QualType> typeCalled(const std::string& name, clang::ASTContext& context, std::string& nearest) {
+    const std::map<std::string, clang::QualType> simple = {{"bool", context.BoolTy},
+                                                           {"char", context.CharTy},
+                                                           {"int", context.IntTy},
+                                                           {"unsigned", context.UnsignedIntTy},
+                                                           {"unsigned int", context.UnsignedIntTy},
+                                                           {"float", context.FloatTy},
+                                                           {"double", context.DoubleTy}};
+    const auto known = simple.find(name);
+    if (known != simple.end()) return known->second;
+    const clang::DeclContext* scope = context.getTranslationUnitDecl();
+    std::string rest = name.compare(0, 2, "::") == 0 ? name.substr(2) : name;
+    while (scope != nullptr) {
+        const std::size_t end = rest.find("::");
+        const std::string part = rest.substr(0, end);
+        const clang::NamedDecl* found = lookUp(*scope, part, context);
+        const auto* type = llvm::dyn_cast_or_null<clang::TypeDecl>(found);
+        if (type != nullptr && end == std::string::npos) return context.getTypeDeclType(type);
+        if (found == nullptr) nearest = diag::didYouMean(part, classesIn(*scope));
+        scope = found != nullptr && end != std::string::npos ? scopeOf(found) : nullptr;
+        if (end != std::string::npos) rest = rest.substr(end + 2);
+    }
+    return std::nullopt;
+}
+
 AdapterFinder::AdapterFinder(const std::vector<adapters::Adapter>& all, const clang::ASTContext& context,
                              diag::Sink& sink) {
     // Names are looked up in a table that may grow by it.

@@ -22,6 +22,9 @@ struct AdapterMatch {
     std::map<std::string, std::string> names;  ///< … and in the type registry, without a leading '/'
 };
 
+/// What that name means in C++: a number or text, a class, an enum or an alias; nothing, and the nearest name that there is.
+std::optional<clang::QualType> typeCalled(const std::string& name, clang::ASTContext& context, std::string& nearest);
+
 class AdapterFinder {
 public:
     AdapterFinder(const std::vector<adapters::Adapter>& all, const clang::ASTContext& context, diag::Sink& sink);

@@ -47,11 +47,6 @@ clang::SourceLocation endOf(const clang::Decl& declaration) {
 
 }  // namespace
 
-void Attributes::watch(clang::Preprocessor& preprocessor) {
-    preprocessor_ = &preprocessor;
-    preprocessor.setTokenWatcher([this](const clang::Token& token) { take(token); });
-}
-
 void Attributes::take(const clang::Token& token) {
     if (brackets_ == 2) return takeInside(token);
     if (closing_ == 1 && token.isOneOf(clang::tok::semi, clang::tok::equal, clang::tok::comma)) notes_.resize(before_);

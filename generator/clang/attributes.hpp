@@ -15,28 +15,31 @@ namespace oroforge::cxx {
 /// before anybody can see them, so they are taken from the tokens.
 class Attributes {
 public:
-    /// To be called before anything is read; this has to live as long.
-    void watch(clang::Preprocessor& preprocessor);
+    /// To be called before anything is read, and take() with each token that is.
+    void watch(clang::Preprocessor& preprocessor) { preprocessor_ = &preprocessor; }
+    void take(const clang::Token& token);
 
     /// What they say comes before what a comment says. The same by __attribute__((annotate("oro.unit=m"))).
     void addTo(DocComment& doc, const clang::Decl& declaration) const;
-
-private:
-    void take(const clang::Token& token);
-    void takeInside(const clang::Token& token);
-    void endAttribute(clang::SourceLocation at);
 
     struct Note {
         std::string name, value;
         clang::SourceLocation at;
     };
+    /// In the order of the text.
+    const std::vector<Note>& notes() const { return notes_; }
+
+private:
+    void takeInside(const clang::Token& token);
+    void endAttribute(clang::SourceLocation at);
+
     clang::Preprocessor* preprocessor_ = nullptr;
-    std::vector<Note> notes_;  // in the order of the text
-    unsigned brackets_ = 0;    // "[" that follow each other, up to two: within an attribute list
-    unsigned depth_ = 0;       // of parentheses within it
-    unsigned closing_ = 0;     // tokens from "]" to the one behind "]]"
-    std::size_t before_ = 0;   // notes before this list
-    bool isOurs_ = false;      // the attribute begins with oro::
+    std::vector<Note> notes_;
+    unsigned brackets_ = 0;   // "[" that follow each other, up to two: within an attribute list
+    unsigned depth_ = 0;      // of parentheses within it
+    unsigned closing_ = 0;    // tokens from "]" to the one behind "]]"
+    std::size_t before_ = 0;  // notes before this list
+    bool isOurs_ = false;     // the attribute begins with oro::
     std::string name_, value_;
 };
 

@@ -34,6 +34,14 @@ clang::SourceLocation placeOf(const clang::FunctionDecl* function, const clang::
     return written ? function->getLocation() : type.getLocation();
 }
 
+/// As `struct stat` and `stat()`: the name alone then means the function, also in generated code.
+bool sharesName(const clang::TagDecl& type) {
+    if (type.getIdentifier() == nullptr) return false;
+    for (const clang::NamedDecl* other : type.getDeclContext()->getRedeclContext()->lookup(type.getDeclName()))
+        if (llvm::isa<clang::ValueDecl, clang::FunctionTemplateDecl>(other->getUnderlyingDecl())) return true;
+    return false;
+}
+
 }  // namespace
 
 bool isHidden(const clang::TagDecl& type) {
@@ -42,6 +50,16 @@ bool isHidden(const clang::TagDecl& type) {
         if (scope->getAccess() == clang::AS_private || scope->getAccess() == clang::AS_protected) return true;
     }
     return false;
+}
+
+void complete(const clang::TagDecl& type, clang::Sema& sema, clang::SourceLocation at) {
+    sema.isCompleteType(at, sema.getASTContext().getTypeDeclType(&type));
+    const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(&type);
+    if (enumeration == nullptr || enumeration->getDefinition() != nullptr) return;
+    const clang::EnumDecl* pattern = enumeration->getInstantiatedFromMemberEnum();
+    // Else there is nothing to make it from, which would be an error.
+    if (pattern != nullptr && pattern->getDefinition() != nullptr)
+        sema.RequireCompleteEnumDecl(const_cast<clang::EnumDecl*>(enumeration), at);
 }
 
 std::vector<Rejection> checkType(const clang::TagDecl& type) {
@@ -54,6 +72,13 @@ std::vector<Rejection> checkType(const clang::TagDecl& type) {
     const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&type);
     if (found.empty() && record != nullptr && record->isPolymorphic()) {
         found.push_back(aboutType(Reason::Polymorphic, type, virtualPlace(*record)));
+    }
+    if (found.empty() && sharesName(type)) found.push_back(aboutType(Reason::SharedName, type, type.getLocation()));
+    if (found.empty() && !nameOf(type)) {
+        const std::string argument = unnamedArgument(type);
+        const Reason reason = argument.empty() ? Reason::Unnamed : Reason::TemplateArgument;
+        found.push_back(aboutType(reason, type, type.getLocation()));
+        if (!argument.empty()) found.back().detail = ": its argument '" + argument + "' has no name";
     }
     return found;
 }

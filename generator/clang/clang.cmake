@@ -20,6 +20,7 @@ add_library(oroforge_gen_clang STATIC
   ${CMAKE_CURRENT_LIST_DIR}/classify_standard.cpp
   ${CMAKE_CURRENT_LIST_DIR}/collect_fields.cpp
   ${CMAKE_CURRENT_LIST_DIR}/describe_adapted.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/describe_constructors.cpp
   ${CMAKE_CURRENT_LIST_DIR}/describe_type.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnostic_bridge.cpp
   ${CMAKE_CURRENT_LIST_DIR}/doc_comment.cpp
@@ -28,7 +29,11 @@ add_library(oroforge_gen_clang STATIC
   ${CMAKE_CURRENT_LIST_DIR}/find_roots.cpp
   ${CMAKE_CURRENT_LIST_DIR}/fix_it.cpp
   ${CMAKE_CURRENT_LIST_DIR}/header_edit.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/header_needs.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hidden_fields.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/include_watch.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/lean_library.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/needed_files.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rejection.cpp
   ${CMAKE_CURRENT_LIST_DIR}/resource_dir.cpp
   ${CMAKE_CURRENT_LIST_DIR}/side_notes.cpp

@@ -17,7 +17,14 @@ Classified classifyBuiltin(clang::QualType type, const clang::BuiltinType& built
         result.use = model::TypeUse{kind, name->cpp, name->registry, {}, ""};
         return result;
     }
-    return reject(type->isArithmeticType() ? Reason::WideScalar : Reason::OtherType, type);
+    const bool isWide = type->isArithmeticType() && !type->isChar8Type();
+    return reject(isWide ? Reason::WideScalar : Reason::OtherType, type);
+}
+
+/// Of `const char*`; an `unsigned char*` points to data.
+bool isText(const clang::Type& pointee) {
+    return pointee.isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
+           pointee.isSpecificBuiltinType(clang::BuiltinType::Char_U);
 }
 
 Classified classifyEnum(clang::QualType type, const clang::EnumDecl& declaration) {
@@ -28,7 +35,7 @@ Classified classifyEnum(clang::QualType type, const clang::EnumDecl& declaration
     }
     if (isStandard(declaration)) return reject(Reason::OtherStandard, type);
     const auto name = nameOf(declaration);
-    if (!name) return reject(Reason::Unnamed, type);
+    if (!name) return reject(unnamedArgument(declaration).empty() ? Reason::Unnamed : Reason::TemplateArgument, type);
     Classified result;
     result.use = model::TypeUse{model::TypeKind::Enum, name->cpp, name->registry, {}, ""};
     result.users = {&declaration};
@@ -41,8 +48,7 @@ Classified classifyRecord(clang::QualType type, const clang::CXXRecordDecl& reco
     if (record.isLambda()) return reject(Reason::Callable, type);
     const auto name = nameOf(record);
     if (!name) {
-        const bool instance = llvm::isa<clang::ClassTemplateSpecializationDecl>(record);
-        return reject(instance ? Reason::TemplateArgument : Reason::Unnamed, type);
+        return reject(unnamedArgument(record).empty() ? Reason::Unnamed : Reason::TemplateArgument, type);
     }
     Classified result;
     result.use = model::TypeUse{model::TypeKind::Struct, name->cpp, name->registry, {}, ""};
@@ -91,11 +97,17 @@ Classified classifyArray(const ArrayShape& shape, const clang::ASTContext& conte
         result.declared = "std::array<" + inner + ", " + count + ">";
     } else {
         // The outer bound comes first: behind "double[4]" three of them are "double[3][4]".
-        const std::size_t bounds =
-            shape.element->isConstantArrayType() ? inner.rfind("[", inner.find("[")) : inner.size();
+        std::size_t bounds = inner.size();
+        while (inner[bounds - 1] == ']') bounds = inner.rfind('[', bounds - 1);
         result.declared = inner.substr(0, bounds) + "[" + count + "]" + inner.substr(bounds);
     }
     return result;
+}
+
+/// std::array<int[2], 3>, or one of these.
+bool holdsCArrays(const ArrayShape& shape, const clang::ASTContext& context) {
+    if (!shape.isClass) return false;
+    return shape.element->isConstantArrayType() || holdsCArrays(shapeOf(shape.element, context), context);
 }
 
 }  // namespace
@@ -106,9 +118,13 @@ Classified classifyValue(clang::QualType type, const clang::ASTContext& context)
         return classifyBuiltin(type, *builtin, context);
     if (bare.isFunctionPointerType() || bare.isMemberPointerType()) return reject(Reason::Callable, type);
     if (bare.isPointerType())
-        return reject(bare.getPointeeType()->isCharType() ? Reason::CString : Reason::RawPointer, type);
+        return reject(isText(*bare.getPointeeType()) ? Reason::CString : Reason::RawPointer, type);
     if (bare.isReferenceType()) return reject(Reason::Reference, type);
-    if (const ArrayShape shape = shapeOf(type, context); shape.count != 0) return asRow(classifyArray(shape, context));
+    if (const ArrayShape shape = shapeOf(type, context); shape.count != 0) {
+        // A value, such as an element of a container, keeps its C++ type, which asRow() would change.
+        if (holdsCArrays(shape, context)) return reject(Reason::OtherStandard, type);
+        return asRow(classifyArray(shape, context));
+    }
     if (bare.isArrayType()) return reject(Reason::UnboundedArray, type);
     if (const auto* tag = llvm::dyn_cast<clang::EnumType>(&bare)) return classifyEnum(type, *tag->getDecl());
     if (const auto* record = bare.getAsCXXRecordDecl()) return classifyRecord(type, *record, context);

@@ -80,7 +80,10 @@ bool isUsual(const clang::TemplateArgument& argument) {
     static const std::set<std::string> usual = {"allocator", "char_traits", "less", "hash", "equal_to"};
     if (argument.getKind() != clang::TemplateArgument::Type) return false;
     const clang::CXXRecordDecl* record = argument.getAsType()->getAsCXXRecordDecl();
-    return record != nullptr && record->isInStdNamespace() && usual.count(record->getNameAsString()) != 0;
+    if (record == nullptr || !record->isInStdNamespace() || usual.count(record->getNameAsString()) == 0) return false;
+    // std::less<> compares anything with anything, and makes another type of the container.
+    const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+    return instance == nullptr || !instance->getTemplateArgs()[0].getAsType()->isVoidType();
 }
 
 Classified classifyString(clang::QualType type, const clang::TemplateArgumentList& arguments) {

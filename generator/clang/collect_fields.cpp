@@ -82,7 +82,7 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
                              std::uint64_t offset) {
     const clang::CXXRecordDecl& base = *specifier.getType()->getAsCXXRecordDecl()->getDefinition();
     const std::string subject = "base class '" + shownName(base) + "' of '" + shownName(type) + "'";
-    Rejection rejection = makeRejection(Reason::OtherStandard, subject, shownName(base), specifier.getBeginLoc());
+    Rejection rejection = makeRejection(Reason::StandardBase, subject, shownName(base), specifier.getBeginLoc());
     if (specifier.isVirtual()) {
         rejection.reason = Reason::VirtualBase;
     } else if (specifier.getAccessSpecifier() != clang::AS_public) {
@@ -269,8 +269,7 @@ bool FieldCollector::usable(const clang::FieldDecl& field, const Classified& typ
 }
 
 bool FieldCollector::usable(const clang::FieldDecl& field, const clang::TagDecl& tag, const Classified& type) {
-    // A template instance that only a container names has not been made yet.
-    types_.sema().isCompleteType(field.getLocation(), types_.context().getTypeDeclType(&tag));
+    complete(tag, types_.sema(), field.getLocation());
     if (tag.getDefinition() == nullptr) {
         reject(field, Reason::NeverDefined);
         return false;

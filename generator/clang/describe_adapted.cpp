@@ -19,13 +19,16 @@ bool AdaptedDescriber::describe(model::TypeModel& into) {
     const auto name = nameOf(type_);
     const clang::ASTRecordLayout& layout = types_.context().getASTRecordLayout(&type_);
     const auto finish = [&](auto result, auto& list) {
-        if (!sound_) return;
         result.cpp = name->cpp;
+        result.initial = initial(result.cpp);
+        result.constructors = constructors(result.cpp);
+        if (!sound_) return;
         result.name = name->registry;
         result.size = layout.getSize().getQuantity();
         result.align = layout.getAlignment().getQuantity();
         result.doc = adapter_.doc.empty() ? types_.docOf(type_).text : adapter_.doc;
         result.where = types_.locate(type_.getLocation());
+        result.homes = types_.homesOf(type_);
         list.push_back(result);
         addNames(into, name->registry);
     };
@@ -150,7 +153,7 @@ std::optional<model::TypeUse> AdaptedDescriber::classify(const Accessor& accesso
         return std::nullopt;
     }
     for (const clang::TagDecl* tag : found.users) {
-        types_.sema().isCompleteType(type_.getLocation(), types_.context().getTypeDeclType(tag));
+        complete(*tag, types_.sema(), type_.getLocation());
         const clang::TagDecl* definition = tag->getDefinition();
         if (definition == nullptr || isHidden(*definition)) {
             fail(accessor, "TK073",
@@ -196,10 +199,11 @@ std::string AdaptedDescriber::resize(const Accessor& accessor) {
     return "object" + cppOf(to);
 }
 
-/// Its fields do not matter.
+/// Its fields do not matter, nor that it has virtual functions: who writes an adapter says that it is a value.
 const TypeFate& TypeDescriber::describeAdapted(const clang::CXXRecordDecl& type, const AdapterMatch& match,
                                                TypeFate& fate) {
     std::vector<Rejection> found = checkType(type);
+    if (!found.empty() && found.front().reason == Reason::Polymorphic && !type.isAbstract()) found.clear();
     Nature nature;
     if (found.empty()) found = checkSpecialMembers(type, sema_, nature);
     settle(type, found, false, fate);

@@ -34,6 +34,11 @@ private:
     /// C++ of the number: digits, or an expression of `object`.
     std::string size(const adapters::Accessor& accessor, bool& isNumber);
     std::string resize(const adapters::Accessor& accessor);
+    /// What attribute "initial" and the elements <constructor> say, in describe_constructors.cpp.
+    std::string initial(const std::string& cpp);
+    std::vector<model::Constructor> constructors(const std::string& cpp);
+    std::optional<model::Constructor> constructor(const adapters::Constructor& given, const std::string& cpp);
+    std::optional<clang::QualType> typeOf(const adapters::Constructor::Argument& argument);
     void addNames(model::TypeModel& into, const std::string& registry);
     diag::Diagnostic& fail(const adapters::Accessor& accessor, const char* code, const std::string& what);
 

@@ -12,6 +12,8 @@ namespace oroforge::cxx {
 namespace {
 
 constexpr std::size_t kMostNotes = 8;
+constexpr const char* kAdapterAdvice =
+    "; if that header is not yours, an adapter says how the class is seen (--adapters=FILE)";
 
 model::Enumerator describeValue(const clang::EnumConstantDecl& value, const std::string& enumCpp) {
     model::Enumerator result;
@@ -28,7 +30,9 @@ Rejection aboutInstance(const clang::CXXRecordDecl& type, const Root& root, cons
     if (!root.alias.empty()) rejection.subject = "alias '" + root.alias.substr(root.alias.rfind('/') + 1) + "'";
     rejection.type = shownName(type);
     rejection.at = root.at;
-    rejection.causes = fate.rejections;
+    // That it has no name is said of the alias or instance itself: there is no field that leads to it.
+    rejection.detail = fate.rejections.front().detail;
+    if (rejection.reason != Reason::TemplateArgument || rejection.detail.empty()) rejection.causes = fate.rejections;
     return rejection;
 }
 
@@ -97,6 +101,7 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
     result.doc = doc.text;
     result.fields = fields.fields();
     result.where = locate(definition.getLocation());
+    result.homes = needs_.homesOf(definition);
     into_.structs.push_back(result);
     return fate;
 }
@@ -128,6 +133,7 @@ const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
     result.size = context().getTypeSizeInChars(definition.getIntegerType()).getQuantity();
     result.doc = docOf(definition).text;
     result.where = locate(definition.getLocation());
+    result.homes = needs_.homesOf(definition);
     for (const clang::EnumConstantDecl* value : definition.enumerators()) {
         result.values.push_back(describeValue(*value, name->cpp));
         result.values.back().doc = docOf(*value).text;
@@ -160,7 +166,9 @@ void TypeDescriber::report(const Rejection& rejection, bool mayBeLeftOut) {
     const diag::Location written = places_.locateWritten(sema_.getSourceManager(), rejection.at);
     if (written.line != 0 && written != at) diagnostic.note(written, "written here, and put there by a macro");
     addCauses(rejection, diagnostic);
-    if (std::strlen(rule.advice) != 0) diagnostic.hint(rule.advice);
+    if (std::strlen(rule.advice) == 0) return;
+    const bool isElsewhere = !places_.isListed(sema_.getSourceManager(), cause.at);
+    diagnostic.hint(std::string(rule.advice) + (isElsewhere && rule.isMendedByAdapter ? kAdapterAdvice : ""));
 }
 
 void TypeDescriber::addCauses(const Rejection& rejection, diag::Diagnostic& to) const {

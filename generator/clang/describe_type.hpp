@@ -13,6 +13,7 @@
 #include "adapter_match.hpp"
 #include "attributes.hpp"
 #include "find_roots.hpp"
+#include "header_needs.hpp"
 #include "rejection.hpp"
 #include "source_places.hpp"
 
@@ -28,8 +29,14 @@ struct TypeFate {
 class TypeDescriber {
 public:
     TypeDescriber(clang::Sema& sema, const SourcePlaces& places, const Attributes& attributes,
-                  const AdapterFinder& adapters, diag::Sink& sink, model::TypeModel& into)
-        : sema_(sema), places_(places), attributes_(attributes), adapters_(adapters), sink_(sink), into_(into) {}
+                  const AdapterFinder& adapters, const HeaderNeeds& needs, diag::Sink& sink, model::TypeModel& into)
+        : sema_(sema),
+          places_(places),
+          attributes_(attributes),
+          adapters_(adapters),
+          needs_(needs),
+          sink_(sink),
+          into_(into) {}
 
     /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
     /// those of other types are handed to the field that uses them.
@@ -47,6 +54,9 @@ public:
     /// What comments and attributes say of it.
     DocComment docOf(const clang::Decl& declaration) const;
 
+    /// The headers that the type needs.
+    model::Homes homesOf(const clang::TagDecl& type) const { return needs_.homesOf(type); }
+
     /// Whether it is the user's own: written in a listed header and no template instance.
     bool isOwn(const clang::TagDecl& type) const;
 
@@ -63,6 +73,7 @@ private:
     const SourcePlaces& places_;
     const Attributes& attributes_;
     const AdapterFinder& adapters_;
+    const HeaderNeeds& needs_;
     diag::Sink& sink_;
     model::TypeModel& into_;
     std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show
@@ -70,6 +81,10 @@ private:
 
 /// Whether the type is a private or protected member of a class, so that nobody else can name it.
 bool isHidden(const clang::TagDecl& type);
+
+/// Has the compiler make the definition of what nobody needed so far: a template instance that only a container names, a
+/// scoped enum in an instance.
+void complete(const clang::TagDecl& type, clang::Sema& sema, clang::SourceLocation at);
 
 /// Faults of the type as a whole that show before its fields are looked at: linkage, unions, virtual functions.
 std::vector<Rejection> checkType(const clang::TagDecl& type);

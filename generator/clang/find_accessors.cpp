@@ -39,7 +39,9 @@ std::optional<Accessors> findAccessors(const clang::FieldDecl& field) {
     };
     Accessors found;
     found.name = withoutMarks(field.getNameAsString());
-    const std::set<std::string> getters = spellings("get", found.name), setters = spellings("set", found.name);
+    std::set<std::string> getters = spellings("get", found.name);
+    if (field.getType()->isBooleanType()) getters.merge(spellings("is", found.name));
+    const std::set<std::string> setters = spellings("set", found.name);
     for (const clang::CXXMethodDecl* method : owner->methods()) {
         if (!isUsable(*method) || method->getDeclName().isIdentifier() == false) continue;
         const std::string name = method->getNameAsString();
@@ -51,7 +53,9 @@ std::optional<Accessors> findAccessors(const clang::FieldDecl& field) {
                 found.store = "object." + name + "() = value";
         }
         if (method->getNumParams() != 1 || setters.count(name) == 0) continue;
-        if (isOfField(method->getParamDecl(0)->getType())) found.store = "object." + name + "(value)";
+        const clang::QualType taken = method->getParamDecl(0)->getType();
+        // What is to be stored stays where it is, so it cannot be moved from.
+        if (isOfField(taken) && !taken->isRValueReferenceType()) found.store = "object." + name + "(value)";
     }
     if (found.getter.empty() || found.store.empty()) return std::nullopt;
     return found;

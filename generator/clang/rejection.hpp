@@ -45,17 +45,20 @@ enum class Reason {
     AnyType,
     SameAlternative,
     HashedKey,
+    StandardBase,
     OtherStandard,
     NeverDefined,
     TemplateArgument,
+    SharedName,
     OtherType,
 };
 
 struct Rule {
     Reason reason;
     const char* code;
-    const char* words;   ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
-    const char* advice;  ///< empty if there is none
+    const char* words;               ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
+    const char* advice;              ///< empty if there is none
+    bool isMendedByAdapter = false;  ///< what lies inside of a class with an adapter does not matter
 };
 
 const Rule& ruleOf(Reason reason);

@@ -14,18 +14,33 @@ std::string ownName(const clang::TagDecl& type) {
     return type.getNameAsString();
 }
 
+/// An enumerator of that value; nothing if there is none, or if it has no name that others may use.
+std::optional<TypeName> nameOfEnumerator(const clang::EnumDecl& type, const llvm::APSInt& value) {
+    const auto name = nameOf(type);
+    const clang::EnumDecl* definition = type.getDefinition();
+    if (!name || definition == nullptr) return std::nullopt;
+    for (const clang::EnumConstantDecl* one : definition->enumerators()) {
+        if (!llvm::APSInt::isSameValue(one->getInitVal(), value)) continue;
+        const std::string own = one->getNameAsString();
+        return TypeName{name->cpp + "::" + own, name->registry + "/" + own};
+    }
+    return std::nullopt;
+}
+
 std::optional<TypeName> nameOfArgument(const clang::TemplateArgument& argument, const clang::ASTContext& context) {
     if (argument.getKind() == clang::TemplateArgument::Integral) {
         const std::string digits = llvm::toString(argument.getAsIntegral(), 10);
         if (argument.getIntegralType()->isBooleanType()) return TypeName{digits == "0" ? "false" : "true", digits};
-        if (!argument.getIntegralType()->isEnumeralType()) return TypeName{digits, digits};
-        return std::nullopt;
+        if (const auto* type = argument.getIntegralType()->getAs<clang::EnumType>())
+            return nameOfEnumerator(*type->getDecl(), argument.getAsIntegral());
+        return TypeName{digits, digits};
     }
     if (argument.getKind() != clang::TemplateArgument::Type) return std::nullopt;
     const clang::QualType type = argument.getAsType().getCanonicalType();
     if (type.isVolatileQualified()) return std::nullopt;
     std::optional<TypeName> name;
     if (const auto* builtin = type->getAs<BuiltinType>()) name = nameOf(*builtin, context);
+    if (type->isVoidType()) name = TypeName{"void", "/void"};  // as in std::allocator<void>
     if (const clang::TagDecl* tag = type->getAsTagDecl()) name = nameOf(*tag);
     if (name && type.isConstQualified()) name = TypeName{"const " + name->cpp, "const " + name->registry};
     return name;
@@ -58,6 +73,9 @@ bool addScope(const clang::DeclContext* scope, TypeName& name) {
     scope = scope->getRedeclContext();
     if (scope->isTranslationUnit()) return true;
     if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) {
+        // std::__cxx11 and the like are a matter of the one library that this machine has.
+        if (space->isInline() && isStandard(*space) && space->getName().starts_with("_"))
+            return addScope(space->getDeclContext(), name);
         return addPart(*space, space->getNameAsString(), name);
     }
     if (const auto* outer = llvm::dyn_cast<clang::TagDecl>(scope)) return addPart(*outer, ownName(*outer), name);
@@ -137,7 +155,10 @@ std::string namespaceOf(const clang::TagDecl& type) {
 std::string unnamedArgument(const clang::TagDecl& type) {
     const clang::ASTContext& context = type.getASTContext();
     const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
-    if (instance == nullptr) return "";
+    if (instance == nullptr) {  // it may be a member of an instance
+        const auto* outer = llvm::dyn_cast<clang::TagDecl>(type.getDeclContext());
+        return outer != nullptr ? unnamedArgument(*outer) : "";
+    }
     clang::PrintingPolicy policy(context.getLangOpts());
     policy.AnonymousTagLocations = false;
     for (const clang::TemplateArgument& argument : instance->getTemplateArgs().asArray()) {

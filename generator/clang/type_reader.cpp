@@ -10,7 +10,9 @@
 #include "diagnostic_bridge.hpp"
 #include "find_roots.hpp"
 #include "fix_it.hpp"
+#include "header_needs.hpp"
 #include "hidden_fields.hpp"
+#include "lean_library.hpp"
 #include "side_notes.hpp"
 #include "sound_types.hpp"
 
@@ -32,10 +34,16 @@ public:
                  diag::Sink& sink, model::TypeModel& into, Aside& aside, clang::Preprocessor& preprocessor)
         : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {
         attributes_.watch(preprocessor);
+        if (into_.headers.size() > 1) includes_.watch(preprocessor);
+        preprocessor.setTokenWatcher([this](const clang::Token& token) {
+            attributes_.take(token);
+            if (into_.headers.size() > 1) includes_.take(token);
+        });
         watchForMacro(preprocessor, aside.usesMacro);
     }
     void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
     void ForgetSema() override { sema_ = nullptr; }
+    void HandleTagDeclDefinition(clang::TagDecl* type) override { dropComparisons(*type); }
     void HandleTranslationUnit(clang::ASTContext& context) override {
         HeaderCheck headers(sema_->getPreprocessor(), places_, sink_);
         for (const model::Header& header : headers_) headers.checkRead(header);
@@ -45,7 +53,8 @@ public:
         diag::Sink unused;
         const bool isWhole = !broken && headers_.size() == request_.headers.size();
         const AdapterFinder adapters(request_.adapters, context, isWhole ? found : unused);
-        TypeDescriber types(*sema_, places_, attributes_, adapters, found, into_);
+        const HeaderNeeds needs(headersToTell(), includes_, context);
+        TypeDescriber types(*sema_, places_, attributes_, adapters, needs, found, into_);
         SoundTypes sound;
         const std::vector<Root> roots = findRoots(context, places_, adapters);
         for (const Root& root : roots) {
@@ -60,9 +69,18 @@ public:
         passOnWithFixes(found, context, places_, sink_);
         for (diag::Note& note : unusedTemplates(context, places_, into_)) into_.notes.push_back(std::move(note));
         if (aside_.usesMacro) aside_.layouts = layoutsOf(context, roots);
+        for (std::size_t i = 0; i != into_.headers.size(); ++i) into_.headers[i].before = needs.before(i);
     }
 
 private:
+    /// Nothing, unless all were read: the headers that one of them depends on count.
+    std::vector<model::Header> headersToTell() {
+        if (into_.headers.size() < 2) return {};
+        for (const Attributes::Note& note : attributes_.notes())
+            if (note.name == "make") includes_.addWords(note.value, note.at);
+        return headers_;
+    }
+
     const ParseRequest& request_;
     const std::vector<model::Header>& headers_;
     const SourcePlaces& places_;
@@ -70,6 +88,7 @@ private:
     model::TypeModel& into_;
     Aside& aside_;
     Attributes attributes_;
+    IncludeWatch includes_;
     clang::Sema* sema_ = nullptr;
 };
 
@@ -207,23 +226,37 @@ void checkHiddenFields(const ParseRequest& request, const std::string& resourceD
     model.files.insert(model.files.end(), unused.files.begin(), unused.files.end());
 }
 
+/// C++ that does not compile unless the words of [[oro::make(…)]] give a value of the type.
+std::string makerTest(const model::Struct& type) {
+    const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
+    const std::size_t own = type.cpp.rfind("::", arguments) + 2;
+    return "namespace oroforge_check {" + (type.space.empty() ? "" : "using namespace " + type.space + ";") + "using " +
+           type.cpp.substr(own, arguments - own) + " = " + type.cpp + ";\nusing Made = decltype(" + type.make +
+           ");\nstatic_assert(__is_same(Made, " + type.cpp + "), \"it is no value of the type\");}\n";
+}
+
+/// What the compiler says to such C++ behind the headers; empty if nothing.
+std::string errorBehindHeaders(const ParseRequest& request, const std::string& resourceDir, const std::string& more) {
+    Aside aside;
+    aside.more = more;
+    diag::Sink compileErrors, aboutTypes;
+    model::TypeModel unused;
+    read(request, resourceDir, request.headers, compileErrors, aboutTypes, unused, aside);
+    return compileErrors.hadErrors() ? compileErrors.all().front().message : "";
+}
+
 /// That [[oro::make(…)]] gives a value of the type shows only where it is read as C++: here, not in what is generated.
 void checkMakers(const ParseRequest& request, const std::string& resourceDir, const model::TypeModel& model,
                  diag::Sink& sink) {
+    std::string all;
+    for (const model::Struct& type : model.structs)
+        if (!type.make.empty())
+            all += "namespace oroforge_check_" + std::to_string(all.size()) + " {" + makerTest(type) + "}\n";
+    // One reading will do, unless there is something to find: the words of one may spoil those of others.
+    if (all.empty() || errorBehindHeaders(request, resourceDir, all).empty()) return;
     for (const model::Struct& type : model.structs) {
-        if (type.make.empty()) continue;
-        const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
-        const std::size_t own = type.cpp.rfind("::", arguments) + 2;
-        Aside aside;
-        aside.more = "namespace oroforge_check {" + (type.space.empty() ? "" : "using namespace " + type.space + ";") +
-                     "using " + type.cpp.substr(own, arguments - own) + " = " + type.cpp + ";\nusing Made = decltype(" +
-                     type.make + ");\nstatic_assert(__is_same(Made, " + type.cpp +
-                     "), \"it is no value of the type\");}\n";
-        diag::Sink compileErrors, aboutTypes;
-        model::TypeModel unused;
-        read(request, resourceDir, request.headers, compileErrors, aboutTypes, unused, aside);
-        if (!compileErrors.hadErrors()) continue;
-        const std::string& error = compileErrors.all().front().message;
+        const std::string error = type.make.empty() ? "" : errorBehindHeaders(request, resourceDir, makerTest(type));
+        if (error.empty()) continue;
         const std::string why = error.find("__is_same") != std::string::npos ? "it is of another type" : error;
         sink.error(type.where, "TK040", "'" + type.make + "' makes no value of '" + type.cpp.substr(2) + "': " + why)
             .hint("give [[oro::make(\"…\")]] an expression that holds in the namespace of the type");

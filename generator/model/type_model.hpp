@@ -4,6 +4,7 @@
 #ifndef OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
 #define OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include <diag/diagnostic.hpp>
 
 namespace oroforge::model {
+
+/// Of what a type needs to be seen: for each part of it the listed headers, by their numbers, any of which brings it along.
+/// Empty: not known.
+using Homes = std::vector<std::vector<std::size_t>>;
 
 enum class TypeKind {
     Scalar,
@@ -64,6 +69,13 @@ struct Field {
     diag::Location where;
 };
 
+/// What scripts may call to make a value, besides what every type has.
+struct Constructor {
+    std::vector<TypeUse> arguments;
+    std::string parameters;  ///< as a C++ function declares them: "double x, const ::KDL::Vector& p"
+    std::string value;       ///< C++ of the parameters' names
+};
+
 struct Struct {
     std::string cpp;
     std::string name;
@@ -72,8 +84,11 @@ struct Struct {
     bool assignable = true;  ///< false: a member is constant; values are read only, and no samples
     std::string make;        ///< C++ of a first value, where there is no default constructor; such are no samples
     std::string space;       ///< "::demo": the namespace in which that is to be read; empty = the global one
+    std::string initial;     ///< C++ of a first value, from an adapter; empty: `T()`
+    std::vector<Constructor> constructors;
     std::string doc;
     std::vector<Field> fields;  ///< fields of base classes first
+    Homes homes;
     diag::Location where;
 };
 
@@ -91,6 +106,9 @@ struct Adapted {
     std::string resize;       ///< to `size`, or `rows` and `columns`; empty: the size is fixed
     std::string load, store;  ///< also of `value`, and of `index`, or `row` and `column`
     std::string address;      ///< a reference to the element; empty: it has no address
+    std::string initial;      ///< C++ of a first value; empty: `T()`
+    std::vector<Constructor> constructors;
+    Homes homes;
     diag::Location where;
 };
 
@@ -109,6 +127,7 @@ struct Enum {
     std::uint64_t size = 0;
     std::string doc;
     std::vector<Enumerator> values;
+    Homes homes;
     diag::Location where;
 };
 
@@ -123,6 +142,7 @@ struct Alias {
 struct Header {
     std::string path;
     std::string include;
+    std::vector<std::size_t> before = {};  ///< those listed before it that have to be included first, by their numbers
 };
 
 struct TypeModel {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-"""incremental_edits.py PREFIX: twenty edits of a package with a typekit, and after each the files that its build compiles,
+"""incremental_edits.py PREFIX: thirty edits of a package with a typekit, and after each the files that its build compiles,
 with Ninja and with make. No edit needs a target to be named, and CMake runs only where CMakeLists.txt or a folder changed.
 
 Compilers are replaced by one that only finds out what is included: a build is to be counted, not waited for. At the end
@@ -70,13 +70,34 @@ ORO_LIST_COMPONENT_TYPE(User)
     "src/three.cpp": "int three() { return 3; }\n",
 }
 
-# A hash of a type's name says in which file it is: Base and Pose are in the first of these, Arm, Tool and Extra in the
-# second. The other two have no types, and include no header.
-USED = ["types_1.cpp", "types_2.cpp"]
-EMPTY = ["types_0.cpp", "types_3.cpp"]
-# What sees the headers of the typekit: its own files and who includes <edits/typekit/Types.hpp>.
-ALL = USED + ["two.cpp"]
-EVERYTHING = ALL + EMPTY + ["Plugin.cpp", "one.cpp", "three.cpp"]
+
+
+def file_of(name):
+    """The generated source with this type of the package: a hash of its name says which."""
+    value = 14695981039346656037
+    for byte in f"/edits/{name}".encode():
+        value = ((value ^ byte) * 1099511628211) % 2**64
+    return f"types_{value % 16}.cpp"
+
+
+def files_of(*names):
+    return sorted({file_of(name) for name in names})
+
+
+# What sees all headers of the typekit is who includes <edits/typekit/Types.hpp>; its own files see what their types need.
+# Base comes with the first header that includes it, that of Arm.
+POSE = files_of("Pose") + ["two.cpp"]
+TOOL = files_of("Tool") + ["two.cpp"]
+EXTRA = files_of("Extra") + ["two.cpp"]
+ARM = files_of("Base", "Arm") + ["two.cpp"]
+BASE = files_of("Base", "Arm", "Tool") + ["two.cpp"]
+# Files that had no type before, and that the plugin now calls.
+LATE = files_of("Late") + ["Plugin.cpp", "two.cpp"]
+ALONE = files_of("Alone") + ["Plugin.cpp", "two.cpp"]
+# The vector of poses that becomes a member of Tool is a type of its own, and comes with the header that has it.
+WAY = files_of("Pose[]", "Tool") + ["Plugin.cpp", "two.cpp"]
+WAY_POSE = files_of("Pose", "Pose[]", "Tool") + ["two.cpp"]
+EVERYTHING = [f"types_{i}.cpp" for i in range(16)] + ["Plugin.cpp", "one.cpp", "two.cpp", "three.cpp"]
 
 
 class Failure(Exception):
@@ -158,21 +179,36 @@ def run(command):
 def edit_headers(package):
     header = "include/edits/pose.hpp"
     package.touch(package.source / header)
-    package.expect("a listed header touched", ALL, typegen=True)
+    package.expect("a listed header touched", POSE, typegen=True)
     package.replace(header, "struct Pose", "/* x and y */ struct Pose")
-    package.expect("a comment in a listed header", ALL, typegen=True)
+    package.expect("a comment in a listed header", POSE, typegen=True)
     package.replace(header, "double y;", "double y; double yaw;")
-    package.expect("a field added", ALL, typegen=True)
+    package.expect("a field added", POSE, typegen=True)
     package.expect_in_typekit("yaw")
     package.replace(header, "yaw", "heading")
-    package.expect("a field renamed", ALL, typegen=True)
+    package.expect("a field renamed", POSE, typegen=True)
     package.expect_in_typekit("yaw", there=False)
 
     package.replace("include/edits/base.hpp", "#pragma once\n", "#pragma once\n// What all have.\n")
-    package.expect("a comment in a header that listed ones include", ALL + ["one.cpp"], typegen=True)
+    package.expect("a comment in a header that listed ones include", BASE + ["one.cpp"], typegen=True)
     package.replace("include/edits/base.hpp", "int id;", "int id; int revision;")
-    package.expect("a field added in a header that listed ones include", ALL + ["one.cpp"], typegen=True)
+    package.expect("a field added in a header that listed ones include", BASE + ["one.cpp"], typegen=True)
     package.expect_in_typekit("revision")
+
+    package.replace("include/edits/tool.hpp", "double mass;", "double mass; double wear;")
+    package.expect("a field added in a second header", TOOL, typegen=True)
+    package.replace("include/edits/arm.hpp", "double length;", "double length; double reach;")
+    package.expect("a field added in a third header", ARM + ["one.cpp"], typegen=True)
+    package.touch(package.source / "src/listed/extra.hpp")
+    package.expect("a header in a listed folder touched", EXTRA, typegen=True)
+    package.replace("include/edits/tool.hpp", "Base base;", "Base base; std::vector<Pose> way;")
+    package.replace("include/edits/tool.hpp", "#pragma once\n", "#pragma once\n#include <edits/pose.hpp>\n#include <vector>\n")
+    package.expect("a vector of what another header has", WAY, typegen=True)
+    package.touch(package.source / "include/edits/pose.hpp")
+    package.expect("a header touched that another one includes", WAY_POSE, typegen=True)
+    package.replace("include/edits/tool.hpp", "std::vector<Pose> way;", "")
+    package.replace("include/edits/tool.hpp", "#include <edits/pose.hpp>\n", "")
+    package.expect("the vector removed", WAY, typegen=True)
 
 
 def edit_others(package):
@@ -190,29 +226,28 @@ def edit_others(package):
 
 def edit_what_is_included(package):
     package.replace("include/edits/pose.hpp", "#pragma once\n", "#pragma once\n#include <edits/alone.hpp>\n")
-    package.expect("an include added", ALL, typegen=True)
+    package.expect("an include added", POSE, typegen=True)
     package.replace("include/edits/alone.hpp", "int b;", "int c;")
-    package.expect("a field renamed in what is included since", ALL, typegen=True)
+    package.expect("a field renamed in what is included since", POSE, typegen=True)
     package.replace("include/edits/pose.hpp", "#include <edits/alone.hpp>\n", "")
-    package.expect("the include removed", ALL, typegen=True)
+    package.expect("the include removed", POSE, typegen=True)
     package.touch(package.source / "include/edits/alone.hpp")
     package.expect("a header touched that nobody includes any more", [], typegen=False)
 
 
 def edit_the_list(package):
-    # The first line of every generated file names the headers.
-    listed = ALL + EMPTY + ["Plugin.cpp"]
+    # The first line of a generated file names the headers that its types need.
     package.write("src/listed/late.hpp", "#pragma once\nnamespace edits { struct Late { int late; }; }\n")
-    package.expect("a header added to a listed folder", listed, typegen=True, cmake=True)
+    package.expect("a header added to a listed folder", LATE, typegen=True, cmake=True)
     package.expect_in_typekit("late")
     (package.source / "src/listed/late.hpp").unlink()
-    package.expect("the header removed from the folder", listed, typegen=True, cmake=True)
+    package.expect("the header removed from the folder", LATE, typegen=True, cmake=True)
     package.expect_in_typekit("late", there=False)
     package.replace("CMakeLists.txt", "pose.hpp", "pose.hpp include/edits/alone.hpp")
-    package.expect("an old header added to the list", listed, typegen=True, cmake=True)
+    package.expect("an old header added to the list", ALONE, typegen=True, cmake=True)
     package.expect_in_typekit("c")
     package.replace("CMakeLists.txt", " include/edits/alone.hpp", "")
-    package.expect("a header removed from the list", listed, typegen=True, cmake=True)
+    package.expect("a header removed from the list", ALONE, typegen=True, cmake=True)
     package.expect_in_typekit("c", there=False)
 
 
@@ -224,11 +259,11 @@ def edit_the_build(package):
                    cmake=True)
     package.touch(package.prefix / "bin/typegen")
     package.expect("another typegen that writes the same", [], typegen=True)
-    (package.build / "typekit/types_1.cpp").unlink()
-    package.expect("a generated file removed by hand", ["types_1.cpp"], typegen=True)
+    (package.build / "typekit" / file_of("Pose")).unlink()
+    package.expect("a generated file removed by hand", [file_of("Pose")], typegen=True)
 
     (package.build / "typekit/include/edits/listed/extra.hpp").unlink()
-    package.expect("a header removed by hand that CMake made", ALL, typegen=False, cmake=True)
+    package.expect("a header removed by hand that CMake made", EXTRA, typegen=False, cmake=True)
 
     package.replace("include/edits/pose.hpp", "double x;", "double* x;")
     try:
@@ -238,7 +273,7 @@ def edit_the_build(package):
     else:
         raise Failure(f"{package.generator}: a pointer was generated")
     package.replace("include/edits/pose.hpp", "double* x;", "double x;")
-    package.expect("a mistake put right", ALL, typegen=True)
+    package.expect("a mistake put right", POSE, typegen=True)
 
 
 def edit_package(work, prefix, generator):

@@ -26,6 +26,11 @@ void addLibrary(const model::TypeUse& use, ByName& library) {
     for (const model::TypeUse& element : use.element) addLibrary(element, library);
 }
 
+void addArguments(const std::vector<model::Constructor>& all, ByName& library) {
+    for (const model::Constructor& one : all)
+        for (const model::TypeUse& argument : one.arguments) addLibrary(argument, library);
+}
+
 std::vector<model::TypeUse> valuesOf(const ByName& all) {
     std::vector<model::TypeUse> result;
     for (const auto& [name, use] : all) result.push_back(use);
@@ -74,6 +79,11 @@ void rename(model::TypeUse& use, const std::string& from, const std::string& to)
     for (model::TypeUse& element : use.element) rename(element, from, to);
 }
 
+void renameArguments(std::vector<model::Constructor>& all, const std::string& from, const std::string& to) {
+    for (model::Constructor& one : all)
+        for (model::TypeUse& argument : one.arguments) rename(argument, from, to);
+}
+
 /// A template instance is called by its first alias; the name made of its arguments becomes another alias of it.
 void preferAliases(model::TypeModel& model) {
     std::map<std::string, std::string> preferred;  // instance → its first alias
@@ -96,11 +106,13 @@ void preferAliases(model::TypeModel& model) {
         for (model::Struct& type : model.structs) {
             replaceAll(type.name, instance, name);
             for (model::Field& field : type.fields) rename(field.type, instance, name);
+            renameArguments(type.constructors, instance, name);
         }
         for (model::Adapted& type : model.adapted) {
             replaceAll(type.name, instance, name);
             rename(type.element, instance, name);
             rename(type.row, instance, name);
+            renameArguments(type.constructors, instance, name);
         }
     }
 }
@@ -140,6 +152,7 @@ void closeModel(model::TypeModel& model, diag::Sink& sink) {
     preferAliases(model);
     ByName library, arrays;
     for (const model::Struct& type : model.structs) {
+        addArguments(type.constructors, library);
         for (const model::Field& field : type.fields) {
             addLibrary(field.type, library);
             if (field.count != 0) arrays.emplace(field.type.name, field.type);
@@ -148,6 +161,7 @@ void closeModel(model::TypeModel& model, diag::Sink& sink) {
     for (const model::Adapted& type : model.adapted) {
         addLibrary(type.element, library);
         if (!type.columns.empty()) addLibrary(type.row, library);
+        addArguments(type.constructors, library);
     }
     model.library = valuesOf(library);
     model.arrays = valuesOf(arrays);
@@ -165,7 +179,10 @@ void closeModel(model::TypeModel& model, diag::Sink& sink) {
     for (const model::Alias& alias : model.aliases) names.add(alias.name, "alias of " + alias.of, alias.where);
     if (model.structs.empty() && model.enums.empty() && model.adapted.empty()) {
         const std::string file = model.headers.empty() ? "typegen" : model.headers.front().path;
-        sink.warning({file}, "TK061", "no struct, class or enum is defined in the listed headers: an empty typekit");
+        sink.warning({file}, "TK061", "no struct, class or enum is defined in the listed headers: an empty typekit")
+            .hint(
+                "name the headers that define the types; a field, or 'template struct X<…>;', brings in those of "
+                "others");
     }
 }
 

@@ -11,8 +11,9 @@
 
 namespace oroforge::typekit {
 
-/// Types are spread over this many source files by a hash of their names: a new type changes one of them.
-constexpr std::size_t kBuckets = 4;
+/// Types are spread over this many source files by a hash of their names: a new type changes one of them. So many that the
+/// compiler needs no gigabyte for a file of a typekit with some hundred types.
+constexpr std::size_t kBuckets = 16;
 
 /// The same everywhere and for ever.
 std::uint64_t hashOf(const std::string& text);

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <plan/render_typekit.hpp>
 
+#include <algorithm>
+#include <initializer_list>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -32,20 +34,26 @@ std::string tidied(const std::string& text) {
     return result;
 }
 
+/// A file reads only parts of the view, and copies what it is given.
+nlohmann::json without(const nlohmann::json& view, std::initializer_list<const char*> keys) {
+    nlohmann::json result = nlohmann::json::object();
+    for (const auto& [key, value] : view.items())
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) result[key] = value;
+    return result;
+}
+
 }  // namespace
 
 emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& renderer) {
     emit::Outputs outputs;
-    nlohmann::json headerView = view;
-    headerView["keyword"] = "extern template";
-    headerView["visible"] = "RTT_EXPORT ";
-    outputs[userHeaderName(view["name"])] = tidied(renderer.render("typekit/Types.hpp", headerView));
-    outputs[pluginFileName()] = tidied(renderer.render("typekit/Plugin.cpp", view));
+    outputs[userHeaderName(view["name"])] = tidied(renderer.render("typekit/Types.hpp", without(view, {"buckets"})));
+    nlohmann::json pluginView = without(view, {"buckets", "externs", "makers", "schemas"});
+    for (const nlohmann::json& bucket : view["buckets"])
+        if (bucket.contains("used")) pluginView["buckets"].push_back({{"index", bucket["index"]}});
+    outputs[pluginFileName()] = tidied(renderer.render("typekit/Plugin.cpp", pluginView));
     for (const nlohmann::json& bucket : view["buckets"]) {
         nlohmann::json fileView = bucket;
-        for (const char* key : {"banner", "versionGuard", "userHeader", "identifier"}) fileView[key] = view[key];
-        fileView["keyword"] = "template";
-        fileView["visible"] = "";
+        for (const char* key : {"versionGuard", "identifier"}) fileView[key] = view[key];
         outputs[bucketFileName(bucket["index"])] = tidied(renderer.render("typekit/types.cpp", fileView));
     }
     return outputs;

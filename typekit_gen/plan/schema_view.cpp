@@ -22,8 +22,9 @@ std::string keyOf(const std::string& cpp) {
     return digits;
 }
 
-json started(const std::string& cpp) {
-    return {{"key", keyOf(cpp)}, {"cpp", cpp}, {"name", cppString(cppShown(cpp))}, {"fields", json::array()}};
+json started(const std::string& type, const std::string& cpp) {
+    return {
+        {"of", type}, {"key", keyOf(cpp)}, {"cpp", cpp}, {"name", cppString(cppShown(cpp))}, {"fields", json::array()}};
 }
 
 void add(json& schema, json field) {
@@ -44,7 +45,7 @@ json fieldView(const std::string& name, const std::string& type, const std::stri
 }
 
 json viewOf(const model::Struct& type) {
-    json view = started(type.cpp);
+    json view = started(type.name, type.cpp);
     for (const model::Field& field : type.fields) {
         // The compiler of the plugin says where a field is, if it can be asked.
         const bool named = field.load.empty() && !field.declared.empty();
@@ -60,7 +61,7 @@ json viewOf(const model::Struct& type) {
 }
 
 json viewOf(const model::Enum& type) {
-    json view = started(type.cpp);
+    json view = started(type.name, type.cpp);
     view["isEnum"] = true;
     for (const model::Enumerator& value : type.values)
         add(view, fieldView(value.name, "", "static_cast<long long>(" + value.cpp + ")", TypeUse()));
@@ -68,7 +69,7 @@ json viewOf(const model::Enum& type) {
 }
 
 json viewOfParts(const TypeUse& use) {
-    json view = started(use.cpp);
+    json view = started(use.name, use.cpp);
     std::size_t index = 0;
     for (const TypeUse& element : use.element) {
         const std::string name =

@@ -3,11 +3,11 @@
 #include <plan/typekit_view.hpp>
 
 #include <algorithm>
-#include <algorithm>
 #include <array>
 #include <set>
 
 #include <emit/banner.hpp>
+#include <plan/bucket_needs.hpp>
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
 #include <plan/output_names.hpp>
@@ -102,17 +102,19 @@ json viewOf(const model::Enum& type) {
 }
 
 /// How a value is made where there is no default constructor. The user's words mean what they mean in the type's namespace.
-json makerView(const model::Struct& type) {
+template <class Type>
+json makerView(const Type& type, const std::string& make, const std::string& space) {
     const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
     const std::size_t colons = type.cpp.rfind("::", arguments);
-    json view = {{"cpp", type.cpp}, {"make", type.make}, {"key", cppIdentifier(type.cpp)}};
+    json view = {{"of", type.name}, {"cpp", type.cpp}, {"make", make}, {"key", cppIdentifier(type.cpp)}};
     view["own"] = type.cpp.substr(colons + 2, arguments - colons - 2);
-    if (!type.space.empty()) view["space"] = type.space;
+    if (!space.empty()) view["space"] = space;
     return view;
 }
 
 struct Buckets {
     std::array<json, kBuckets> all;
+    std::array<std::vector<std::string>, kBuckets> types;
     json externs = json::array();
     json makers = json::array();
     std::set<std::string> headers;
@@ -125,23 +127,39 @@ struct Buckets {
                       {"enums", json::array()},
                       {"adapted", json::array()},
                       {"aliases", json::array()},
+                      {"constructors", json::array()},
                       {"library", json::array()},
                       {"arrays", json::array()},
-                      {"instances", json::array()}};
+                      {"instances", json::array()},
+                      {"system", json::array()}};
         }
     }
     void addHeader(const std::string& typeName, const std::string& header) {
         json& bucket = all[bucketOf(typeName)];
         if (header.empty() || !headers.insert(std::to_string(bucketOf(typeName)) + header).second) return;
-        bucket["headers"].push_back({{"path", header}});
+        bucket["system"].push_back({{"path", header}});
     }
     void add(const char* list, const std::string& typeName, const json& view) {
         all[bucketOf(typeName)][list].push_back(view);
+        types[bucketOf(typeName)].push_back(typeName);
+    }
+    template <class Type>
+    void addFromAdapter(const Type& type) {
+        if (!type.initial.empty()) makers.push_back(makerView(type, type.initial, ""));
+        for (const model::Constructor& one : type.constructors) {
+            add("constructors", type.name,
+                {{"name", cppString(type.name)},
+                 {"cpp", type.cpp},
+                 {"parameters", one.parameters},
+                 {"value", one.value}});
+            addHeader(type.name, "rtt/types/TemplateConstructor.hpp");
+        }
     }
     void addInstance(const std::string& typeName, const std::string& cpp, bool isSample = true) {
-        json view = {{"cpp", cpp}};
+        json view = {{"cpp", cpp}, {"keyword", "template"}, {"visible", ""}};
         if (isSample) view["isSample"] = true;
         add("instances", typeName, view);
+        view.update({{"of", typeName}, {"keyword", "extern template"}, {"visible", "RTT_EXPORT "}});
         externs.push_back(view);
     }
 };
@@ -153,7 +171,8 @@ Buckets fillBuckets(const model::TypeModel& model) {
         for (const model::Field& field : type.fields)
             if (!field.address.empty()) buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
         buckets.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
-        if (!type.make.empty()) buckets.makers.push_back(makerView(type));
+        if (!type.make.empty()) buckets.makers.push_back(makerView(type, type.make, type.space));
+        buckets.addFromAdapter(type);
     }
     for (const model::Enum& type : model.enums) {
         buckets.add("enums", type.name, viewOf(type));
@@ -167,6 +186,7 @@ Buckets fillBuckets(const model::TypeModel& model) {
         buckets.add("adapted", type.name, view);
         buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
         buckets.addInstance(type.name, type.cpp);
+        buckets.addFromAdapter(type);
     }
     for (const model::Alias& alias : model.aliases)
         buckets.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
@@ -191,37 +211,74 @@ Buckets fillBuckets(const model::TypeModel& model) {
     return buckets;
 }
 
+using Names = std::set<std::string>;
+
+/// What stands in front of all, of these types only.
+json ofTypes(const json& views, const Names& types) {
+    json result = json::array();
+    for (const json& view : views)
+        if (types.count(view["of"].get<std::string>()) != 0) result.push_back(view);
+    return result;
+}
+
 /// A std::optional that the user's header need not know of: what a smart pointer points to.
-bool showsOptional(const model::TypeModel& model) {
+bool showsOptional(const model::TypeModel& model, const Names& types) {
     for (const model::Struct& type : model.structs)
         for (const model::Field& field : type.fields)
-            if (field.type.kind == TypeKind::Optional && !field.load.empty()) return true;
+            if (field.type.kind == TypeKind::Optional && !field.load.empty() && types.count(field.type.name) != 0)
+                return true;
     return false;
 }
 
-std::string sourceNames(const model::TypeModel& model) {
+/// Includes and declarations, and a first line that names the headers.
+void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& typekit) {
     std::string names;
-    for (const model::Header& header : model.headers) names += (names.empty() ? "" : ", ") + header.include;
-    return names;
+    view["includes"] = json::array();
+    for (const std::size_t header : needs.headers) {
+        const std::string& include = model.headers[header].include;
+        view["includes"].push_back({{"path", include}});
+        names += (names.empty() ? "" : ", ") + include;
+    }
+    if (showsOptional(model, needs.types)) view["system"].push_back({{"path", "optional"}});
+    if (view.contains("index"))
+        for (const char* header : {"cstring", "type_traits", "utility"}) view["system"].push_back({{"path", header}});
+    view["banner"] = emit::banner("typegen", names.empty() ? "the headers of " + typekit : names);
+}
+
+/// A name of every type.
+Needs allOf(const model::TypeModel& model, const Buckets& buckets) {
+    Needs needs;
+    for (const auto& types : buckets.types) needs.types.insert(types.begin(), types.end());
+    for (std::size_t i = 0; i != model.headers.size(); ++i) needs.headers.push_back(i);
+    return needs;
 }
 
 }  // namespace
 
 json makeView(const model::TypeModel& model, const std::string& typekit) {
     Buckets buckets = fillBuckets(model);
+    const json schemas = schemaViews(model);
+    const BucketNeeds bucketNeeds(model);
+    for (std::size_t i = 0; i != kBuckets; ++i) {
+        const Needs needs = bucketNeeds.of(buckets.types[i]);
+        json& bucket = buckets.all[i];
+        addFront(bucket, model, needs, typekit);
+        bucket["externs"] = ofTypes(buckets.externs, needs.types);
+        bucket["makers"] = ofTypes(buckets.makers, needs.types);
+        bucket["schemas"] = ofTypes(schemas, needs.types);
+    }
     json view = {{"name", typekit},
                  {"quotedName", cppString(typekit)},
                  {"identifier", cppIdentifier(typekit)},
-                 {"banner", emit::banner("typegen", sourceNames(model))},
+                 {"pluginBanner", emit::banner("typegen", "the headers of " + typekit)},
                  {"versionGuard", emit::versionGuard("typegen")},
                  {"userHeader", userHeaderName(typekit)},
+                 {"system", json::array()},
                  {"externs", buckets.externs},
                  {"makers", buckets.makers},
-                 {"schemas", schemaViews(model)},
+                 {"schemas", schemas},
                  {"buckets", buckets.all}};
-    view["includes"] = json::array();
-    for (const model::Header& header : model.headers) view["includes"].push_back({{"path", header.include}});
-    if (showsOptional(model)) view["includes"].push_back({{"path", "optional"}});
+    addFront(view, model, allOf(model, buckets), typekit);
     return view;
 }
 

@@ -8,6 +8,7 @@
 #include "SequenceOps.hpp"
 #include "StructTable.hpp"
 #include "TypeThunks.hpp"
+#include "ValueTraits.hpp"
 #include <array>
 #include <vector>
 
@@ -46,7 +47,7 @@ struct AdaptedSequence {
             return false;
         }
         for (std::size_t i = 0; i != n; ++i) {
-            Element element = Element();
+            Element element = ValueTraits<Element>::make();
             if (i < old) A::load(before, i, element);
             A::store(of(c), i, element);
         }
@@ -104,7 +105,7 @@ struct AdaptedMatrix {
             }
             for (std::size_t r = 0; r != newRows; ++r) {
                 for (std::size_t c = 0; c != newColumns; ++c) {
-                    Element element = Element();
+                    Element element = ValueTraits<Element>::make();
                     if (r < oldRows && c < oldColumns) A::load(before, r, c, element);
                     A::store(object, r, c, element);
                 }
@@ -121,7 +122,7 @@ struct AdaptedMatrix {
         const std::size_t n = columns(c);
         if constexpr (hasFreeRows) row.resize(n);
         for (std::size_t j = 0; j != n; ++j) {
-            Element element = Element();
+            Element element = ValueTraits<Element>::make();
             A::load(of(c), i, j, element);
             row[j] = element;
         }

@@ -88,10 +88,11 @@ TEST_P(FixIt, RepairsTheHeader) {
     ASSERT_EQ(applied.status, 0) << applied.err;
     EXPECT_EQ(readFile(header), GetParam().after);
     EXPECT_NE(report(header, 0).find("\"diagnostics\": []"), std::string::npos);
-    for (const char* source : {"Plugin.cpp", "types_0.cpp", "types_1.cpp", "types_2.cpp", "types_3.cpp"}) {
-        const Outcome compiled = checkSyntax(dir / ("types.hpp.out/" + std::string(source)), dir.path());
+    for (const auto& entry : fs::directory_iterator(dir / "types.hpp.out")) {
+        if (entry.path().extension() != ".cpp") continue;
+        if (GetParam().name != "c_strings" && entry.path().filename() != "Plugin.cpp") continue;
+        const Outcome compiled = checkSyntax(entry.path(), dir.path());
         EXPECT_EQ(compiled.status, 0) << compiled.err;
-        if (GetParam().name != "c_strings" && std::string(source) == "Plugin.cpp") break;
     }
 }
 

@@ -135,6 +135,27 @@ TEST_P(AdaptedEigen, AMatrixTakesTheShapeOfAFile) {
     EXPECT_EQ(text(), "{{1, 2, 3}, {2, 3.5, 6}}");
 }
 
+TEST_P(AdaptedEigen, FixedOnesBeginWithZerosOrWithoutATurn) {
+    const std::pair<const char*, const char*> all[] = {
+        {"Eigen.Vector4d", "{0, 0, 0, 0}"},
+        {"Eigen.Matrix3d", "{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}"},
+        {"Eigen.Quaterniond", "{x = 0, y = 0, z = 0, w = 1}"},
+        {"Eigen.Isometry3d", "{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}"}};
+    for (const auto& [name, first] : all) EXPECT_EQ(typeOf(name).buildValue()->toString(), first) << name;
+}
+
+TEST_P(AdaptedEigen, ScriptsMakeValuesOfNumbers) {
+    ASSERT_TRUE(start("Eigen.Quaterniond"));
+    EXPECT_TRUE(run("v = Eigen.Quaterniond(1, 2, 3, 4.5)"));
+    EXPECT_EQ(text(), "{x = 2, y = 3, z = 4.5, w = 1}");
+    ASSERT_TRUE(start("Eigen.Vector4d"));
+    EXPECT_TRUE(run("v = Eigen.Vector4d(1, 2, 3, 4)"));
+    EXPECT_EQ(text(), "{1, 2, 3, 4}");
+    ASSERT_TRUE(start("eigen_matrix"));
+    EXPECT_TRUE(run("v = eigen_matrix(2, 3)"));
+    EXPECT_EQ(text(), "{{0, 0, 0}, {0, 0, 0}}");
+}
+
 TEST_P(AdaptedEigen, StorageIsAligned) {
     ASSERT_TRUE(start("/demo/Filter"));
     const SourcePtr state = value->getMember("state");
@@ -145,8 +166,29 @@ TEST_P(AdaptedEigen, StorageIsAligned) {
 
 TEST_P(AdaptedKdl, AFrameIsReachedThroughItsMembers) {
     ASSERT_TRUE(start("KDL.Frame"));
-    EXPECT_TRUE(run("v.p.x = 1.0; v.p.Z = 3.0; v.M[0][1] = 0.5"));
-    EXPECT_EQ(text(), "{p = {x = 1, y = 0, z = 3}, M = {{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}}}");
+    EXPECT_TRUE(run("v.p.x = 1.0; v.p.Z = 3.0; v.M.Y_x = 0.5"));
+    EXPECT_EQ(
+        text(),
+        "{p = {x = 1, y = 0, z = 3}, M = {X_x = 1, Y_x = 0.5, Z_x = 0, X_y = 0, Y_y = 1, Z_y = 0, X_z = 0, Y_z = 0, "
+        "Z_z = 1}}");
+}
+
+TEST_P(AdaptedKdl, ScriptsMakeValuesOfNumbers) {
+    ASSERT_TRUE(start("KDL.Frame"));
+    EXPECT_TRUE(run("v = KDL.Frame(KDL.Rotation(0, 0, 1.5707963267948966), KDL.Vector(1, 2, 3))"));
+    EXPECT_EQ(value->getMember("p")->toString(), "{x = 1, y = 2, z = 3}");
+    const auto part = RTT::internal::DataSource<double>::narrow(value->getMember("M")->getMember("Y_x").get());
+    ASSERT_TRUE(part);
+    EXPECT_NEAR(part->get(), -1, 1e-9);
+    EXPECT_TRUE(run("var KDL.Vector w = KDL.Vector(1, 2, 3); v.p = w"));
+    EXPECT_FALSE(run("v.p = KDL.Vector(1, 2)"));
+}
+
+TEST_P(AdaptedKdl, TwistsAndWrenchesAreMadeOfVectors) {
+    ASSERT_TRUE(start("KDL.Wrench"));
+    EXPECT_TRUE(run("v = KDL.Wrench(KDL.Vector(1, 0, 0), KDL.Vector(0, 2, 0))"));
+    EXPECT_EQ(text(), "{force = {x = 1, y = 0, z = 0}, torque = {x = 0, y = 2, z = 0}}");
+    ASSERT_TRUE(typeOf("KDL.Twist").buildValue()->getMember("vel"));
 }
 
 TEST_P(AdaptedKdl, AJacobianHasSixRows) {

@@ -83,6 +83,33 @@ TEST(AdaptersRun, AnAdapterThatIsNotUsedIsAWarning) {
         << ran.err;
 }
 
+// A virtual destructor is often all; who writes an adapter says that the class is a value.
+TEST(AdaptersRun, AClassMayHaveVirtualFunctionsButNotAbstractOnes) {
+    const TempDir dir;
+    const auto xml = dir.write("a.xml", file(kPose)).string();
+    const auto run = [&](const std::string& function) {
+        std::string text = kHeader;
+        text.insert(text.find("private:"), "    " + function + "\n");
+        const auto header = dir.write("t.hpp", text).string();
+        return typegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
+    };
+    EXPECT_EQ(run("virtual ~Pose() = default;").status, 0);
+    EXPECT_NE(run("virtual void f() = 0;").err.find("[TK020] type 'Pose' has virtual functions"), std::string::npos);
+}
+
+TEST(AdaptersRun, AreProposedForClassesOfHeadersThatAreNotListed) {
+    const TempDir dir;
+    dir.write("library.h", "#pragma once\nstruct Blob { unsigned char* data; };\n");
+    const auto header =
+        dir.write("t.hpp", "#pragma once\n#include \"library.h\"\nstruct A { Blob blob; };\nstruct B { int* own; };\n");
+    const Ran ran = typegen({"-o", (dir / "out").string(), "demo", header.string()});
+    EXPECT_NE(ran.err.find("note: store the value itself, or a std::vector of values; if that header is not yours, an "
+                           "adapter says how the class is seen (--adapters=FILE)\n"),
+              std::string::npos)
+        << ran.err;
+    EXPECT_NE(ran.err.find("note: store the value itself, or a std::vector of values\n"), std::string::npos) << ran.err;
+}
+
 TEST(AdaptersRun, ThoseThatAreShippedAreSound) {
     diag::Sink sink;
     EXPECT_GT(adapters::readAdapters({}, sink).size(), 20U);

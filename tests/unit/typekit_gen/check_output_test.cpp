@@ -74,11 +74,11 @@ TEST_F(CheckOutput, NamesWhatIsMissing) {
 }
 
 TEST_F(CheckOutput, NamesWhatAnEarlierTypegenLeft) {
-    fs::copy(out("types_2.cpp"), out("types_9.cpp"));
+    fs::copy(out("types_2.cpp"), out("types_99.cpp"));
     fs::create_directories(out("types/renamed/typekit"));
     fs::copy(out("types/demo/typekit/Types.hpp"), out("types/renamed/typekit/Types.hpp"));
     dir_.write("generated/mine.cpp", "// by hand\n");
-    expectFault("types_9.cpp: error: [TK067] superfluous");
+    expectFault("types_99.cpp: error: [TK067] superfluous");
     EXPECT_NE(err_.find("types/renamed/typekit/Types.hpp: error: [TK067] superfluous"), std::string::npos) << err_;
     EXPECT_EQ(err_.find("mine.cpp"), std::string::npos) << err_;
 }

@@ -54,6 +54,80 @@ TEST(TypeReader, ReadsOffsetsAndSizes) {
     EXPECT_EQ(read.model->structs[0].align, 8U);
 }
 
+TEST(TypeReader, DeclaresArraysOfClassesThatHaveBracketsInTheirNames) {
+    const Read read(
+        "#include <array>\nstruct A { int i[2][3][4]; std::array<int[2], 3> a[4][5]; std::array<int, 6> b[7]; };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("i").declared, "int[2][3][4]");
+    EXPECT_EQ(read.field("a").declared, "std::array<int[2], 3>[4][5]");
+    EXPECT_EQ(read.field("b").declared, "std::array<int, 6>[7]");
+}
+
+TEST(TypeReader, ReadsScopedEnumsOfTemplateInstances) {
+    const Read read(
+        "#include <vector>\ntemplate <class T> struct Of { enum class Kind { a, b }; Kind kind; T t; };\n"
+        "struct A { Of<int> of; };\nstruct B { std::vector<Of<char>::Kind> kinds; };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.model->enums.size(), 2U);
+}
+
+TEST(TypeReader, NamesInstancesByVoidAndByEnumerators) {
+    const Read read(
+        "namespace n { template <class T> struct Some; enum class Axis { x, y }; template <class T, Axis A> struct Of "
+        "{ int i; };\nstruct S { Of<Some<void>, Axis::y> of; }; }");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("of").type.cpp, "::n::Of<::n::Some<void>, ::n::Axis::y>");
+    EXPECT_EQ(read.field("of").type.name, "/n/Of</n/Some</void>,/n/Axis/y>");
+}
+
+TEST(TypeReader, LeavesTheNamespacesOfOneStandardLibraryOut) {
+    const Read read(
+        "#include <chrono>\n#include <string>\nnamespace n { template <class T> struct Of { int i; };\nstruct S { "
+        "Of<std::string> text; std::chrono::system_clock::time_point when; }; }");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("text").type.name,
+              "/n/Of</std/basic_string</char,/std/char_traits</char>,/std/allocator</char>>>");
+    EXPECT_EQ(read.field("when").declared,
+              "std::chrono::time_point<::std::chrono::system_clock, std::chrono::duration<long, std::ratio<1, "
+              "1000000000>>>");
+}
+
+TEST(TypeReader, KeepsTheComparisonOfAnything) {
+    const Read read("#include <map>\n#include <string>\nstruct A { std::map<std::string, int, std::less<>> m; };");
+    ASSERT_TRUE(read.model);
+    EXPECT_NE(read.field("m").type.cpp.find("::std::less<void>"), std::string::npos) << read.field("m").type.cpp;
+}
+
+TEST(TypeReader, DoesNotTakeTheCharacterOfCpp20ForAnExtension) {
+    const Read read("struct A { char8_t c; };", "types.hpp", {"-std=c++20"});
+    EXPECT_EQ(read.onlyCode(), "TK050");
+}
+
+TEST(TypeReader, KnowsTheQuestionAsAnAccessorOfABool) {
+    const Read read(
+        "class A { bool ready_; bool on; public: bool isReady() const; void setReady(bool); bool is_on() const; "
+        "void set_on(bool); };");
+    ASSERT_TRUE(read.model);
+    EXPECT_EQ(read.field("ready").load, "value = object.isReady()");
+    EXPECT_EQ(read.field("on").store, "object.set_on(value)");
+    EXPECT_FALSE(Read("class A { int n_; public: int isN() const; void setN(int); };").model);
+}
+
+TEST(TypeReader, DoesNotStoreByMoving) {
+    const Read read(
+        "#include <string>\nclass A { std::string s_; public: const std::string& s() const; void setS(std::string&&); "
+        "};");
+    EXPECT_EQ(read.onlyCode(), "TK013");
+}
+
+TEST(TypeReader, RefusesElementsThatAreMadeOfCArrays) {
+    const Read read("#include <array>\n#include <vector>\nstruct A { std::vector<std::array<int[2], 3>> v; };");
+    EXPECT_EQ(read.onlyCode(), "TK047");
+    const Read inner(
+        "#include <array>\n#include <list>\nstruct A { std::list<std::array<std::array<int[2], 3>, 2>> v; };");
+    EXPECT_EQ(inner.onlyCode(), "TK047");
+}
+
 TEST(TypeReader, LocatesInTheHeaderAsNamed) {
     const Read read("#pragma once\n  struct A {\n    int* p; };");
     ASSERT_EQ(read.sink.all().size(), 1U);

@@ -31,9 +31,9 @@ const char* const kHeader =
 TEST(Typegen, ListsOutputsWithoutReadingAnything) {
     std::string listed;
     EXPECT_EQ(typegen({"--list-outputs", "-o", "/some/where", "demo", "absent.hpp"}, &listed), 0);
-    EXPECT_EQ(listed,
-              "/some/where/Plugin.cpp\n/some/where/types_0.cpp\n/some/where/types_1.cpp\n"
-              "/some/where/types_2.cpp\n/some/where/types_3.cpp\n/some/where/types/demo/typekit/Types.hpp\n");
+    EXPECT_EQ(listed.find("/some/where/Plugin.cpp\n/some/where/types_0.cpp\n/some/where/types_1.cpp\n"), 0U);
+    const std::string last = "\n/some/where/types_15.cpp\n/some/where/types/demo/typekit/Types.hpp\n";
+    EXPECT_EQ(listed.find(last), listed.size() - last.size());
 }
 
 TEST(Typegen, WritesExactlyTheListedFiles) {

@@ -10,7 +10,10 @@ function(fingerprint_library version)
   set(sources ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/components.cpp)
   if(NOT "UNDESCRIBED" IN_LIST ARGN)
     set(generated ${CMAKE_CURRENT_BINARY_DIR}/${name})
-    set(buckets ${generated}/types_0.cpp ${generated}/types_1.cpp ${generated}/types_2.cpp ${generated}/types_3.cpp)
+    set(buckets "")
+    foreach(i RANGE 15)
+      list(APPEND buckets ${generated}/types_${i}.cpp)
+    endforeach()
     add_custom_command(OUTPUT ${buckets}
       COMMAND typegen -DVERSION_${macro} -o ${generated} sample ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp
       DEPENDS typegen ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp VERBATIM)

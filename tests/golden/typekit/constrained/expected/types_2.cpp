@@ -17,17 +17,59 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/constrained/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::OutputPort<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::InputPort<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::Property<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::Attribute<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::constrained::Box<int>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::constrained::Box<int>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_617a100329ad488d
+#define OROFORGE_SCHEMA_617a100329ad488d
+RTT_HIDE inline const Schema& describeType(TypeTag<::constrained::Box<int>>) {
+    static constexpr SchemaField fields[] = {
+        { "value", "int", 8LL * __builtin_offsetof(::constrained::Box<int>, value), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "constrained::Box<int>", sizeof(::constrained::Box<int>), alignof(::constrained::Box<int>), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::constrained::Box<int>) == 4 && alignof(::constrained::Box<int>) == 4,
-              "typegen saw another constrained::Box<int>: do __orogen or options of the compiler change it?");
+              "typegen saw another constrained::Box<int>: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::constrained::Box<int>, value) == 0, "typegen saw another constrained::Box<int>::value");
 static_assert(std::is_same_v<decltype(::constrained::Box<int>::value), int>, "typegen saw another type of constrained::Box<int>::value");
 

@@ -17,34 +17,94 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/containers/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
-#include <rtt/types/ContainerTable.hpp>
-#include <rtt/types/VariantTable.hpp>
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
-// The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::containers::Keyed) == 304 && alignof(::containers::Keyed) == 8,
-              "typegen saw another containers::Keyed: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::containers::Keyed, map) == 0, "typegen saw another containers::Keyed::map");
-static_assert(std::is_same_v<decltype(::containers::Keyed::map), std::map<std::string, double>>, "typegen saw another type of containers::Keyed::map");
-static_assert(__builtin_offsetof(::containers::Keyed, points) == 48, "typegen saw another containers::Keyed::points");
-static_assert(std::is_same_v<decltype(::containers::Keyed::points), std::map<int, ::containers::Point>>, "typegen saw another type of containers::Keyed::points");
-static_assert(__builtin_offsetof(::containers::Keyed, hashed) == 96, "typegen saw another containers::Keyed::hashed");
-static_assert(std::is_same_v<decltype(::containers::Keyed::hashed), std::unordered_map<int, double>>, "typegen saw another type of containers::Keyed::hashed");
-static_assert(__builtin_offsetof(::containers::Keyed, multi) == 152, "typegen saw another containers::Keyed::multi");
-static_assert(std::is_same_v<decltype(::containers::Keyed::multi), std::multimap<int, int>>, "typegen saw another type of containers::Keyed::multi");
-static_assert(__builtin_offsetof(::containers::Keyed, set) == 200, "typegen saw another containers::Keyed::set");
-static_assert(std::is_same_v<decltype(::containers::Keyed::set), std::set<int>>, "typegen saw another type of containers::Keyed::set");
-static_assert(__builtin_offsetof(::containers::Keyed, names) == 248, "typegen saw another containers::Keyed::names");
-static_assert(std::is_same_v<decltype(::containers::Keyed::names), std::unordered_set<std::string>>, "typegen saw another type of containers::Keyed::names");
+// Last, so that their macros change nothing above.
+#include <input.hpp>
 
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::containers::Parts>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::containers::Parts>;
+extern template class RTT_EXPORT RTT::OutputPort<::containers::Parts>;
+extern template class RTT_EXPORT RTT::InputPort<::containers::Parts>;
+extern template class RTT_EXPORT RTT::Property<::containers::Parts>;
+extern template class RTT_EXPORT RTT::Attribute<::containers::Parts>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Parts>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Parts>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Parts>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Parts>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::containers::Point>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::containers::Point>;
+extern template class RTT_EXPORT RTT::OutputPort<::containers::Point>;
+extern template class RTT_EXPORT RTT::InputPort<::containers::Point>;
+extern template class RTT_EXPORT RTT::Property<::containers::Point>;
+extern template class RTT_EXPORT RTT::Attribute<::containers::Point>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Point>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::InputPort<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::Property<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::Attribute<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::pair<int, ::containers::Point>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::pair<int, ::containers::Point>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_aa6f0b554b7e6fd1
+#define OROFORGE_SCHEMA_aa6f0b554b7e6fd1
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Parts>) {
+    static constexpr SchemaField fields[] = {
+        { "pair", "std::pair<int, containers::Point>", 8LL * __builtin_offsetof(::containers::Parts, pair), "", &schemaOf<std::pair<int, ::containers::Point>> },
+        { "tuple", "std::tuple<int, std::string, double>", 8LL * __builtin_offsetof(::containers::Parts, tuple), "", nullptr },
+        { "number", "std::complex<double>", 8LL * __builtin_offsetof(::containers::Parts, number), "", nullptr },
+        { "flags", "std::bitset<12>", 8LL * __builtin_offsetof(::containers::Parts, flags), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Parts", sizeof(::containers::Parts), alignof(::containers::Parts), fields, 4, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_c1c1a1a89379ba1d
+#define OROFORGE_SCHEMA_c1c1a1a89379ba1d
+RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Point>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "double", 8LL * __builtin_offsetof(::containers::Point, x), "", nullptr },
+        { "y", "double", 8LL * __builtin_offsetof(::containers::Point, y), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "containers::Point", sizeof(::containers::Point), alignof(::containers::Point), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
+// The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::containers::Parts) == 96 && alignof(::containers::Parts) == 8,
-              "typegen saw another containers::Parts: do __orogen or options of the compiler change it?");
+              "typegen saw another containers::Parts: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::containers::Parts, pair) == 0, "typegen saw another containers::Parts::pair");
 static_assert(std::is_same_v<decltype(::containers::Parts::pair), std::pair<int, ::containers::Point>>, "typegen saw another type of containers::Parts::pair");
 static_assert(__builtin_offsetof(::containers::Parts, tuple) == 24, "typegen saw another containers::Parts::tuple");
@@ -54,45 +114,6 @@ static_assert(std::is_same_v<decltype(::containers::Parts::number), std::complex
 static_assert(__builtin_offsetof(::containers::Parts, flags) == 88, "typegen saw another containers::Parts::flags");
 static_assert(std::is_same_v<decltype(::containers::Parts::flags), std::bitset<12>>, "typegen saw another type of containers::Parts::flags");
 
-static_assert(sizeof(::containers::Point) == 16 && alignof(::containers::Point) == 8,
-              "typegen saw another containers::Point: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::containers::Point, x) == 0, "typegen saw another containers::Point::x");
-static_assert(std::is_same_v<decltype(::containers::Point::x), double>, "typegen saw another type of containers::Point::x");
-static_assert(__builtin_offsetof(::containers::Point, y) == 8, "typegen saw another containers::Point::y");
-static_assert(std::is_same_v<decltype(::containers::Point::y), double>, "typegen saw another type of containers::Point::y");
-
-static_assert(sizeof(::containers::Sequences) == 128 && alignof(::containers::Sequences) == 8,
-              "typegen saw another containers::Sequences: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::containers::Sequences, deque) == 0, "typegen saw another containers::Sequences::deque");
-static_assert(std::is_same_v<decltype(::containers::Sequences::deque), std::deque<int>>, "typegen saw another type of containers::Sequences::deque");
-static_assert(__builtin_offsetof(::containers::Sequences, list) == 80, "typegen saw another containers::Sequences::list");
-static_assert(std::is_same_v<decltype(::containers::Sequences::list), std::list<::containers::Point>>, "typegen saw another type of containers::Sequences::list");
-static_assert(__builtin_offsetof(::containers::Sequences, forward) == 104, "typegen saw another containers::Sequences::forward");
-static_assert(std::is_same_v<decltype(::containers::Sequences::forward), std::forward_list<int>>, "typegen saw another type of containers::Sequences::forward");
-static_assert(__builtin_offsetof(::containers::Sequences, values) == 112, "typegen saw another containers::Sequences::values");
-static_assert(std::is_same_v<decltype(::containers::Sequences::values), std::valarray<double>>, "typegen saw another type of containers::Sequences::values");
-
-static_assert(sizeof(::containers::Times) == 48 && alignof(::containers::Times) == 8,
-              "typegen saw another containers::Times: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::containers::Times, wait) == 0, "typegen saw another containers::Times::wait");
-static_assert(std::is_same_v<decltype(::containers::Times::wait), std::chrono::duration<long, std::ratio<1, 1000000000>>>, "typegen saw another type of containers::Times::wait");
-static_assert(__builtin_offsetof(::containers::Times, seconds) == 8, "typegen saw another containers::Times::seconds");
-static_assert(std::is_same_v<decltype(::containers::Times::seconds), std::chrono::duration<float, std::ratio<1, 1>>>, "typegen saw another type of containers::Times::seconds");
-static_assert(__builtin_offsetof(::containers::Times, when) == 16, "typegen saw another containers::Times::when");
-static_assert(std::is_same_v<decltype(::containers::Times::when), std::chrono::time_point<::std::chrono::_V2::system_clock, std::chrono::duration<long, std::ratio<1, 1000000000>>>>, "typegen saw another type of containers::Times::when");
-static_assert(__builtin_offsetof(::containers::Times, all) == 24, "typegen saw another containers::Times::all");
-static_assert(std::is_same_v<decltype(::containers::Times::all), std::vector<std::chrono::duration<long, std::ratio<1, 1000>>>>, "typegen saw another type of containers::Times::all");
-
-template class RTT::internal::DataSource<::containers::Keyed>;
-template class RTT::internal::AssignableDataSource<::containers::Keyed>;
-template class RTT::OutputPort<::containers::Keyed>;
-template class RTT::InputPort<::containers::Keyed>;
-template class RTT::Property<::containers::Keyed>;
-template class RTT::Attribute<::containers::Keyed>;
-template class RTT::internal::ValueDataSource<::containers::Keyed>;
-template class RTT::internal::ConstantDataSource<::containers::Keyed>;
-template class RTT::internal::ReferenceDataSource<::containers::Keyed>;
-template class RTT::base::ChannelElement<::containers::Keyed>;
 template class RTT::internal::DataSource<::containers::Parts>;
 template class RTT::internal::AssignableDataSource<::containers::Parts>;
 template class RTT::OutputPort<::containers::Parts>;
@@ -103,36 +124,6 @@ template class RTT::internal::ValueDataSource<::containers::Parts>;
 template class RTT::internal::ConstantDataSource<::containers::Parts>;
 template class RTT::internal::ReferenceDataSource<::containers::Parts>;
 template class RTT::base::ChannelElement<::containers::Parts>;
-template class RTT::internal::DataSource<::containers::Point>;
-template class RTT::internal::AssignableDataSource<::containers::Point>;
-template class RTT::OutputPort<::containers::Point>;
-template class RTT::InputPort<::containers::Point>;
-template class RTT::Property<::containers::Point>;
-template class RTT::Attribute<::containers::Point>;
-template class RTT::internal::ValueDataSource<::containers::Point>;
-template class RTT::internal::ConstantDataSource<::containers::Point>;
-template class RTT::internal::ReferenceDataSource<::containers::Point>;
-template class RTT::base::ChannelElement<::containers::Point>;
-template class RTT::internal::DataSource<::containers::Sequences>;
-template class RTT::internal::AssignableDataSource<::containers::Sequences>;
-template class RTT::OutputPort<::containers::Sequences>;
-template class RTT::InputPort<::containers::Sequences>;
-template class RTT::Property<::containers::Sequences>;
-template class RTT::Attribute<::containers::Sequences>;
-template class RTT::internal::ValueDataSource<::containers::Sequences>;
-template class RTT::internal::ConstantDataSource<::containers::Sequences>;
-template class RTT::internal::ReferenceDataSource<::containers::Sequences>;
-template class RTT::base::ChannelElement<::containers::Sequences>;
-template class RTT::internal::DataSource<::containers::Times>;
-template class RTT::internal::AssignableDataSource<::containers::Times>;
-template class RTT::OutputPort<::containers::Times>;
-template class RTT::InputPort<::containers::Times>;
-template class RTT::Property<::containers::Times>;
-template class RTT::Attribute<::containers::Times>;
-template class RTT::internal::ValueDataSource<::containers::Times>;
-template class RTT::internal::ConstantDataSource<::containers::Times>;
-template class RTT::internal::ReferenceDataSource<::containers::Times>;
-template class RTT::base::ChannelElement<::containers::Times>;
 
 namespace oroforge_typekit_containers {
 
@@ -141,55 +132,12 @@ bool addTypes3() {
     bool added = true;
     {
         static constexpr RTT::types::Member members[] = {
-            { "map", 0, &RTT::types::typeRef<std::map<std::string, double>>, 0, "", "" },
-            { "points", 48, &RTT::types::typeRef<std::map<int, ::containers::Point>>, 0, "", "" },
-            { "hashed", 96, &RTT::types::typeRef<std::unordered_map<int, double>>, 0, "", "" },
-            { "multi", 152, &RTT::types::typeRef<std::multimap<int, int>>, 0, "", "" },
-            { "set", 200, &RTT::types::typeRef<std::set<int>>, 0, "", "" },
-            { "names", 248, &RTT::types::typeRef<std::unordered_set<std::string>>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::containers::Keyed>("/containers/Keyed", members, 6, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
             { "pair", 0, &RTT::types::typeRef<std::pair<int, ::containers::Point>>, 0, "", "" },
             { "tuple", 24, &RTT::types::typeRef<std::tuple<int, std::string, double>>, 0, "", "" },
             { "number", 72, &RTT::types::typeRef<std::complex<double>>, 0, "", "" },
             { "flags", 88, &RTT::types::typeRef<std::bitset<12>>, 0, "", "" }
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::containers::Parts>("/containers/Parts", members, 4, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
-            { "x", 0, &RTT::types::typeRef<double>, 0, "", "" },
-            { "y", 8, &RTT::types::typeRef<double>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::containers::Point>("/containers/Point", members, 2, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
-            { "deque", 0, &RTT::types::typeRef<std::deque<int>>, 0, "", "" },
-            { "list", 80, &RTT::types::typeRef<std::list<::containers::Point>>, 0, "", "" },
-            { "forward", 104, &RTT::types::typeRef<std::forward_list<int>>, 0, "", "" },
-            { "values", 112, &RTT::types::typeRef<std::valarray<double>>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::containers::Sequences>("/containers/Sequences", members, 4, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
-            { "wait", 0, &RTT::types::typeRef<long>, 0, "How long it takes.", "ns", nullptr, nullptr, "0..1000" },
-            { "seconds", 8, &RTT::types::typeRef<float>, 0, "", "s" },
-            { "when", 16, &RTT::types::typeRef<long>, 0, "", "ns since the epoch of system_clock" },
-            { "all", 24, &RTT::types::typeRef<std::vector<std::chrono::duration<long, std::ratio<1, 1000>>>>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::containers::Times>("/containers/Times", members, 4, ""));
-    }
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::unordered_map<int, double>>("/std/unordered_map</int32_t,/double>", RTT::types::keyedOps<std::unordered_map<int, double>>()));
-    }
-    {
-        static constexpr const char* alternatives[] = { "int", "double" };
-        added &= RTT::types::addType(RTT::types::makeVariantType<std::variant<int, double>>("/std/variant</int32_t,/double>", alternatives));
     }
     return added;
 }

@@ -17,57 +17,52 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/eigen/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <rtt/types/AdaptedTable.hpp>
+#include <rtt/types/TemplateConstructor.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::OutputPort<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::InputPort<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::Property<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::Attribute<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::Eigen::AngleAxis<double>) == 32 && alignof(::Eigen::AngleAxis<double>) == 8,
-              "typegen saw another Eigen::AngleAxis<double>: do __orogen or options of the compiler change it?");
 
-static_assert(sizeof(::Eigen::Quaternion<double, 0>) == 32 && alignof(::Eigen::Quaternion<double, 0>) == 16,
-              "typegen saw another Eigen::Quaternion<double, 0>: do __orogen or options of the compiler change it?");
-
-static_assert(sizeof(::Eigen::Matrix<double, 3, 3, 0, 3, 3>) == 72 && alignof(::Eigen::Matrix<double, 3, 3, 0, 3, 3>) == 8,
-              "typegen saw another Eigen::Matrix<double, 3, 3, 0, 3, 3>: do __orogen or options of the compiler change it?");
 static_assert(sizeof(::Eigen::Matrix<double, -1, -1, 0, -1, -1>) == 24 && alignof(::Eigen::Matrix<double, -1, -1, 0, -1, -1>) == 8,
-              "typegen saw another Eigen::Matrix<double, -1, -1, 0, -1, -1>: do __orogen or options of the compiler change it?");
+              "typegen saw another Eigen::Matrix<double, -1, -1, 0, -1, -1>: was it changed since, or do __orogen or options of the compiler change it?");
 
-template class RTT::internal::DataSource<::Eigen::AngleAxis<double>>;
-template class RTT::internal::AssignableDataSource<::Eigen::AngleAxis<double>>;
-template class RTT::OutputPort<::Eigen::AngleAxis<double>>;
-template class RTT::InputPort<::Eigen::AngleAxis<double>>;
-template class RTT::Property<::Eigen::AngleAxis<double>>;
-template class RTT::Attribute<::Eigen::AngleAxis<double>>;
-template class RTT::internal::ValueDataSource<::Eigen::AngleAxis<double>>;
-template class RTT::internal::ConstantDataSource<::Eigen::AngleAxis<double>>;
-template class RTT::internal::ReferenceDataSource<::Eigen::AngleAxis<double>>;
-template class RTT::base::ChannelElement<::Eigen::AngleAxis<double>>;
-template class RTT::internal::DataSource<::Eigen::Quaternion<double, 0>>;
-template class RTT::internal::AssignableDataSource<::Eigen::Quaternion<double, 0>>;
-template class RTT::OutputPort<::Eigen::Quaternion<double, 0>>;
-template class RTT::InputPort<::Eigen::Quaternion<double, 0>>;
-template class RTT::Property<::Eigen::Quaternion<double, 0>>;
-template class RTT::Attribute<::Eigen::Quaternion<double, 0>>;
-template class RTT::internal::ValueDataSource<::Eigen::Quaternion<double, 0>>;
-template class RTT::internal::ConstantDataSource<::Eigen::Quaternion<double, 0>>;
-template class RTT::internal::ReferenceDataSource<::Eigen::Quaternion<double, 0>>;
-template class RTT::base::ChannelElement<::Eigen::Quaternion<double, 0>>;
-template class RTT::internal::DataSource<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::internal::AssignableDataSource<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::OutputPort<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::InputPort<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::Property<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::Attribute<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::internal::ValueDataSource<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::internal::ConstantDataSource<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::internal::ReferenceDataSource<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
-template class RTT::base::ChannelElement<::Eigen::Matrix<double, 3, 3, 0, 3, 3>>;
 template class RTT::internal::DataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
 template class RTT::internal::AssignableDataSource<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
 template class RTT::OutputPort<::Eigen::Matrix<double, -1, -1, 0, -1, -1>>;
@@ -84,23 +79,6 @@ namespace oroforge_typekit_eigen {
 namespace {
 
 struct Access1_0 {
-    using Object = ::Eigen::Matrix<double, 3, 3, 0, 3, 3>;
-    using Element = double;
-    using Row = std::array<double, 3>;
-    static auto rows([[maybe_unused]] const Object& object) { return 3; }
-    static auto columns([[maybe_unused]] const Object& object) { return 3; }
-    static constexpr bool fixedRows = true;
-    static constexpr bool fixedColumns = true;
-    static void load(const Object& object, [[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t column, Element& value) { value = object(row, column); }
-    static void store(Object& object, [[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t column, const Element& value) { object(row, column) = value; }
-    static constexpr bool canResize = false;
-};
-
-}  // namespace
-
-namespace {
-
-struct Access1_1 {
     using Object = ::Eigen::Matrix<double, -1, -1, 0, -1, -1>;
     using Element = double;
     using Row = std::vector<double>;
@@ -119,131 +97,14 @@ struct Access1_1 {
 bool addTypes1();
 bool addTypes1() {
     bool added = true;
-    {
-        static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::AngleAxis<double>*>(from);
-                double& value = object.angle();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::AngleAxis<double>*>(from);
-                auto& value = *static_cast<double*>(to);
-                value = object.angle();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::AngleAxis<double>*>(to);
-                const auto& value = *static_cast<const double*>(from);
-                object.angle() = value;
-            });
-        static constexpr RTT::types::SequenceOps access_1 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::AngleAxis<double>*>(from);
-                ::Eigen::Matrix<double, 3, 1, 0, 3, 1>& value = object.axis();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::AngleAxis<double>*>(from);
-                auto& value = *static_cast<::Eigen::Matrix<double, 3, 1, 0, 3, 1>*>(to);
-                value = object.axis();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::AngleAxis<double>*>(to);
-                const auto& value = *static_cast<const ::Eigen::Matrix<double, 3, 1, 0, 3, 1>*>(from);
-                object.axis() = value;
-            });
-        static constexpr RTT::types::Member members[] = {
-            { "angle", 0, &RTT::types::typeRef<double>, 0, "", "rad", nullptr, &access_0 },
-            { "axis", 0, &RTT::types::typeRef<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>, 0, "a unit vector", "", nullptr, &access_1 }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::Eigen::AngleAxis<double>>("/Eigen/AngleAxisd", members, 2, "a rotation"));
-    }
-    {
-        static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(from);
-                double& value = object.x();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::Quaternion<double, 0>*>(from);
-                auto& value = *static_cast<double*>(to);
-                value = object.x();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(to);
-                const auto& value = *static_cast<const double*>(from);
-                object.x() = value;
-            });
-        static constexpr RTT::types::SequenceOps access_1 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(from);
-                double& value = object.y();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::Quaternion<double, 0>*>(from);
-                auto& value = *static_cast<double*>(to);
-                value = object.y();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(to);
-                const auto& value = *static_cast<const double*>(from);
-                object.y() = value;
-            });
-        static constexpr RTT::types::SequenceOps access_2 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(from);
-                double& value = object.z();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::Quaternion<double, 0>*>(from);
-                auto& value = *static_cast<double*>(to);
-                value = object.z();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(to);
-                const auto& value = *static_cast<const double*>(from);
-                object.z() = value;
-            });
-        static constexpr RTT::types::SequenceOps access_3 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(from);
-                double& value = object.w();
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::Eigen::Quaternion<double, 0>*>(from);
-                auto& value = *static_cast<double*>(to);
-                value = object.w();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::Eigen::Quaternion<double, 0>*>(to);
-                const auto& value = *static_cast<const double*>(from);
-                object.w() = value;
-            });
-        static constexpr RTT::types::Member members[] = {
-            { "x", 0, &RTT::types::typeRef<double>, 0, "", "", nullptr, &access_0 },
-            { "y", 0, &RTT::types::typeRef<double>, 0, "", "", nullptr, &access_1 },
-            { "z", 0, &RTT::types::typeRef<double>, 0, "", "", nullptr, &access_2 },
-            { "w", 0, &RTT::types::typeRef<double>, 0, "the real part", "", nullptr, &access_3 }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::Eigen::Quaternion<double, 0>>("/Eigen/Quaterniond", members, 4, "a rotation"));
-    }
-    added &= RTT::types::addType(RTT::types::makeAdaptedMatrix<Access1_0>("/Eigen/Matrix3d", ""));
-    added &= RTT::types::addType(RTT::types::makeAdaptedMatrix<Access1_1>("eigen_matrix", ""));
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::array<double, 4>>("/std/array</double,4>"));
-    }
+    added &= RTT::types::addType(RTT::types::makeAdaptedMatrix<Access1_0>("eigen_matrix", ""));
     {
         added &= RTT::types::addType(RTT::types::makeSequenceType<std::array<int, 2>>("/std/array</int32_t,2>"));
     }
+    if (RTT::types::TypeInfo* type = RTT::types::Types()->type("eigen_matrix"))
+        type->addConstructor(RTT::types::newConstructor(+[](int rows, int columns) -> ::Eigen::Matrix<double, -1, -1, 0, -1, -1> { return ::Eigen::Matrix<double, -1, -1, 0, -1, -1>::Zero(rows, columns); }));
     added &= RTT::types::aliasType("/Eigen/Matrix</double,-1,-1,0,-1,-1>", "eigen_matrix");
     added &= RTT::types::aliasType("/Eigen/MatrixXd", "eigen_matrix");
-    added &= RTT::types::aliasType("/Eigen/Matrix</double,3,3,0,3,3>", "/Eigen/Matrix3d");
-    added &= RTT::types::aliasType("/Eigen/Quaternion</double,0>", "/Eigen/Quaterniond");
-    added &= RTT::types::aliasType("/Eigen/AngleAxis</double>", "/Eigen/AngleAxisd");
     return added;
 }
 

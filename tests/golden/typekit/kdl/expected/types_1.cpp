@@ -17,37 +17,86 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/kdl/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <rtt/types/AdaptedTable.hpp>
+#include <rtt/types/TemplateConstructor.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::OutputPort<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::InputPort<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::Property<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::Attribute<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::KDL::Vector>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::OutputPort<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::InputPort<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::Property<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::Attribute<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::KDL::Wrench>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::KDL::Wrench>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_925af05fdee4497d
+#define OROFORGE_SCHEMA_925af05fdee4497d
+RTT_HIDE inline const Schema& describeType(TypeTag<::KDL::Vector>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "double", 0, "", nullptr },
+        { "y", "double", 0, "", nullptr },
+        { "z", "double", 0, "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "KDL::Vector", sizeof(::KDL::Vector), alignof(::KDL::Vector), fields, 3, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_390ba36cd2c2c9b7
+#define OROFORGE_SCHEMA_390ba36cd2c2c9b7
+RTT_HIDE inline const Schema& describeType(TypeTag<::KDL::Wrench>) {
+    static constexpr SchemaField fields[] = {
+        { "force", "KDL::Vector", 0, "", &schemaOf<::KDL::Vector> },
+        { "torque", "KDL::Vector", 0, "", &schemaOf<::KDL::Vector> }
+    };
+    static constexpr Schema schema = {
+        "KDL::Wrench", sizeof(::KDL::Wrench), alignof(::KDL::Wrench), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::KDL::Frame) == 96 && alignof(::KDL::Frame) == 8,
-              "typegen saw another KDL::Frame: do __orogen or options of the compiler change it?");
-
 static_assert(sizeof(::KDL::Wrench) == 48 && alignof(::KDL::Wrench) == 8,
-              "typegen saw another KDL::Wrench: do __orogen or options of the compiler change it?");
+              "typegen saw another KDL::Wrench: was it changed since, or do __orogen or options of the compiler change it?");
 
-static_assert(sizeof(::KDL::Jacobian) == 16 && alignof(::KDL::Jacobian) == 8,
-              "typegen saw another KDL::Jacobian: do __orogen or options of the compiler change it?");
-static_assert(sizeof(::KDL::JntArray) == 16 && alignof(::KDL::JntArray) == 8,
-              "typegen saw another KDL::JntArray: do __orogen or options of the compiler change it?");
-
-template class RTT::internal::DataSource<::KDL::Frame>;
-template class RTT::internal::AssignableDataSource<::KDL::Frame>;
-template class RTT::OutputPort<::KDL::Frame>;
-template class RTT::InputPort<::KDL::Frame>;
-template class RTT::Property<::KDL::Frame>;
-template class RTT::Attribute<::KDL::Frame>;
-template class RTT::internal::ValueDataSource<::KDL::Frame>;
-template class RTT::internal::ConstantDataSource<::KDL::Frame>;
-template class RTT::internal::ReferenceDataSource<::KDL::Frame>;
-template class RTT::base::ChannelElement<::KDL::Frame>;
 template class RTT::internal::DataSource<::KDL::Wrench>;
 template class RTT::internal::AssignableDataSource<::KDL::Wrench>;
 template class RTT::OutputPort<::KDL::Wrench>;
@@ -58,115 +107,12 @@ template class RTT::internal::ValueDataSource<::KDL::Wrench>;
 template class RTT::internal::ConstantDataSource<::KDL::Wrench>;
 template class RTT::internal::ReferenceDataSource<::KDL::Wrench>;
 template class RTT::base::ChannelElement<::KDL::Wrench>;
-template class RTT::internal::DataSource<::KDL::Jacobian>;
-template class RTT::internal::AssignableDataSource<::KDL::Jacobian>;
-template class RTT::OutputPort<::KDL::Jacobian>;
-template class RTT::InputPort<::KDL::Jacobian>;
-template class RTT::Property<::KDL::Jacobian>;
-template class RTT::Attribute<::KDL::Jacobian>;
-template class RTT::internal::ValueDataSource<::KDL::Jacobian>;
-template class RTT::internal::ConstantDataSource<::KDL::Jacobian>;
-template class RTT::internal::ReferenceDataSource<::KDL::Jacobian>;
-template class RTT::base::ChannelElement<::KDL::Jacobian>;
-template class RTT::internal::DataSource<::KDL::JntArray>;
-template class RTT::internal::AssignableDataSource<::KDL::JntArray>;
-template class RTT::OutputPort<::KDL::JntArray>;
-template class RTT::InputPort<::KDL::JntArray>;
-template class RTT::Property<::KDL::JntArray>;
-template class RTT::Attribute<::KDL::JntArray>;
-template class RTT::internal::ValueDataSource<::KDL::JntArray>;
-template class RTT::internal::ConstantDataSource<::KDL::JntArray>;
-template class RTT::internal::ReferenceDataSource<::KDL::JntArray>;
-template class RTT::base::ChannelElement<::KDL::JntArray>;
-template class RTT::internal::DataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::AssignableDataSource<std::vector<::KDL::Frame>>;
-template class RTT::OutputPort<std::vector<::KDL::Frame>>;
-template class RTT::InputPort<std::vector<::KDL::Frame>>;
-template class RTT::Property<std::vector<::KDL::Frame>>;
-template class RTT::Attribute<std::vector<::KDL::Frame>>;
-template class RTT::internal::ValueDataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::ConstantDataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::KDL::Frame>>;
-template class RTT::base::ChannelElement<std::vector<::KDL::Frame>>;
 
 namespace oroforge_typekit_kdl {
-
-namespace {
-
-struct Access1_0 {
-    using Object = ::KDL::Jacobian;
-    using Element = double;
-    using Row = std::vector<double>;
-    static auto rows([[maybe_unused]] const Object& object) { return 6; }
-    static auto columns([[maybe_unused]] const Object& object) { return object.columns(); }
-    static constexpr bool fixedRows = true;
-    static constexpr bool fixedColumns = false;
-    static void load(const Object& object, [[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t column, Element& value) { value = object(row, column); }
-    static void store(Object& object, [[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t column, const Element& value) { object(row, column) = value; }
-    static constexpr bool canResize = true;
-    static void resize(Object& object, [[maybe_unused]] std::size_t rows, [[maybe_unused]] std::size_t columns) { object.resize(columns); }
-};
-
-}  // namespace
-
-namespace {
-
-struct Access1_1 {
-    using Object = ::KDL::JntArray;
-    using Element = double;
-    static auto size([[maybe_unused]] const Object& object) { return object.rows(); }
-    static void load(const Object& object, [[maybe_unused]] std::size_t index, Element& value) { value = object(index); }
-    static void store(Object& object, [[maybe_unused]] std::size_t index, const Element& value) { object(index) = value; }
-    static constexpr bool hasAddress = true;
-    static Element& at(Object& object, [[maybe_unused]] std::size_t index) { return object(index); }
-    static constexpr bool canResize = true;
-    static void resize(Object& object, std::size_t size) { object.resize(size); }
-};
-
-}  // namespace
 
 bool addTypes1();
 bool addTypes1() {
     bool added = true;
-    {
-        static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::KDL::Frame*>(from);
-                ::KDL::Vector& value = object.p;
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::KDL::Frame*>(from);
-                auto& value = *static_cast<::KDL::Vector*>(to);
-                value = object.p;
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::KDL::Frame*>(to);
-                const auto& value = *static_cast<const ::KDL::Vector*>(from);
-                object.p = value;
-            });
-        static constexpr RTT::types::SequenceOps access_1 = RTT::types::memberAt(
-            [](void* from, std::size_t) -> void* {
-                auto& object = *static_cast<::KDL::Frame*>(from);
-                ::KDL::Rotation& value = object.M;
-                return &reinterpret_cast<char&>(value);
-            },
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::KDL::Frame*>(from);
-                auto& value = *static_cast<::KDL::Rotation*>(to);
-                value = object.M;
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::KDL::Frame*>(to);
-                const auto& value = *static_cast<const ::KDL::Rotation*>(from);
-                object.M = value;
-            });
-        static constexpr RTT::types::Member members[] = {
-            { "p", 0, &RTT::types::typeRef<::KDL::Vector>, 0, "position of the origin", "", nullptr, &access_0 },
-            { "M", 0, &RTT::types::typeRef<::KDL::Rotation>, 0, "orientation", "", nullptr, &access_1 }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::KDL::Frame>("/KDL/Frame", members, 2, "position and orientation of a frame"));
-    }
     {
         static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAt(
             [](void* from, std::size_t) -> void* {
@@ -206,11 +152,8 @@ bool addTypes1() {
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::KDL::Wrench>("/KDL/Wrench", members, 2, "force and torque"));
     }
-    added &= RTT::types::addType(RTT::types::makeAdaptedMatrix<Access1_0>("/KDL/Jacobian", "six rows, one column for each joint"));
-    added &= RTT::types::addType(RTT::types::makeAdaptedSequence<Access1_1>("/KDL/JntArray", "one number for each joint"));
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::vector<::KDL::Frame>>("/std/vector</KDL/Frame>"));
-    }
+    if (RTT::types::TypeInfo* type = RTT::types::Types()->type("/KDL/Wrench"))
+        type->addConstructor(RTT::types::newConstructor(+[](const ::KDL::Vector& force, const ::KDL::Vector& torque) -> ::KDL::Wrench { return ::KDL::Wrench(force, torque); }));
     return added;
 }
 

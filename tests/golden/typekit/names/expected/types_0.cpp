@@ -17,17 +17,59 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/names/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::OutputPort<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::InputPort<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::Property<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::Attribute<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::names::v2::Tagged>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::names::v2::Tagged>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_d576165c33ec198b
+#define OROFORGE_SCHEMA_d576165c33ec198b
+RTT_HIDE inline const Schema& describeType(TypeTag<::names::v2::Tagged>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "int", 8LL * __builtin_offsetof(::names::v2::Tagged, x), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "names::v2::Tagged", sizeof(::names::v2::Tagged), alignof(::names::v2::Tagged), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::names::v2::Tagged) == 4 && alignof(::names::v2::Tagged) == 4,
-              "typegen saw another names::v2::Tagged: do __orogen or options of the compiler change it?");
+              "typegen saw another names::v2::Tagged: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::names::v2::Tagged, x) == 0, "typegen saw another names::v2::Tagged::x");
 static_assert(std::is_same_v<decltype(::names::v2::Tagged::x), int>, "typegen saw another type of names::v2::Tagged::x");
 

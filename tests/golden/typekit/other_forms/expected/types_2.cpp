@@ -17,18 +17,62 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/other_forms/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <rtt/types/ContainerTable.hpp>
+#include <optional>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::OutputPort<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::InputPort<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::Property<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::Attribute<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::other_forms::Room>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::other_forms::Room>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_bd2fc582248fa00e
+#define OROFORGE_SCHEMA_bd2fc582248fa00e
+RTT_HIDE inline const Schema& describeType(TypeTag<::other_forms::Room>) {
+    static constexpr SchemaField fields[] = {
+        { "name", "std::string", 8LL * __builtin_offsetof(::other_forms::Room, name), "", nullptr },
+        { "samples", "std::vector<double>", 8LL * __builtin_offsetof(::other_forms::Room, samples), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "other_forms::Room", sizeof(::other_forms::Room), alignof(::other_forms::Room), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::other_forms::Room) == 56 && alignof(::other_forms::Room) == 8,
-              "typegen saw another other_forms::Room: do __orogen or options of the compiler change it?");
+              "typegen saw another other_forms::Room: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::other_forms::Room, name) == 0, "typegen saw another other_forms::Room::name");
 static_assert(std::is_same_v<decltype(::other_forms::Room::name), std::string>, "typegen saw another type of other_forms::Room::name");
 static_assert(__builtin_offsetof(::other_forms::Room, samples) == 32, "typegen saw another other_forms::Room::samples");
@@ -44,16 +88,6 @@ template class RTT::internal::ValueDataSource<::other_forms::Room>;
 template class RTT::internal::ConstantDataSource<::other_forms::Room>;
 template class RTT::internal::ReferenceDataSource<::other_forms::Room>;
 template class RTT::base::ChannelElement<::other_forms::Room>;
-template class RTT::internal::DataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::AssignableDataSource<std::optional<::other_forms::Point>>;
-template class RTT::OutputPort<std::optional<::other_forms::Point>>;
-template class RTT::InputPort<std::optional<::other_forms::Point>>;
-template class RTT::Property<std::optional<::other_forms::Point>>;
-template class RTT::Attribute<std::optional<::other_forms::Point>>;
-template class RTT::internal::ValueDataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::ConstantDataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::ReferenceDataSource<std::optional<::other_forms::Point>>;
-template class RTT::base::ChannelElement<std::optional<::other_forms::Point>>;
 
 namespace oroforge_typekit_other_forms {
 
@@ -69,9 +103,6 @@ bool addTypes2() {
     }
     {
         added &= RTT::types::addType(RTT::types::makeSequenceType<std::optional<double>>("/std/optional</double>", RTT::types::optionalOps<std::optional<double>>()));
-    }
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::optional<::other_forms::Point>>("/std/optional</other_forms/Point>", RTT::types::optionalOps<std::optional<::other_forms::Point>>()));
     }
     return added;
 }

@@ -17,34 +17,95 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/other_forms/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <optional>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::OutputPort<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::InputPort<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::Property<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::Attribute<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::other_forms::Point>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::OutputPort<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::InputPort<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::Property<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::Attribute<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::other_forms::Pointers>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::InputPort<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::Property<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::Attribute<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::other_forms::Point>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::other_forms::Point>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_09704a1b24b1f7ed
+#define OROFORGE_SCHEMA_09704a1b24b1f7ed
+RTT_HIDE inline const Schema& describeType(TypeTag<::other_forms::Point>) {
+    static constexpr SchemaField fields[] = {
+        { "x", "double", 8LL * __builtin_offsetof(::other_forms::Point, x), "", nullptr },
+        { "y", "double", 8LL * __builtin_offsetof(::other_forms::Point, y), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "other_forms::Point", sizeof(::other_forms::Point), alignof(::other_forms::Point), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_2e66a5fe931e9137
+#define OROFORGE_SCHEMA_2e66a5fe931e9137
+RTT_HIDE inline const Schema& describeType(TypeTag<::other_forms::Pointers>) {
+    static constexpr SchemaField fields[] = {
+        { "shared", "std::optional<other_forms::Point>", 0, "", &schemaOf<std::optional<::other_forms::Point>> },
+        { "fixed", "std::optional<other_forms::Point>", 128, "", &schemaOf<std::optional<::other_forms::Point>> },
+        { "number", "std::optional<double>", 256, "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "other_forms::Pointers", sizeof(::other_forms::Pointers), alignof(::other_forms::Pointers), fields, 3, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::other_forms::Counter) == 8 && alignof(::other_forms::Counter) == 4,
-              "typegen saw another other_forms::Counter: do __orogen or options of the compiler change it?");
-
 static_assert(sizeof(::other_forms::Pointers) == 48 && alignof(::other_forms::Pointers) == 8,
-              "typegen saw another other_forms::Pointers: do __orogen or options of the compiler change it?");
+              "typegen saw another other_forms::Pointers: was it changed since, or do __orogen or options of the compiler change it?");
 
-static_assert(sizeof(::other_forms::Texts) == 12 && alignof(::other_forms::Texts) == 1,
-              "typegen saw another other_forms::Texts: do __orogen or options of the compiler change it?");
-
-template class RTT::internal::DataSource<::other_forms::Counter>;
-template class RTT::internal::AssignableDataSource<::other_forms::Counter>;
-template class RTT::OutputPort<::other_forms::Counter>;
-template class RTT::InputPort<::other_forms::Counter>;
-template class RTT::Property<::other_forms::Counter>;
-template class RTT::Attribute<::other_forms::Counter>;
-template class RTT::internal::ValueDataSource<::other_forms::Counter>;
-template class RTT::internal::ConstantDataSource<::other_forms::Counter>;
-template class RTT::internal::ReferenceDataSource<::other_forms::Counter>;
-template class RTT::base::ChannelElement<::other_forms::Counter>;
 template class RTT::internal::DataSource<::other_forms::Pointers>;
 template class RTT::internal::AssignableDataSource<::other_forms::Pointers>;
 template class RTT::OutputPort<::other_forms::Pointers>;
@@ -55,51 +116,12 @@ template class RTT::internal::ValueDataSource<::other_forms::Pointers>;
 template class RTT::internal::ConstantDataSource<::other_forms::Pointers>;
 template class RTT::internal::ReferenceDataSource<::other_forms::Pointers>;
 template class RTT::base::ChannelElement<::other_forms::Pointers>;
-template class RTT::internal::DataSource<::other_forms::Texts>;
-template class RTT::internal::AssignableDataSource<::other_forms::Texts>;
-template class RTT::OutputPort<::other_forms::Texts>;
-template class RTT::InputPort<::other_forms::Texts>;
-template class RTT::Property<::other_forms::Texts>;
-template class RTT::Attribute<::other_forms::Texts>;
-template class RTT::internal::ValueDataSource<::other_forms::Texts>;
-template class RTT::internal::ConstantDataSource<::other_forms::Texts>;
-template class RTT::internal::ReferenceDataSource<::other_forms::Texts>;
-template class RTT::base::ChannelElement<::other_forms::Texts>;
 
 namespace oroforge_typekit_other_forms {
 
 bool addTypes3();
 bool addTypes3() {
     bool added = true;
-    {
-        static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAccess(
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::other_forms::Counter*>(from);
-                auto& value = *static_cast<int*>(to);
-                value = object.count.load();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::other_forms::Counter*>(to);
-                const auto& value = *static_cast<const int*>(from);
-                object.count.store(value);
-            });
-        static constexpr RTT::types::SequenceOps access_1 = RTT::types::memberAccess(
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::other_forms::Counter*>(from);
-                auto& value = *static_cast<bool*>(to);
-                value = object.on.load();
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::other_forms::Counter*>(to);
-                const auto& value = *static_cast<const bool*>(from);
-                object.on.store(value);
-            });
-        static constexpr RTT::types::Member members[] = {
-            { "count", 0, &RTT::types::typeRef<int>, 0, "", "", nullptr, &access_0 },
-            { "on", 4, &RTT::types::typeRef<bool>, 0, "", "", nullptr, &access_1 }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::other_forms::Counter>("/other_forms/Counter", members, 2, ""));
-    }
     {
         static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAccess(
             [](const void* from, std::size_t, void* to) {
@@ -140,41 +162,6 @@ bool addTypes3() {
             { "number", 32, &RTT::types::typeRef<std::optional<double>>, 0, "", "", nullptr, &access_2 }
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::other_forms::Pointers>("/other_forms/Pointers", members, 3, ""));
-    }
-    {
-        static constexpr RTT::types::SequenceOps access_0 = RTT::types::memberAccess(
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::other_forms::Texts*>(from);
-                auto& value = *static_cast<std::string*>(to);
-                value.assign(&object.label[0], ::strnlen(&object.label[0], 8));
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::other_forms::Texts*>(to);
-                const auto& value = *static_cast<const std::string*>(from);
-                std::memset(&object.label[0], 0, 8), value.copy(&object.label[0], 8 - 1);
-            });
-        static constexpr RTT::types::SequenceOps access_1 = RTT::types::memberAccess(
-            [](const void* from, std::size_t, void* to) {
-                const auto& object = *static_cast<const ::other_forms::Texts*>(from);
-                auto& value = *static_cast<std::string*>(to);
-                value.assign(&object.code[0], ::strnlen(&object.code[0], 4));
-            },
-            [](void* to, std::size_t, const void* from) {
-                auto& object = *static_cast<::other_forms::Texts*>(to);
-                const auto& value = *static_cast<const std::string*>(from);
-                std::memset(&object.code[0], 0, 4), value.copy(&object.code[0], 4 - 1);
-            });
-        static constexpr RTT::types::Member members[] = {
-            { "label", 0, &RTT::types::typeRef<std::string>, 0, "", "", nullptr, &access_0 },
-            { "code", 8, &RTT::types::typeRef<std::string>, 0, "", "", nullptr, &access_1 }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::other_forms::Texts>("/other_forms/Texts", members, 2, ""));
-    }
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::array<unsigned char, 4>>("/std/array</uint8_t,4>"));
-    }
-    {
-        added &= RTT::types::addType(RTT::types::makeSequenceType<std::vector<double>>("/std/vector</double>"));
     }
     return added;
 }

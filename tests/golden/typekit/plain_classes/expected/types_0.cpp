@@ -17,13 +17,66 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/plain_classes/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
+
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::OutputPort<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::InputPort<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::Property<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::Attribute<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::InputPort<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::Property<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::Attribute<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::plain_classes::Node>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_489f08c3160c6bbc
+#define OROFORGE_SCHEMA_489f08c3160c6bbc
+RTT_HIDE inline const Schema& describeType(TypeTag<::plain_classes::Node>) {
+    static constexpr SchemaField fields[] = {
+        { "name", "std::string", 8LL * __builtin_offsetof(::plain_classes::Node, name), "", nullptr },
+        { "children", "std::vector<plain_classes::Node>", 8LL * __builtin_offsetof(::plain_classes::Node, children), "", &schemaOf<std::vector<::plain_classes::Node>> }
+    };
+    static constexpr Schema schema = {
+        "plain_classes::Node", sizeof(::plain_classes::Node), alignof(::plain_classes::Node), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
 

@@ -17,39 +17,75 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/plain_classes/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
-// The macro offsetof would take the comma of a template instance for its own.
-static_assert(sizeof(::plain_classes::Guarded) == 8 && alignof(::plain_classes::Guarded) == 4,
-              "typegen saw another plain_classes::Guarded: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::plain_classes::Guarded, open) == 0, "typegen saw another plain_classes::Guarded::open");
-static_assert(std::is_same_v<decltype(::plain_classes::Guarded::open), int>, "typegen saw another type of plain_classes::Guarded::open");
+// Last, so that their macros change nothing above.
+#include <input.hpp>
 
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::OutputPort<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::InputPort<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::Property<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::Attribute<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::plain_classes::Node>;
+extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::OutputPort<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::InputPort<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::Property<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::Attribute<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::plain_classes::Node>>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::plain_classes::Node>>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_489f08c3160c6bbc
+#define OROFORGE_SCHEMA_489f08c3160c6bbc
+RTT_HIDE inline const Schema& describeType(TypeTag<::plain_classes::Node>) {
+    static constexpr SchemaField fields[] = {
+        { "name", "std::string", 8LL * __builtin_offsetof(::plain_classes::Node, name), "", nullptr },
+        { "children", "std::vector<plain_classes::Node>", 8LL * __builtin_offsetof(::plain_classes::Node, children), "", &schemaOf<std::vector<::plain_classes::Node>> }
+    };
+    static constexpr Schema schema = {
+        "plain_classes::Node", sizeof(::plain_classes::Node), alignof(::plain_classes::Node), fields, 2, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
+// The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::plain_classes::Node) == 56 && alignof(::plain_classes::Node) == 8,
-              "typegen saw another plain_classes::Node: do __orogen or options of the compiler change it?");
+              "typegen saw another plain_classes::Node: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::plain_classes::Node, name) == 0, "typegen saw another plain_classes::Node::name");
 static_assert(std::is_same_v<decltype(::plain_classes::Node::name), std::string>, "typegen saw another type of plain_classes::Node::name");
 static_assert(__builtin_offsetof(::plain_classes::Node, children) == 32, "typegen saw another plain_classes::Node::children");
 static_assert(std::is_same_v<decltype(::plain_classes::Node::children), std::vector<::plain_classes::Node>>, "typegen saw another type of plain_classes::Node::children");
 
-static_assert(sizeof(::plain_classes::Late) == 2, "typegen saw another plain_classes::Late");
-
-template class RTT::internal::DataSource<::plain_classes::Guarded>;
-template class RTT::internal::AssignableDataSource<::plain_classes::Guarded>;
-template class RTT::OutputPort<::plain_classes::Guarded>;
-template class RTT::InputPort<::plain_classes::Guarded>;
-template class RTT::Property<::plain_classes::Guarded>;
-template class RTT::Attribute<::plain_classes::Guarded>;
-template class RTT::internal::ValueDataSource<::plain_classes::Guarded>;
-template class RTT::internal::ConstantDataSource<::plain_classes::Guarded>;
-template class RTT::internal::ReferenceDataSource<::plain_classes::Guarded>;
-template class RTT::base::ChannelElement<::plain_classes::Guarded>;
 template class RTT::internal::DataSource<::plain_classes::Node>;
 template class RTT::internal::AssignableDataSource<::plain_classes::Node>;
 template class RTT::OutputPort<::plain_classes::Node>;
@@ -60,16 +96,6 @@ template class RTT::internal::ValueDataSource<::plain_classes::Node>;
 template class RTT::internal::ConstantDataSource<::plain_classes::Node>;
 template class RTT::internal::ReferenceDataSource<::plain_classes::Node>;
 template class RTT::base::ChannelElement<::plain_classes::Node>;
-template class RTT::internal::DataSource<::plain_classes::Late>;
-template class RTT::internal::AssignableDataSource<::plain_classes::Late>;
-template class RTT::OutputPort<::plain_classes::Late>;
-template class RTT::InputPort<::plain_classes::Late>;
-template class RTT::Property<::plain_classes::Late>;
-template class RTT::Attribute<::plain_classes::Late>;
-template class RTT::internal::ValueDataSource<::plain_classes::Late>;
-template class RTT::internal::ConstantDataSource<::plain_classes::Late>;
-template class RTT::internal::ReferenceDataSource<::plain_classes::Late>;
-template class RTT::base::ChannelElement<::plain_classes::Late>;
 
 namespace oroforge_typekit_plain_classes {
 
@@ -78,23 +104,10 @@ bool addTypes2() {
     bool added = true;
     {
         static constexpr RTT::types::Member members[] = {
-            { "open", 0, &RTT::types::typeRef<int>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::plain_classes::Guarded>("/plain_classes/Guarded", members, 1, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
             { "name", 0, &RTT::types::typeRef<std::string>, 0, "", "" },
             { "children", 32, &RTT::types::typeRef<std::vector<::plain_classes::Node>>, 0, "", "" }
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::plain_classes::Node>("/plain_classes/Node", members, 2, ""));
-    }
-    {
-        static constexpr RTT::types::Enumerator values[] = {
-            { "Now", static_cast<long long>(::plain_classes::Late::Now), "" },
-            { "Then", static_cast<long long>(::plain_classes::Late::Then), "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeEnumType<::plain_classes::Late>("/plain_classes/Late", values, 2, ""));
     }
     return added;
 }

@@ -17,26 +17,94 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "types/restricted/typekit/Types.hpp"
-
 #include <rtt/types/GeneratedTypekit.hpp>
 
+#include <rtt/Attribute.hpp>
+#include <rtt/InputPort.hpp>
+#include <rtt/OutputPort.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/base/ChannelElement.hpp>
+#include <rtt/internal/DataSources.hpp>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+// Last, so that their macros change nothing above.
+#include <input.hpp>
+
+#ifndef OROFORGE_MAKER___restricted__Sized
+#define OROFORGE_MAKER___restricted__Sized
+template <>
+struct RTT::types::ValueTraits<::restricted::Sized> {
+    static ::restricted::Sized make() {
+        using namespace ::restricted;
+        using Sized [[maybe_unused]] = ::restricted::Sized;
+        return Sized(kSmallest);
+    }
+};
+#endif
+
+// Instantiated in the typekit; the library must be linked. Who makes an instance of his own before, and hides his
+// symbols, gets a linker error from it, no warning that all others would see, too.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wattributes"
+extern template class RTT_EXPORT RTT::internal::DataSource<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::OutputPort<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::InputPort<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::Property<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::Attribute<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::base::ChannelElement<::restricted::Outer>;
+extern template class RTT_EXPORT RTT::internal::DataSource<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::internal::AssignableDataSource<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::Property<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::Attribute<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::internal::ValueDataSource<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::restricted::Sized>;
+extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::restricted::Sized>;
+
+// What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+namespace RTT {
+namespace types {
+#ifndef OROFORGE_SCHEMA_ce201d3b07091f2b
+#define OROFORGE_SCHEMA_ce201d3b07091f2b
+RTT_HIDE inline const Schema& describeType(TypeTag<::restricted::Outer>) {
+    static constexpr SchemaField fields[] = {
+        { "sized", "restricted::Sized", 8LL * __builtin_offsetof(::restricted::Outer, sized), "", &schemaOf<::restricted::Sized> },
+        { "name", "std::string", 8LL * __builtin_offsetof(::restricted::Outer, name), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "restricted::Outer", sizeof(::restricted::Outer), alignof(::restricted::Outer), fields, 2, false};
+    return schema;
+}
+#endif
+#ifndef OROFORGE_SCHEMA_8a6d8e1210b1e857
+#define OROFORGE_SCHEMA_8a6d8e1210b1e857
+RTT_HIDE inline const Schema& describeType(TypeTag<::restricted::Sized>) {
+    static constexpr SchemaField fields[] = {
+        { "size", "int", 8LL * __builtin_offsetof(::restricted::Sized, size), "", nullptr }
+    };
+    static constexpr Schema schema = {
+        "restricted::Sized", sizeof(::restricted::Sized), alignof(::restricted::Sized), fields, 1, false};
+    return schema;
+}
+#endif
+}  // namespace types
+}  // namespace RTT
+#pragma GCC diagnostic pop
+
 // The macro offsetof would take the comma of a template instance for its own.
 static_assert(sizeof(::restricted::Outer) == 40 && alignof(::restricted::Outer) == 8,
-              "typegen saw another restricted::Outer: do __orogen or options of the compiler change it?");
+              "typegen saw another restricted::Outer: was it changed since, or do __orogen or options of the compiler change it?");
 static_assert(__builtin_offsetof(::restricted::Outer, sized) == 0, "typegen saw another restricted::Outer::sized");
 static_assert(std::is_same_v<decltype(::restricted::Outer::sized), ::restricted::Sized>, "typegen saw another type of restricted::Outer::sized");
 static_assert(__builtin_offsetof(::restricted::Outer, name) == 8, "typegen saw another restricted::Outer::name");
 static_assert(std::is_same_v<decltype(::restricted::Outer::name), std::string>, "typegen saw another type of restricted::Outer::name");
-
-static_assert(sizeof(::restricted::Sized) == 4 && alignof(::restricted::Sized) == 4,
-              "typegen saw another restricted::Sized: do __orogen or options of the compiler change it?");
-static_assert(__builtin_offsetof(::restricted::Sized, size) == 0, "typegen saw another restricted::Sized::size");
-static_assert(std::is_same_v<decltype(::restricted::Sized::size), int>, "typegen saw another type of restricted::Sized::size");
 
 template class RTT::internal::DataSource<::restricted::Outer>;
 template class RTT::internal::AssignableDataSource<::restricted::Outer>;
@@ -48,13 +116,6 @@ template class RTT::internal::ValueDataSource<::restricted::Outer>;
 template class RTT::internal::ConstantDataSource<::restricted::Outer>;
 template class RTT::internal::ReferenceDataSource<::restricted::Outer>;
 template class RTT::base::ChannelElement<::restricted::Outer>;
-template class RTT::internal::DataSource<::restricted::Sized>;
-template class RTT::internal::AssignableDataSource<::restricted::Sized>;
-template class RTT::Property<::restricted::Sized>;
-template class RTT::Attribute<::restricted::Sized>;
-template class RTT::internal::ValueDataSource<::restricted::Sized>;
-template class RTT::internal::ConstantDataSource<::restricted::Sized>;
-template class RTT::internal::ReferenceDataSource<::restricted::Sized>;
 
 namespace oroforge_typekit_restricted {
 
@@ -67,12 +128,6 @@ bool addTypes3() {
             { "name", 8, &RTT::types::typeRef<std::string>, 0, "", "" }
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::restricted::Outer>("/restricted/Outer", members, 2, ""));
-    }
-    {
-        static constexpr RTT::types::Member members[] = {
-            { "size", 0, &RTT::types::typeRef<int>, 0, "", "" }
-        };
-        added &= RTT::types::addType(RTT::types::makeStructType<::restricted::Sized>("/restricted/Sized", members, 1, "Of some size."));
     }
     {
         added &= RTT::types::addType(RTT::types::makeSequenceType<std::array<double, 2>>("/std/array</double,2>"));

@@ -1,0 +1,20 @@
+#pragma once
+namespace bad {
+struct Robot {
+    struct arm {
+        double length;
+    } arm;
+    enum mode { off, on } mode;
+    int fine;
+};
+struct state {
+    int x;
+};
+int state(const struct state& of);
+struct Fine {
+    typedef struct {
+        int x;
+    } part;
+    part part_;
+};
+}

@@ -1,0 +1,2 @@
+#pragma once
+#define NEEDY_AXES 3

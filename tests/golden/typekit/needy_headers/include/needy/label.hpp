@@ -1,0 +1,7 @@
+#pragma once
+#include <string>
+namespace needy {
+struct Label {
+    string text;
+};
+}

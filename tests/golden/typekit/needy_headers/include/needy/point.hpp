@@ -1,0 +1,6 @@
+#pragma once
+namespace needy {
+struct Point {
+    double x = 0, y = 0;
+};
+}

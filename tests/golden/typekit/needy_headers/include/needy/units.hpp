@@ -1,0 +1,5 @@
+#pragma once
+namespace needy {
+using Metres = double;
+enum class Frame { World, Tool };
+}
