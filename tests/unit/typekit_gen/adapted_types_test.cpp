@@ -24,6 +24,7 @@ namespace {
 class AdaptedTypes : public test::GoldenTypekit {
 protected:
     bool start(const std::string& typeName) {
+        component.attributes()->removeAttribute("v");
         value = typeOf(typeName).buildValue();
         variable.reset(typeOf(typeName).buildAttribute("v", value));
         return component.addAttribute(*variable);
@@ -177,7 +178,8 @@ TEST_P(AdaptedKdl, ScriptsMakeValuesOfNumbers) {
     ASSERT_TRUE(start("KDL.Frame"));
     EXPECT_TRUE(run("v = KDL.Frame(KDL.Rotation(0, 0, 1.5707963267948966), KDL.Vector(1, 2, 3))"));
     EXPECT_EQ(value->getMember("p")->toString(), "{x = 1, y = 2, z = 3}");
-    const auto part = RTT::internal::DataSource<double>::narrow(value->getMember("M")->getMember("Y_x").get());
+    const SourcePtr member = value->getMember("M")->getMember("Y_x");
+    auto* const part = RTT::internal::DataSource<double>::narrow(member.get());
     ASSERT_TRUE(part);
     EXPECT_NEAR(part->get(), -1, 1e-9);
     EXPECT_TRUE(run("var KDL.Vector w = KDL.Vector(1, 2, 3); v.p = w"));
