@@ -65,7 +65,11 @@ void TypeInfo::addConstructor(TypeConstructor* constructor) {
     std::shared_ptr<TypeConstructor> owned(constructor);
     if (owned)
         state_->locked([&] {
-            state_->constructors.push_back(owned);
+            auto& all = state_->constructors;
+            const auto isLast = [](const auto& one) {
+                return dynamic_cast<const detail::AskedLast*>(one.get()) != nullptr;
+            };
+            all.insert(isLast(owned) ? all.end() : std::find_if(all.begin(), all.end(), isLast), owned);
             return true;
         });
 }

@@ -55,8 +55,12 @@ TEST_P(EnumNames, AreMadeOfValues) {
     EXPECT_EQ(text.get(), "Busy");
 }
 
-TEST_P(EnumNames, LeaveComparisonsWithNumbersAsTheyWere) {
-    EXPECT_TRUE(scripts.eval("v.mode = 1; if (v.mode == 1) then s = \"one\""));
+TEST_P(EnumNames, AreCompared) {
+    EXPECT_TRUE(scripts.eval("v.mode = 1; if (v.mode == \"Busy\") then s = \"busy\""));
+    EXPECT_EQ(text.get(), "busy");
+    EXPECT_TRUE(scripts.eval("if (v.mode != \"Busy\") then s = \"not busy\""));
+    EXPECT_EQ(text.get(), "busy");
+    EXPECT_TRUE(scripts.eval("if (1 == v.mode && v.mode == 1) then s = \"one\""));
     EXPECT_EQ(text.get(), "one");
 }
 

@@ -2,16 +2,22 @@
 // Copyright Oroforge contributors
 #include "enum_constructors.hpp"
 
+#include <rtt/types/Operators.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
+#include "type_info_state.hpp"
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace RTT {
 namespace types {
 namespace detail {
 
 namespace {
+using SourcePtr = base::DataSourceBase::shared_ptr;
+
 bool enumFromInt(const void* names, const void* const* arguments, void* result) {
     static_cast<const EnumNames*>(names)->ops.set(result, *static_cast<const int*>(arguments[0]));
     return true;
@@ -32,15 +38,39 @@ bool textFromEnum(const void* names, const void* const* arguments, void* result)
     return true;
 }
 
-ErasedFunction conversion(ComputeFunction call, const EnumNames& names, TypeRef result, TypeRef argument) {
-    ErasedFunction function;
-    function.call = call;
-    function.context = std::make_shared<EnumNames>(names);
-    function.result = result;
-    function.arity = 1;
-    function.arguments = {argument};
-    return function;
+bool areSame(const void* names, const void* const* arguments, void* result) {
+    const EnumOps& ops = static_cast<const EnumNames*>(names)->ops;
+    *static_cast<bool*>(result) = ops.get(arguments[0]) == ops.get(arguments[1]);
+    return true;
 }
+
+bool areOthers(const void* names, const void* const* arguments, void* result) {
+    areSame(names, arguments, result);
+    *static_cast<bool*>(result) = !*static_cast<bool*>(result);
+    return true;
+}
+
+ErasedFunction function(ComputeFunction call, const EnumNames& names, TypeRef result, std::vector<TypeRef> arguments) {
+    ErasedFunction made;
+    made.call = call;
+    made.context = std::make_shared<EnumNames>(names);
+    made.result = result;
+    made.arity = arguments.size();
+    std::copy(arguments.begin(), arguments.end(), made.arguments.begin());
+    return made;
+}
+
+/// Others of the same arguments are asked first, whenever they are added.
+class LastConstructor : public TypeConstructor, public AskedLast {
+public:
+    explicit LastConstructor(const ErasedFunction& function) : erased_(newErasedConstructor(function, true)) {}
+
+    SourcePtr build(const std::vector<SourcePtr>& arguments) const override { return erased_->build(arguments); }
+    SourcePtr convert(SourcePtr argument) const override { return erased_->convert(argument); }
+
+private:
+    const std::unique_ptr<TypeConstructor> erased_;
+};
 }  // namespace
 
 bool EnumNames::set(const std::string& text, void* value) const {
@@ -65,13 +95,14 @@ std::string EnumNames::textOf(const void* value) const {
 }
 
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names) {
-    info.addConstructor(newErasedConstructor(conversion(&enumFromInt, names, enumType, &typeRef<int>), true));
-    info.addConstructor(newErasedConstructor(conversion(&enumFromText, names, enumType, &typeRef<std::string>), true));
+    info.addConstructor(newErasedConstructor(function(&enumFromInt, names, enumType, {&typeRef<int>}), true));
+    info.addConstructor(new LastConstructor(function(&enumFromText, names, enumType, {&typeRef<std::string>})));
     if (TypeInfo* number = Types()->getTypeInfo<int>())
-        number->addConstructor(newErasedConstructor(conversion(&intFromEnum, names, &typeRef<int>, enumType), true));
+        number->addConstructor(newErasedConstructor(function(&intFromEnum, names, &typeRef<int>, {enumType}), true));
     if (TypeInfo* text = Types()->getTypeInfo<std::string>())
-        text->addConstructor(
-            newErasedConstructor(conversion(&textFromEnum, names, &typeRef<std::string>, enumType), false));
+        text->addConstructor(new LastConstructor(function(&textFromEnum, names, &typeRef<std::string>, {enumType})));
+    operators()->add(new BinaryOp{"==", function(&areSame, names, &typeRef<bool>, {enumType, enumType})});
+    operators()->add(new BinaryOp{"!=", function(&areOthers, names, &typeRef<bool>, {enumType, enumType})});
 }
 
 }  // namespace detail

@@ -25,7 +25,7 @@ struct EnumNames {
     std::string textOf(const void* value) const;
 };
 
-/** Adds the silent conversions from int and from a name to the enum, the one from the enum to int, and string(value). */
+/** Adds the silent conversions from int and from a name to the enum and back, and the operators == and !=. */
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names);
 
 }  // namespace detail

@@ -13,6 +13,14 @@
 namespace RTT {
 namespace types {
 
+namespace detail {
+/** A mark of constructors that are asked behind all others, also behind those that are added later. */
+class AskedLast {
+public:
+    virtual ~AskedLast() = default;
+};
+}  // namespace detail
+
 /** Everything in a TypeInfo. The mutex guards what is not atomic or constant; no user code runs while it is held. */
 struct TypeInfo::State {
     explicit State(std::string n, TypeId i) : name(std::move(n)), id(i) {}
