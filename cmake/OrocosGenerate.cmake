@@ -81,7 +81,8 @@ endfunction()
 
 # orocos_generate_components(manifest.xml)
 # Generates the base classes of the components that the manifest describes, at build time. Afterwards
-# ${PROJECT_NAME}_GENERATED_SOURCES is to be listed among a component's sources; the include path is set by itself.
+# ${PROJECT_NAME}_GENERATED_SOURCES is to be listed among a component's sources, ${PROJECT_NAME}_<service>_GENERATED_SOURCES
+# among those of a service; the include path is set by itself.
 function(_oro_generate manifest)
   _oro_find_generator(generator orocreate-pkg)
   set(dir ${PROJECT_BINARY_DIR}/generated)
@@ -109,10 +110,22 @@ function(_oro_generate manifest)
   _oro_add_project_generator(${PROJECT_NAME}-components-generate)
   _oro_add_project_includes(${dir})
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_GENERATED_SOURCES ${outputs})
+  # Each service is a library of its own, the components are one.
   set(sources ${outputs})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(services ${sources})
+  list(FILTER sources EXCLUDE REGEX "/services/[^/]+/[^/]+$")
+  list(FILTER services INCLUDE REGEX "/services/[^/]+/[^/]+$")
   set(${PROJECT_NAME}_GENERATED_SOURCES ${sources} PARENT_SCOPE)
+  foreach(file ${services})
+    string(REGEX REPLACE ".*/services/([^/]+)/[^/]+$" "\\1" service ${file})
+    list(APPEND ${service}_sources ${file})
+    set(${PROJECT_NAME}_${service}_GENERATED_SOURCES ${${service}_sources} PARENT_SCOPE)
+  endforeach()
   set(${PROJECT_NAME}_GENERATED_INCLUDE_DIR ${dir} PARENT_SCOPE)
+  set(reference ${outputs})
+  list(FILTER reference INCLUDE REGEX "/reference\\.md$")
+  install(FILES ${reference} DESTINATION share/doc/${PROJECT_NAME})
   # The listed files, not the folder: it may hold those of classes that are no longer in the manifest.
   list(FILTER outputs INCLUDE REGEX "\\.hpp$")
   foreach(header ${outputs})

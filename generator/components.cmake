@@ -4,24 +4,29 @@
 find_package(CLI11 REQUIRED)
 
 oroforge_generator_library(oroforge_gen_manifest
-  SOURCES manifest/reader.cpp manifest/schema.cpp manifest/structure.cpp
+  SOURCES manifest/reader.cpp manifest/schema.cpp manifest/schema_text.cpp manifest/structure.cpp
   LIBS oroforge_gen_model oroforge_xml)
 oroforge_generator_library(oroforge_gen_check
   SOURCES check/activities.cpp check/check.cpp check/duplicates.cpp check/names.cpp check/ports.cpp check/types.cpp
           check/values.cpp
   LIBS oroforge_gen_model)
 oroforge_generator_library(oroforge_gen_view
-  SOURCES view/component_view.cpp view/cpp_text.cpp view/package_view.cpp
+  SOURCES view/component_view.cpp view/cpp_text.cpp view/interface_view.cpp view/package_view.cpp
+          view/reference_view.cpp view/skeleton_view.cpp
   LIBS oroforge_gen_model oroforge_gen_emit oroforge_xml nlohmann_json::nlohmann_json)
 oroforge_generator_library(oroforge_gen_driver
-  SOURCES driver/create.cpp driver/generate.cpp driver/options.cpp driver/package_files.cpp
+  SOURCES driver/add.cpp driver/create.cpp driver/generate.cpp driver/kinds.cpp driver/options.cpp driver/package_files.cpp
+          driver/upgrade.cpp
   LIBS oroforge_gen_manifest oroforge_gen_check oroforge_gen_view oroforge_gen_render oroforge_gen_emit
        oroforge_gen_report CLI11::CLI11)
 target_compile_definitions(oroforge_gen_driver PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
-oroforge_embed_templates(oroforge_gen_driver componentTemplates component package partials)
+oroforge_embed_templates(oroforge_gen_driver componentTemplates component package partials service)
 
 add_executable(orocreate-pkg driver/main.cpp)
 target_link_libraries(orocreate-pkg PRIVATE oroforge_gen_driver)
 target_compile_definitions(orocreate-pkg PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 set_target_properties(orocreate-pkg PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
-install(TARGETS orocreate-pkg RUNTIME DESTINATION bin)
+install(TARGETS orocreate-pkg RUNTIME DESTINATION bin COMPONENT tools)
+install(FILES ${PROJECT_SOURCE_DIR}/share/component_manifest.xsd DESTINATION share/oroforge COMPONENT tools)
+install(CODE "execute_process(COMMAND \${CMAKE_COMMAND} -E create_symlink orocreate-pkg
+  \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/orocreate-catkin-pkg)" COMPONENT tools)

@@ -20,7 +20,7 @@ void names(const model::Package& package, diag::Sink& sink);
 void duplicates(const model::Package& package, diag::Sink& sink);
 /// Spelling of C++ types (OM020 to OM023).
 void types(const model::Package& package, diag::Sink& sink);
-/// Defaults and ranges fit their types and each other (OM030 to OM034).
+/// Defaults and ranges fit their types and each other (OM030 to OM035).
 void values(const model::Package& package, diag::Sink& sink);
 /// Period, priority and scheduler fit the kind of activity (OM040 to OM042).
 void activities(const model::Package& package, diag::Sink& sink);

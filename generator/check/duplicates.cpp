@@ -5,6 +5,7 @@
 #include <map>
 
 #include <model/cpp_type.hpp>
+#include <model/interfaces.hpp>
 
 namespace oroforge::check {
 
@@ -39,32 +40,66 @@ private:
     std::map<std::string, Owner> owners_;
 };
 
-void checkComponent(const model::Component& component, diag::Sink& sink) {
-    // One set for all: they are members of one class, and ports are services of their name.
+void addOperation(Names& names, const model::Operation& operation, diag::Sink& sink) {
+    names.add("operation", operation.name);
+    Names argumentNames(sink);
+    for (const auto& argument : operation.arguments) argumentNames.add("argument", argument.name);
+}
+
+/// One set for all: they are members of one class, and ports are services of their name.
+void checkInterface(const model::Interface& interface, diag::Sink& sink) {
     Names names(sink);
-    for (const auto& port : component.ports) names.add("port", port.name);
-    for (const auto& property : component.properties) names.add("property", property.name);
-    for (const auto& attribute : component.attributes) names.add("attribute", attribute.name);
-    for (const auto& operation : component.operations) {
-        names.add("operation", operation.name);
-        Names argumentNames(sink);
-        for (const auto& argument : operation.arguments) argumentNames.add("argument", argument.name);
-    }
-    Names required(sink);
-    for (const auto& service : component.services) {
-        (service.role == model::ServiceRole::Provided ? names : required).add("service", service.name);
+    for (const auto& port : interface.ports) names.add("port", port.name);
+    for (const auto& property : interface.properties) names.add("property", property.name);
+    for (const auto& attribute : interface.attributes) names.add("attribute", attribute.name);
+    for (const auto& operation : interface.operations) addOperation(names, operation, sink);
+    for (const auto& service : interface.services) names.add("service", service.name);
+}
+
+/// The generated class has members for all services, "gripper_open" for "open" of "gripper".
+void addMembers(Names& members, const model::Interface& interface, const model::ServicePath& path) {
+    const auto add = [&](const char* what, const model::Text& name) {
+        const std::string member = model::memberName(path, name.value);
+        const std::string why = "; in the generated class it is '" + member + "', as the other one";
+        members.add(what, member, name, why);
+    };
+    for (const auto& port : interface.ports) add("port", port.name);
+    for (const auto& property : interface.properties) add("property", property.name);
+    for (const auto& attribute : interface.attributes) add("attribute", attribute.name);
+    for (const auto& operation : interface.operations) add("operation", operation.name);
+}
+
+/// Within an interface checkInterface() has told it already.
+void checkMembers(const model::Interface& top, const std::vector<model::Requirement>& required, diag::Sink& sink) {
+    Names members(sink);
+    model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {
+        const std::size_t before = sink.all().size();
+        checkInterface(interface, sink);
+        if (sink.all().size() == before) addMembers(members, interface, path);
+    });
+    Names services(sink);
+    for (const auto& service : required) {
+        services.add("service", service.name);
+        const std::size_t before = sink.all().size();
+        Names operations(sink);
+        for (const auto& operation : service.operations) addOperation(operations, operation, sink);
+        model::Interface callers;
+        callers.operations = service.operations;
+        if (sink.all().size() == before) addMembers(members, callers, {service.name.value});
     }
 }
 
 void checkClasses(const model::Package& package, diag::Sink& sink) {
     Names classes(sink);
-    for (const auto& component : package.components) {
-        if (!component.className.given()) continue;
-        const std::string last = model::splitQualified(component.className.value).back();
+    const auto add = [&](const model::Text& name) {
+        if (!name.given()) return;
+        const std::string last = model::splitQualified(name.value).back();
         const std::string why = "; the classes of a package make files of their unqualified names";
-        classes.add("class", last, component.className, why);
-        classes.add("class", last + "Base", component.className, why);
-    }
+        classes.add("class", last, name, why);
+        classes.add("class", last + "Base", name, why);
+    };
+    for (const auto& component : package.components) add(component.className);
+    for (const auto& service : package.services) add(service.className);
 }
 
 }  // namespace
@@ -75,7 +110,11 @@ void duplicates(const model::Package& package, diag::Sink& sink) {
     for (const auto& dependency : package.dependencies) dependencies.add("package", dependency);
     Names headers(sink);
     for (const auto& header : package.typekitHeaders) headers.add("header", header);
-    for (const auto& component : package.components) checkComponent(component, sink);
+    Names plugins(sink);
+    for (const auto& service : package.services) plugins.add("service", service.name);
+    for (const auto& plugin : package.plugins) plugins.add("plugin", plugin.name);
+    for (const auto& component : package.components) checkMembers(component, component.required, sink);
+    for (const auto& service : package.services) checkMembers(service, {}, sink);
 }
 
 }  // namespace oroforge::check

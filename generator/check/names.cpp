@@ -7,6 +7,7 @@
 #include <set>
 
 #include <model/cpp_type.hpp>
+#include <model/interfaces.hpp>
 
 namespace oroforge::check {
 
@@ -54,11 +55,41 @@ bool checkIdentifier(const std::string& what, const model::Text& name, diag::Sin
     return true;
 }
 
-void checkMember(const std::string& what, const model::Text& name, diag::Sink& sink) {
+/// Members of RTT::Service that RTT::TaskContext has not.
+bool isServiceMember(const std::string& name) {
+    static const std::set<std::string> members = {"doc",        "getOwner",     "getParent",           "getNames",
+                                                  "hasService", "hasOperation", "getOperationFactory", "removeService",
+                                                  "setOwner",   "setName"};
+    return members.count(name) != 0 || isTaskContextMember(name);
+}
+
+enum class Owner { Component, ServicePlugin, ProvidedService };
+
+void checkMember(const std::string& what, const model::Text& name, Owner owner, diag::Sink& sink) {
     if (!checkIdentifier(what, name, sink)) return;
-    if (isTaskContextMember(name.value) || isStandardAttribute(name.value)) {
+    const bool inComponent = isTaskContextMember(name.value) || isStandardAttribute(name.value);
+    if (owner == Owner::Component && inComponent) {
         sink.error(name.where, "OM015", what + " name '" + name.value + "' is taken: every component already has it");
+    } else if (owner == Owner::ServicePlugin && isServiceMember(name.value)) {
+        sink.error(name.where, "OM015", what + " name '" + name.value + "' is taken: every service already has it");
     }
+}
+
+void checkOperation(const model::Operation& operation, Owner owner, diag::Sink& sink) {
+    checkMember("operation", operation.name, owner, sink);
+    for (const auto& argument : operation.arguments) checkIdentifier("argument", argument.name, sink);
+}
+
+/// `top` is a component's or a service's; what is in services below has names of its own.
+void checkInterface(const model::Interface& top, Owner ownerOfTop, diag::Sink& sink) {
+    model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {
+        const Owner owner = path.empty() ? ownerOfTop : Owner::ProvidedService;
+        for (const auto& port : interface.ports) checkMember("port", port.name, owner, sink);
+        for (const auto& property : interface.properties) checkMember("property", property.name, owner, sink);
+        for (const auto& attribute : interface.attributes) checkMember("attribute", attribute.name, owner, sink);
+        for (const auto& operation : interface.operations) checkOperation(operation, owner, sink);
+        for (const auto& service : interface.services) checkIdentifier("service", service.name, sink);
+    });
 }
 
 void checkClassName(const model::Text& name, diag::Sink& sink) {
@@ -74,14 +105,22 @@ void checkClassName(const model::Text& name, diag::Sink& sink) {
 
 void checkComponent(const model::Component& component, diag::Sink& sink) {
     checkClassName(component.className, sink);
-    for (const auto& port : component.ports) checkMember("port", port.name, sink);
-    for (const auto& property : component.properties) checkMember("property", property.name, sink);
-    for (const auto& attribute : component.attributes) checkMember("attribute", attribute.name, sink);
-    for (const auto& service : component.services) checkIdentifier("service", service.name, sink);
-    for (const auto& operation : component.operations) {
-        checkMember("operation", operation.name, sink);
-        for (const auto& argument : operation.arguments) checkIdentifier("argument", argument.name, sink);
+    checkInterface(component, Owner::Component, sink);
+    for (const auto& required : component.required) {
+        checkIdentifier("service", required.name, sink);
+        for (const auto& operation : required.operations) checkOperation(operation, Owner::ProvidedService, sink);
     }
+}
+
+void checkServicePlugin(const model::ServicePlugin& service, diag::Sink& sink) {
+    checkClassName(service.className, sink);
+    checkIdentifier("service", service.name, sink);
+    checkInterface(service, Owner::ServicePlugin, sink);
+}
+
+void checkFileName(const std::string& what, const model::Text& name, diag::Sink& sink) {
+    const std::string fault = packageNameFault(name.value);
+    if (name.given() && !fault.empty()) sink.error(name.where, "OM013", what + " name '" + name.value + "' " + fault);
 }
 
 bool isVersion(const std::string& text) {
@@ -139,14 +178,11 @@ void names(const model::Package& package, diag::Sink& sink) {
         sink.error(package.version.where, "OM016",
                    "version '" + package.version.value + "' is not of the form '1.2.3'");
     }
-    for (const auto& dependency : package.dependencies) {
-        const std::string fault = packageNameFault(dependency.value);
-        if (dependency.given() && !fault.empty()) {
-            sink.error(dependency.where, "OM013", "package name '" + dependency.value + "' " + fault);
-        }
-    }
+    for (const auto& dependency : package.dependencies) checkFileName("package", dependency, sink);
+    for (const auto& plugin : package.plugins) checkFileName("plugin", plugin.name, sink);
     for (const auto& header : package.typekitHeaders) checkHeader(header, sink);
     for (const auto& component : package.components) checkComponent(component, sink);
+    for (const auto& service : package.services) checkServicePlugin(service, sink);
 }
 
 }  // namespace oroforge::check

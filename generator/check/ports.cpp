@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <check/check.hpp>
 
+#include <model/interfaces.hpp>
+
 namespace oroforge::check {
 
 namespace {
@@ -28,15 +30,15 @@ void checkPolicy(const model::Port& port, diag::Sink& sink) {
 }  // namespace
 
 void ports(const model::Package& package, diag::Sink& sink) {
-    for (const auto& component : package.components) {
-        for (const auto& port : component.ports) {
+    model::eachInterface(package, [&](const model::Interface& interface, const model::ServicePath&) {
+        for (const auto& port : interface.ports) {
             if (port.event && port.direction == model::Direction::Out) {
                 sink.error(port.eventWhere, "OM050",
                            "port '" + port.name.value + "' is an output; only an input can be an event port");
             }
             if (port.policy) checkPolicy(port, sink);
         }
-    }
+    });
 }
 
 }  // namespace oroforge::check

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include <model/cpp_type.hpp>
+#include <model/interfaces.hpp>
 
 namespace oroforge::check {
 
@@ -67,16 +68,23 @@ void checkType(const std::string& what, const model::Text& given, Use use, diag:
     }
 }
 
+void checkOperation(const model::Operation& operation, diag::Sink& sink) {
+    checkType("return", operation.returns, Use::Result, sink);
+    for (const auto& argument : operation.arguments) checkType("argument", argument.type, Use::Argument, sink);
+}
+
 }  // namespace
 
 void types(const model::Package& package, diag::Sink& sink) {
+    model::eachInterface(package, [&](const model::Interface& interface, const model::ServicePath&) {
+        for (const auto& port : interface.ports) checkType("port", port.type, Use::Value, sink);
+        for (const auto& property : interface.properties) checkType("property", property.type, Use::Value, sink);
+        for (const auto& attribute : interface.attributes) checkType("attribute", attribute.type, Use::Value, sink);
+        for (const auto& operation : interface.operations) checkOperation(operation, sink);
+    });
     for (const auto& component : package.components) {
-        for (const auto& port : component.ports) checkType("port", port.type, Use::Value, sink);
-        for (const auto& property : component.properties) checkType("property", property.type, Use::Value, sink);
-        for (const auto& attribute : component.attributes) checkType("attribute", attribute.type, Use::Value, sink);
-        for (const auto& operation : component.operations) {
-            checkType("return", operation.returns, Use::Result, sink);
-            for (const auto& argument : operation.arguments) checkType("argument", argument.type, Use::Argument, sink);
+        for (const auto& service : component.required) {
+            for (const auto& operation : service.operations) checkOperation(operation, sink);
         }
     }
 }

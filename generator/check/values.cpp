@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <model/cpp_type.hpp>
+#include <model/interfaces.hpp>
 #include <model/literal.hpp>
 
 namespace oroforge::check {
@@ -72,7 +73,9 @@ bool checkLimit(const char* what, const std::optional<model::Number>& limit, con
     return fault.empty();
 }
 
-void checkRange(const model::Property& property, diag::Sink& sink) {
+/// Of a property or an attribute, which `what` says.
+template <class Value>
+void checkRange(const std::string& what, const Value& property, diag::Sink& sink) {
     const bool hasMinimum = checkLimit("min", property.minimum, property.type, sink);
     const bool hasMaximum = checkLimit("max", property.maximum, property.type, sink);
     if (hasMinimum && hasMaximum && property.minimum->value > property.maximum->value) {
@@ -86,7 +89,7 @@ void checkRange(const model::Property& property, diag::Sink& sink) {
     // Without a default the property starts as zero, and that must be in the range as well.
     const bool given = property.defaultValue.given();
     const std::string shown =
-        given ? "default '" + property.defaultValue.value + "'" : "the property has no default, and 0";
+        given ? "default '" + property.defaultValue.value + "'" : "the " + what + " has no default, and 0";
     const double value = given ? std::strtod(property.defaultValue.value.c_str(), nullptr) : 0.0;
     const diag::Location& where = given ? property.defaultValue.where : property.where;
     if (hasMinimum && value < property.minimum->value) {
@@ -98,16 +101,24 @@ void checkRange(const model::Property& property, diag::Sink& sink) {
     }
 }
 
+template <class Value>
+void checkValue(const std::string& what, const Value& value, diag::Sink& sink) {
+    checkDefault(value.defaultValue, value.type, sink);
+    if (value.type.given()) checkRange(what, value, sink);
+}
+
 }  // namespace
 
 void values(const model::Package& package, diag::Sink& sink) {
-    for (const auto& component : package.components) {
-        for (const auto& property : component.properties) {
-            checkDefault(property.defaultValue, property.type, sink);
-            if (property.type.given()) checkRange(property, sink);
+    model::eachInterface(package, [&](const model::Interface& interface, const model::ServicePath&) {
+        for (const auto& property : interface.properties) checkValue("property", property, sink);
+        for (const auto& attribute : interface.attributes) {
+            checkValue("attribute", attribute, sink);
+            if (!attribute.constant || attribute.defaultValue.given()) continue;
+            sink.error(attribute.where, "OM035",
+                       "the constant '" + attribute.name.value + "' has no value; expected the attribute 'default'");
         }
-        for (const auto& attribute : component.attributes) checkDefault(attribute.defaultValue, attribute.type, sink);
-    }
+    });
 }
 
 }  // namespace oroforge::check

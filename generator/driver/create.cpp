@@ -11,7 +11,7 @@
 #include <ostream>
 
 #include <check/check.hpp>
-#include <diag/nearest_match.hpp>
+#include <driver/kinds.hpp>
 #include <driver/package_files.hpp>
 #include <manifest/reader.hpp>
 
@@ -23,44 +23,9 @@ namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
 
-const std::vector<std::string>& knownKinds() {
-    static const std::vector<std::string> kinds = {"all",     "component", "plugin", "service",
-                                                   "support", "typekit",   "cmake",  "empty"};
-    return kinds;
-}
-
-std::string typekitHeader(const std::string& name) { return "include/" + name + "/" + name + "-types.hpp"; }
-
 std::string textOf(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The package that the kinds ask for. Kinds that a forced package already has stay in its build.
-model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
-    const std::string& name = options.words.front();
-    const std::vector<std::string> kinds(options.words.begin() + 1, options.words.end());
-    const std::string fault = check::packageNameFault(name);
-    if (!fault.empty()) sink.error(kHere, "OC002", "package name '" + name + "' " + fault);
-    for (const std::string& kind : kinds) {
-        if (std::find(knownKinds().begin(), knownKinds().end(), kind) != knownKinds().end()) continue;
-        sink.error(kHere, "OC003",
-                   "unknown kind '" + kind + "', expected " + diag::oneOf(knownKinds()) +
-                       diag::didYouMean(kind, knownKinds()));
-    }
-    const auto has = [&](const char* kind, const std::string& file) {
-        const bool all = kinds.empty() || std::find(kinds.begin(), kinds.end(), "all") != kinds.end();
-        return all || std::find(kinds.begin(), kinds.end(), kind) != kinds.end() || fs::exists(fs::path(name) / file);
-    };
-    model::Package package;
-    package.name = {name, {kHere.file, 1, 1}};
-    package.skeletons.component = has("component", "src/" + name + "-component.cpp");
-    package.skeletons.plugin = has("plugin", "src/" + name + "-plugin.cpp");
-    package.skeletons.service = has("service", "src/" + name + "-service.cpp");
-    package.skeletons.support = has("support", "src/" + name + "-support.cpp");
-    if (has("typekit", typekitHeader(name)))
-        package.typekitHeaders.push_back({typekitHeader(name), {kHere.file, 1, 1}});
-    return package;
 }
 
 bool isOnly(const Options& options, const char* kind) { return options.words.size() == 2 && options.words[1] == kind; }
@@ -116,9 +81,7 @@ void writePackage(const Scaffold& files, const std::string& name, const Options&
     }
     if (sink.hadErrors()) return;
     std::vector<std::string> kept;
-    emit::Written written;
-    if (!emit::write(writable(files, name, kept), name, sink, &written)) return;
-    for (const std::string& file : written.changed) out << "wrote " << name << "/" << file << '\n';
+    if (!writeOutputs(writable(files, name, kept), name, options.dryRun, out, sink)) return;
     for (const std::string& file : kept) out << "kept  " << name << "/" << file << '\n';
 }
 
@@ -134,7 +97,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
         return;
     }
     const std::string manifest = name + ".xml";
-    Scaffold files = scaffold(*package, manifest, renderer);
+    Scaffold files = scaffold(*package, manifest, options.catkin, renderer);
     addTypekitHeaders(*package, options.from, files, sink);
     files.shared[manifest] = textOf(options.from);
     writePackage(files, name, options, out, sink);
@@ -143,7 +106,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
 void createFromKinds(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
     const model::Package package = packageOfKinds(options, sink);
     if (sink.hadErrors()) return;
-    Scaffold files = scaffold(package, "", renderer);
+    Scaffold files = scaffold(package, "", options.catkin, renderer);
     if (isOnly(options, "empty")) files = Scaffold{{{"package.xml", files.shared["package.xml"]}}, {}};
     writePackage(files, package.name.value, options, out, sink);
 }

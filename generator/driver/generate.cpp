@@ -29,6 +29,17 @@ void dumpViews(const model::Package& package, const std::string& manifest, std::
     out << all.dump(2) << '\n';
 }
 
+/// Reports OC012 for each file that is not as it would be written.
+void checkFiles(const emit::Outputs& files, const std::string& directory, diag::Sink& sink) {
+    for (const std::string& name : emit::compare(files, directory).changed) {
+        const fs::path file = fs::path(directory) / name;
+        const bool there = fs::exists(file);
+        sink.error({file.string(), 0, 0}, "OC012",
+                   there ? "the file is not what would be generated now" : "the file is missing")
+            .hint("orocreate-pkg --generate without --check writes it");
+    }
+}
+
 }  // namespace
 
 void generateComponents(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
@@ -42,6 +53,8 @@ void generateComponents(const Options& options, const render::Renderer& renderer
         dumpViews(*package, manifest, out);
     } else if (options.listOutputs) {
         emit::listOutputs(out, generatedFileNames(*package), options.output);
+    } else if (options.check) {
+        checkFiles(generatedFiles(*package, manifest, renderer), options.output, sink);
     } else if (emit::writeGenerated(generatedFiles(*package, manifest, renderer), options.output, sink) &&
                !options.depfile.empty()) {
         std::vector<std::string> targets;

@@ -2,7 +2,10 @@
 // Copyright Oroforge contributors
 #include <iostream>
 
+#include <driver/add.hpp>
 #include <driver/create.hpp>
+#include <driver/kinds.hpp>
+#include <driver/upgrade.hpp>
 #include <render/renderer.hpp>
 #include <report/explain.hpp>
 #include <report/report.hpp>
@@ -19,9 +22,13 @@ void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
     if (options.explain) return report::explain(options.words, {"orocreate-pkg", "OC001"}, out, sink);
     render::Templates templates(render::componentTemplates());
     if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
+    if (options.list) return driver::listKinds(templates, out);
+    if (options.upgrade) return driver::upgradePackages(options, out, sink);
     const render::Renderer renderer(templates);
     try {
-        if (options.generate.empty()) {
+        if (!options.add.empty()) {
+            driver::addPart(options, renderer, out, sink);
+        } else if (options.generate.empty()) {
             driver::createPackage(options, renderer, out, sink);
         } else {
             driver::generateComponents(options, renderer, out, sink);

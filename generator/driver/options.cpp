@@ -2,12 +2,16 @@
 // Copyright Oroforge contributors
 #include <driver/options.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
 #include <diag/nearest_match.hpp>
 #include <report/report.hpp>
+
+namespace fs = std::filesystem;
 
 namespace oroforge::driver {
 
@@ -17,19 +21,41 @@ constexpr const char* kUsage =
     "Makes a package of components.\n"
     "\n"
     "  orocreate-pkg NAME [KIND...]           a new package in ./NAME from skeletons\n"
-    "  orocreate-pkg NAME --from MANIFEST     a new package in ./NAME with the components that MANIFEST describes\n"
-    "  orocreate-pkg --generate MANIFEST --output DIR\n"
+    "  orocreate-pkg NAME --from MANIFEST     a new package in ./NAME with what MANIFEST describes\n"
+    "  orocreate-pkg --add KIND NAME          one more part in the package of the current directory\n"
+    "  orocreate-pkg --generate MANIFEST --output DIR [--check]\n"
     "                                         the base classes alone; what the package's build calls\n"
+    "  orocreate-pkg --upgrade DIR...         manifest.xml of packages of the original toolchain\n"
+    "  orocreate-pkg --list                   the kinds, and the templates that can be replaced\n"
     "  orocreate-pkg --explain [CODE...]      what a code means, as the OM003 in \"error: [OM003] ...\"; none = list "
     "them\n"
     "\n"
-    "Kinds, any number of them, none = all: component plugin service support typekit;\n"
+    "Kinds, any number of them, none = all: component plugin service support typekit application;\n"
     "cmake (only the build files), empty (only package.xml).\n";
+
+const std::string kCreate = "a new package";
 
 constexpr const char* kHelpHint = "orocreate-pkg --help explains the command line";
 
 void declare(CLI::App& app, Options& options) {
     app.add_option("words", options.words, "Name of the package, then its kinds")->type_name("NAME [KIND...]");
+    app.add_option("--add", options.add, "Add a part to the package of the current directory")
+        ->type_name("KIND NAME")
+        ->expected(2);
+    app.add_option("--namespace", options.nameSpace, "Namespace of the classes")->type_name("A::B");
+    app.add_option("--class", options.className, "Name of the component's class; else that of the package")
+        ->type_name("CLASS");
+    app.add_option("--license", options.license, "License of the new package, as package.xml names it")
+        ->type_name("NAME");
+    app.add_option("--author", options.authors, "Author of the new package, any number of times")
+        ->type_name("\"NAME <MAIL>\"")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_flag("--dry-run", options.dryRun, "Print what would be written, and write nothing");
+    app.add_flag("--list", options.list, "Print the kinds and the templates");
+    app.add_flag("--catkin", options.catkin, "For a catkin workspace; orocreate-catkin-pkg does so by itself");
+    app.add_flag("--upgrade", options.upgrade, "Change manifest.xml of packages so that rosdep finds the toolchain");
+    app.add_flag("--check", options.check, "With --generate: write nothing, fail if a file is missing or stale");
     app.add_option("--from", options.from, "Component manifest (XML) of the new package")->type_name("MANIFEST");
     app.add_option("--generate", options.generate, "Component manifest to generate base classes from")
         ->type_name("MANIFEST");
@@ -74,33 +100,86 @@ std::vector<std::string> wordings(const CLI::App& app, const CLI::ParseError& er
     return texts;
 }
 
+/// What the program can be asked to do; without any of the options it makes a package.
+std::vector<std::string> modesOf(const Options& options) {
+    std::vector<std::string> modes;
+    const auto add = [&](bool given, const char* name) {
+        if (given) modes.push_back(name);
+    };
+    add(options.explain, "--explain");
+    add(options.list, "--list");
+    add(options.upgrade, "--upgrade");
+    add(!options.add.empty(), "--add");
+    add(!options.generate.empty(), "--generate");
+    if (modes.empty()) modes.push_back(kCreate);
+    return modes;
+}
+
+/// An option, whether it was given, and what it belongs to.
+struct Use {
+    const char* option;
+    bool given;
+    std::vector<std::string> modes;
+};
+
+std::vector<Use> usesOf(const Options& options) {
+    const std::string generate = "--generate";
+    return {
+        {"--from", !options.from.empty(), {kCreate}},
+        {"--output", !options.output.empty(), {generate}},
+        {"--list-outputs", options.listOutputs, {generate}},
+        {"--depfile", !options.depfile.empty(), {generate}},
+        {"--depfile-target", !options.depfileTarget.empty(), {generate}},
+        {"--dump", !options.dump.empty(), {generate}},
+        {"--check", options.check, {generate}},
+        {"--template-dir", !options.templateDir.empty(), {kCreate, "--add", generate, "--list"}},
+        {"--namespace", !options.nameSpace.empty(), {kCreate, "--add"}},
+        {"--class", !options.className.empty(), {kCreate, "--add"}},
+        {"--license", !options.license.empty(), {kCreate}},
+        {"--author", !options.authors.empty(), {kCreate}},
+        {"--catkin", options.catkin, {kCreate}},
+        {"--dry-run", options.dryRun, {kCreate, "--add", "--upgrade"}},
+        {"--force", options.force, {kCreate, "--upgrade"}},
+    };
+}
+
 /// Options that make no sense together.
 void checkCombination(const Options& options, diag::Sink& sink) {
     const diag::Location here{"orocreate-pkg", 0, 0};
-    const auto complain = [&](bool wrong, const char* text) {
+    const auto complain = [&](bool wrong, const std::string& text) {
         if (wrong) sink.error(here, "OC001", text).hint(kHelpHint);
     };
-    if (options.explain) {
-        complain(options.format != "text", "--explain prints text, so it takes no --format");
-        complain(!options.generate.empty() || !options.from.empty(), "--explain takes codes and no manifest");
-        return;
+    const std::vector<std::string> modes = modesOf(options);
+    complain(modes.size() > 1, modes.front() + " and " + modes.back() + " exclude each other");
+    if (modes.size() > 1) return;
+    const std::string& mode = modes.front();
+    for (const Use& use : usesOf(options)) {
+        const bool fits = std::find(use.modes.begin(), use.modes.end(), mode) != use.modes.end();
+        complain(use.given && !fits, std::string(use.option) + (mode == kCreate ? " needs " + use.modes.front()
+                                                                                : " does not go with " + mode));
     }
+    complain(options.explain && options.format != "text", "--explain prints text, so it takes no --format");
     complain(options.format != "text" && (options.listOutputs || !options.dump.empty()),
              "--format excludes --list-outputs and --dump: both write to standard output");
-    if (options.generate.empty()) {
-        complain(options.words.empty() && options.from.empty(),
+    if (mode == kCreate) {
+        const bool fromManifest = !options.from.empty();
+        complain(options.words.empty() && !fromManifest,
                  "no package name given, expected orocreate-pkg NAME [KIND...]");
-        complain(options.listOutputs, "--list-outputs needs --generate MANIFEST");
-        complain(!options.depfile.empty(), "--depfile needs --generate MANIFEST");
-        complain(!options.depfileTarget.empty(), "--depfile-target needs --generate MANIFEST");
-        complain(!options.output.empty(), "--output needs --generate MANIFEST");
-        complain(!options.dump.empty(), "--dump needs --generate MANIFEST");
-        complain(!options.from.empty() && options.words.size() > 1,
+        complain(fromManifest && options.words.size() > 1,
                  "--from and kinds exclude each other: the manifest says what the package contains");
-        return;
+        const bool described = !options.nameSpace.empty() || !options.className.empty() || !options.license.empty() ||
+                               !options.authors.empty();
+        complain(fromManifest && described,
+                 "--from excludes --namespace, --class, --license and --author: the manifest says them");
+    } else if (mode == "--generate") {
+        complain(!options.words.empty(), "--generate takes no package name");
+        complain(options.output.empty() && options.dump.empty(), "--generate needs --output DIR");
+    } else if (mode == "--add" || mode == "--list") {
+        complain(!options.words.empty(),
+                 mode + " takes no package name, found '" + (options.words.empty() ? "" : options.words.front()) + "'");
+    } else if (mode == "--upgrade") {
+        complain(options.words.empty(), "--upgrade needs the folders of packages");
     }
-    complain(!options.words.empty() || !options.from.empty(), "--generate takes no package name and no --from");
-    complain(options.output.empty() && options.dump.empty(), "--generate needs --output DIR");
 }
 
 }  // namespace
@@ -120,6 +199,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sin
         for (const std::string& text : wordings(app, error))
             sink.error({"orocreate-pkg", 0, 0}, "OC001", text).hint(kHelpHint);
     }
+    const std::string program = argc > 0 ? fs::path(argv[0]).filename().string() : "";
+    const bool anyMode = modesOf(options).front() != kCreate;
+    if (program.find("catkin") != std::string::npos && !anyMode) options.catkin = true;
     if (!sink.hadErrors()) checkCombination(options, sink);
     if (!sink.hadErrors()) return options;
     status = 1;

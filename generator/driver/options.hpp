@@ -20,11 +20,21 @@ struct Options {
     std::string depfile;
     std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
     std::string templateDir;
-    std::string dump;             ///< "model" or "view": print that step instead of writing files
-    std::string format = "text";  ///< of diagnostics, see report::formatNames()
-    bool explain = false;         ///< tell what the codes mean that `words` then are
+    std::vector<std::string> add;  ///< kind and name of a part for the package in the current directory
+    std::string nameSpace;         ///< of the classes that are made
+    std::string className;         ///< instead of the package's name with its first letter upper-cased
+    std::string license;
+    std::vector<std::string> authors;  ///< "Ann Other <ann@example.org>"
+    std::string dump;                  ///< "model" or "view": print that step instead of writing files
+    std::string format = "text";       ///< of diagnostics, see report::formatNames()
+    bool explain = false;              ///< tell what the codes mean that `words` then are
     bool listOutputs = false;
     bool force = false;
+    bool dryRun = false;   ///< tell what would be written
+    bool list = false;     ///< tell which kinds and templates there are
+    bool catkin = false;   ///< for a catkin workspace
+    bool upgrade = false;  ///< `words` are packages of the original toolchain
+    bool check = false;    ///< with --generate: tell which files are stale instead of writing them
 };
 
 /// Nothing if the program is to end with `status`: after --help or --version (0), or a wrong command line (1, reported).

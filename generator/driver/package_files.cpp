@@ -3,10 +3,12 @@
 #include <driver/package_files.hpp>
 
 #include <algorithm>
+#include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include <view/cpp_text.hpp>
+#include <view/skeleton_view.hpp>
 #include <view/view.hpp>
 
 namespace oroforge::driver {
@@ -26,20 +28,20 @@ void addComponentFiles(const model::Package& package, const std::string& manifes
     }
 }
 
-void addSkeletonFiles(const model::Package& package, const json& view, const render::Renderer& renderer,
-                      Scaffold& files) {
-    const std::string& name = package.name.value;
-    const auto add = [&](bool wanted, const std::string& path, const char* what) {
-        if (wanted) files.user[path] = renderer.render(what, view);
-    };
-    const model::Skeletons& wanted = package.skeletons;
-    add(wanted.component, "src/" + name + "-component.hpp", "package/component.hpp");
-    add(wanted.component, "src/" + name + "-component.cpp", "package/component.cpp");
-    add(wanted.component, "tests/" + name + "-component_test.cpp", "package/component_test.cpp");
-    add(wanted.plugin, "src/" + name + "-plugin.cpp", "package/plugin.cpp");
-    add(wanted.service, "src/" + name + "-service.cpp", "package/service.cpp");
-    add(wanted.support, "include/" + name + "/" + name + "-support.hpp", "package/support.hpp");
-    add(wanted.support, "src/" + name + "-support.cpp", "package/support.cpp");
+void addServiceFiles(const model::Package& package, const std::string& manifest, const render::Renderer& renderer,
+                     Scaffold& files) {
+    for (const auto& service : package.services) {
+        const json view = view::serviceView(package, service, manifest);
+        const std::string name = view::lastName(service.className.value);
+        files.user["src/" + name + ".hpp"] = renderer.render("service/user.hpp", view);
+        files.user["src/" + name + ".cpp"] = renderer.render("service/user.cpp", view);
+        files.user["tests/" + name + "_test.cpp"] = renderer.render("service/test.cpp", view);
+    }
+}
+
+/// The folder of what belongs to a service's library; the build takes its name from here.
+std::string serviceFolder(const model::Package& package, const model::ServicePlugin& service) {
+    return package.name.value + "/services/" + service.name.value + "/";
 }
 
 }  // namespace
@@ -58,6 +60,15 @@ emit::Outputs generatedFiles(const model::Package& package, const std::string& m
         files[directory + "registration.cpp"] =
             renderer.render("component/registration.cpp", view::registrationView(package, manifest));
     }
+    files[directory + "reference.md"] = renderer.render("package/reference.md", view::referenceView(package, manifest));
+    for (const auto& service : package.services) {
+        const json view = view::serviceView(package, service, manifest);
+        const std::string name = view::lastName(service.className.value);
+        const std::string folder = serviceFolder(package, service);
+        files[directory + name + "Base.hpp"] = renderer.render("service/base.hpp", view);
+        files[folder + name + "Base.cpp"] = renderer.render("service/base.cpp", view);
+        files[folder + "registration.cpp"] = renderer.render("service/registration.cpp", view);
+    }
     return files;
 }
 
@@ -70,27 +81,85 @@ std::vector<std::string> generatedFileNames(const model::Package& package) {
         names.push_back(base + ".cpp");
     }
     if (!names.empty()) names.push_back(directory + "registration.cpp");
+    names.push_back(directory + "reference.md");
+    for (const auto& service : package.services) {
+        const std::string name = view::lastName(service.className.value);
+        const std::string folder = serviceFolder(package, service);
+        for (const std::string& file :
+             {directory + name + "Base.hpp", folder + name + "Base.cpp", folder + "registration.cpp"})
+            names.push_back(file);
+    }
     std::sort(names.begin(), names.end());
     return names;
 }
 
-Scaffold scaffold(const model::Package& package, const std::string& manifest, const render::Renderer& renderer) {
+emit::Outputs skeletonFiles(const model::Package& package, const render::Renderer& renderer) {
+    using model::SkeletonKind;
+    emit::Outputs files;
+    for (const model::Skeleton& skeleton : package.skeletons) {
+        const json view = view::skeletonView(package, skeleton);
+        const std::string& name = skeleton.name;
+        const auto add = [&](SkeletonKind kind, const std::string& path, const char* what) {
+            if (skeleton.kind == kind) files[path] = renderer.render(what, view);
+        };
+        add(SkeletonKind::Component, "src/" + name + "-component.hpp", "package/component.hpp");
+        add(SkeletonKind::Component, "src/" + name + "-component.cpp", "package/component.cpp");
+        add(SkeletonKind::Component, "tests/" + name + "-component_test.cpp", "package/component_test.cpp");
+        add(SkeletonKind::Plugin, "src/" + name + "-plugin.cpp", "package/plugin.cpp");
+        add(SkeletonKind::Service, "src/" + name + "-service.cpp", "package/service.cpp");
+        add(SkeletonKind::Application, "src/" + name + "-application.cpp", "package/application.cpp");
+        add(SkeletonKind::Support, "include/" + package.name.value + "/" + name + "-support.hpp",
+            "package/support.hpp");
+        add(SkeletonKind::Support, "src/" + name + "-support.cpp", "package/support.cpp");
+    }
+    return files;
+}
+
+Scaffold scaffold(const model::Package& package, const std::string& manifest, bool catkin,
+                  const render::Renderer& renderer) {
     Scaffold files;
-    const json view = view::packageView(package, manifest);
-    for (const char* file : {"CMakeLists.txt", "package.xml", "README.md"}) {
-        files.shared[file] = renderer.render(std::string("package/") + file, view);
-    }
+    json view = view::packageView(package, manifest);
+    view["buildTool"] = catkin ? "catkin" : "cmake";
+    const auto addShared = [&](const std::string& path, const char* what) {
+        files.shared[path] = renderer.render(std::string("package/") + what, view);
+    };
+    addShared("CMakeLists.txt", "CMakeLists.txt");
+    addShared("package.xml", "package.xml");
+    addShared("README.md", "README.md");
+    addShared(".clang-format", "clang-format");
+    addShared(".github/workflows/build.yml", "ci.yml");
+    if (!catkin) addShared("Makefile", "Makefile");
     if (view["deployable"]) {
-        files.shared["deploy/" + package.name.value + ".xml"] = renderer.render("package/deploy.xml", view);
-        files.shared["tests/test_main.cpp"] = renderer.render("package/test_main.cpp", view);
+        addShared("deploy/" + package.name.value + ".xml", "deploy.xml");
+        addShared("deploy/" + package.name.value + ".ops", "deploy.ops");
     }
+    if (view["hasTests"]) addShared("tests/test_main.cpp", "test_main.cpp");
     if (!package.typekitHeaders.empty()) {
         const std::string& header = package.typekitHeaders.front().value;
         files.user[header] = renderer.render("package/types.hpp", view::typekitView(package, header));
     }
+    for (const json& plugin : view["plugins"]) {
+        files.user["src/" + plugin["name"].get<std::string>() + ".cpp"] = renderer.render("package/plugin.cpp", plugin);
+    }
     addComponentFiles(package, manifest, renderer, files);
-    addSkeletonFiles(package, view, renderer, files);
+    addServiceFiles(package, manifest, renderer, files);
+    for (const auto& [path, text] : skeletonFiles(package, renderer)) files.user[path] = text;
     return files;
+}
+
+bool writeOutputs(const emit::Outputs& outputs, const std::string& directory, bool dryRun, std::ostream& out,
+                  diag::Sink& sink) {
+    emit::Written written;
+    if (dryRun) {
+        written = emit::compare(outputs, directory);
+    } else if (!emit::write(outputs, directory, sink, &written)) {
+        return false;
+    }
+    const std::string prefix = directory == "." ? "" : directory + "/";
+    for (const std::string& file : written.changed) {
+        out << (dryRun ? "would write " : "wrote ") << prefix << file << '\n';
+    }
+    return true;
 }
 
 }  // namespace oroforge::driver

@@ -4,6 +4,7 @@
 #ifndef OROFORGE_GENERATOR_DRIVER_PACKAGE_FILES_HPP
 #define OROFORGE_GENERATOR_DRIVER_PACKAGE_FILES_HPP
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,16 @@ struct Scaffold {
     emit::Outputs user;    ///< classes, types, tests: never written over
 };
 
-Scaffold scaffold(const model::Package& package, const std::string& manifest, const render::Renderer& renderer);
+/// `catkin`: for a workspace of catkin, which brings its own top-level build.
+Scaffold scaffold(const model::Package& package, const std::string& manifest, bool catkin,
+                  const render::Renderer& renderer);
+
+/// The sources and tests of the package's skeletons.
+emit::Outputs skeletonFiles(const model::Package& package, const render::Renderer& renderer);
+
+/// Writes all or nothing below `directory` and tells "wrote FILE" for each that changed; with `dryRun` only "would write".
+bool writeOutputs(const emit::Outputs& outputs, const std::string& directory, bool dryRun, std::ostream& out,
+                  diag::Sink& sink);
 
 }  // namespace oroforge::driver
 

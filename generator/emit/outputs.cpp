@@ -136,6 +136,14 @@ bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, 
     return true;
 }
 
+Written compare(const Outputs& outputs, const fs::path& directory) {
+    Written result;
+    for (const auto& [name, text] : outputs) {
+        (hasText(directory / name, text) ? result.unchanged : result.changed).push_back(name);
+    }
+    return result;
+}
+
 bool writeGenerated(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, Written* written) {
     for (const auto& [name, text] : outputs) {
         if (!hasBanner(text) || !isForeign(directory / name)) continue;

@@ -32,6 +32,9 @@ bool write(const Outputs& outputs, const std::filesystem::path& directory, diag:
 bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
                     Written* written = nullptr);
 
+/// What write() would do, without doing it.
+Written compare(const Outputs& outputs, const std::filesystem::path& directory);
+
 /// One path per line, `directory` in front.
 void listOutputs(std::ostream& out, const Outputs& outputs, const std::filesystem::path& directory);
 void listOutputs(std::ostream& out, const std::vector<std::string>& outputs, const std::filesystem::path& directory);

@@ -79,7 +79,17 @@ model::Property readProperty(const Element& element) {
 }
 
 model::Attribute readAttribute(const Element& element) {
-    return {text(element, "name"), text(element, "type"), text(element, "default"), docOf(element), element.where};
+    model::Attribute attribute;
+    attribute.name = text(element, "name");
+    attribute.type = text(element, "type");
+    attribute.defaultValue = text(element, "default");
+    attribute.constant = flag(element, "constant", false);
+    attribute.minimum = number(element, "min");
+    attribute.maximum = number(element, "max");
+    attribute.unit = element.attributeOr("unit", "");
+    attribute.doc = docOf(element);
+    attribute.where = element.where;
+    return attribute;
 }
 
 model::Operation readOperation(const Element& element) {
@@ -96,8 +106,46 @@ model::Operation readOperation(const Element& element) {
     return operation;
 }
 
-model::ServiceUse readService(const Element& element, model::ServiceRole role) {
-    return {text(element, "service"), role, docOf(element), element.where};
+model::Requirement readRequirement(const Element& element) {
+    model::Requirement required;
+    required.name = text(element, "service");
+    for (const Element* operation : element.childrenNamed("operation")) {
+        required.operations.push_back(readOperation(*operation));
+    }
+    required.doc = docOf(element);
+    required.where = element.where;
+    return required;
+}
+
+model::Service readService(const Element& element);
+
+void readInterface(const Element& element, model::Interface& interface) {
+    for (const Element& child : element.children) {
+        if (child.name == "port") interface.ports.push_back(readPort(child));
+        if (child.name == "property") interface.properties.push_back(readProperty(child));
+        if (child.name == "attribute") interface.attributes.push_back(readAttribute(child));
+        if (child.name == "operation") interface.operations.push_back(readOperation(child));
+        if (child.name == "provides") interface.services.push_back(readService(child));
+    }
+}
+
+model::Service readService(const Element& element) {
+    model::Service service;
+    readInterface(element, service);
+    service.name = text(element, "service");
+    service.doc = docOf(element);
+    service.where = element.where;
+    return service;
+}
+
+model::ServicePlugin readServicePlugin(const Element& element) {
+    model::ServicePlugin service;
+    readInterface(element, service);
+    service.name = text(element, "name");
+    service.className = text(element, "class");
+    service.doc = docOf(element);
+    service.where = element.where;
+    return service;
 }
 
 std::optional<model::Activity> readActivity(const Element& element) {
@@ -136,13 +184,9 @@ model::Component readComponent(const Element& element) {
     }
     component.activity = readActivity(element);
     component.doc = docOf(element);
-    for (const Element& child : element.children) {
-        if (child.name == "port") component.ports.push_back(readPort(child));
-        if (child.name == "property") component.properties.push_back(readProperty(child));
-        if (child.name == "attribute") component.attributes.push_back(readAttribute(child));
-        if (child.name == "operation") component.operations.push_back(readOperation(child));
-        if (child.name == "requires") component.services.push_back(readService(child, model::ServiceRole::Required));
-        if (child.name == "provides") component.services.push_back(readService(child, model::ServiceRole::Provided));
+    readInterface(element, component);
+    for (const Element* child : element.childrenNamed("requires")) {
+        component.required.push_back(readRequirement(*child));
     }
     component.hooks = readHooks(element);
     component.where = element.where;
@@ -157,9 +201,12 @@ model::Package readPackage(const Element& root) {
     if (const Element* description = root.child("description")) package.description = description->text;
     for (const Element& child : root.children) {
         if (child.name == "maintainer") package.maintainers.push_back({text(child, "name"), text(child, "email")});
+        if (child.name == "author") package.authors.push_back({text(child, "name"), text(child, "email")});
         if (child.name == "depend") package.dependencies.push_back(text(child, "package"));
         if (child.name == "typekit") package.typekitHeaders.push_back(text(child, "header"));
         if (child.name == "component") package.components.push_back(readComponent(child));
+        if (child.name == "service") package.services.push_back(readServicePlugin(child));
+        if (child.name == "plugin") package.plugins.push_back({text(child, "name"), docOf(child), child.where});
     }
     package.where = root.where;
     return package;

@@ -23,10 +23,12 @@ std::vector<ElementRule> makeRules() {
     return {
         {"package",
          {required("name"), optional("version"), optional("license")},
-         {once("description"), many("maintainer"), many("depend"), many("typekit"), many("component")}},
+         {once("description"), many("maintainer"), many("author"), many("depend"), many("typekit"), many("component"),
+          many("service"), many("plugin")}},
         {"description", {}, {}, true},
         {"doc", {}, {}, true},
         {"maintainer", {required("name"), required("email")}, {}},
+        {"author", {required("name"), optional("email")}, {}},
         {"depend", {required("package")}, {}},
         {"typekit", {required("header")}, {}},
         {"component",
@@ -36,6 +38,10 @@ std::vector<ElementRule> makeRules() {
           choice("scheduler", false, {"ORO_SCHED_RT", "ORO_SCHED_OTHER"})},
          {once("doc"), many("port"), many("property"), many("attribute"), many("operation"), many("requires"),
           many("provides"), once("hooks")}},
+        {"service",
+         {required("name"), required("class"), doc},
+         {once("doc"), many("port"), many("property"), many("attribute"), many("operation"), many("provides")}},
+        {"plugin", {required("name"), doc}, {once("doc")}},
         {"port",
          {required("name"), choice("direction", true, {"in", "out"}), required("type"),
           optional("event", ValueKind::Boolean), doc},
@@ -49,13 +55,18 @@ std::vector<ElementRule> makeRules() {
          {required("name"), required("type"), optional("default"), optional("unit"), optional("min", ValueKind::Number),
           optional("max", ValueKind::Number), doc},
          {once("doc")}},
-        {"attribute", {required("name"), required("type"), optional("default"), doc}, {once("doc")}},
+        {"attribute",
+         {required("name"), required("type"), optional("default"), optional("constant", ValueKind::Boolean),
+          optional("unit"), optional("min", ValueKind::Number), optional("max", ValueKind::Number), doc},
+         {once("doc")}},
         {"operation",
          {required("name"), optional("returns"), choice("thread", false, {"own", "client"}), doc},
          {once("doc"), many("arg")}},
         {"arg", {required("name"), required("type"), optional("unit"), doc}, {once("doc")}},
-        {"requires", {required("service"), doc}, {once("doc")}},
-        {"provides", {required("service"), doc}, {once("doc")}},
+        {"requires", {required("service"), doc}, {once("doc"), many("operation")}},
+        {"provides",
+         {required("service"), doc},
+         {once("doc"), many("port"), many("property"), many("attribute"), many("operation"), many("provides")}},
         {"hooks",
          {optional("configure", ValueKind::Boolean), optional("start", ValueKind::Boolean),
           optional("update", ValueKind::Boolean), optional("stop", ValueKind::Boolean),
@@ -67,8 +78,13 @@ std::vector<ElementRule> makeRules() {
 
 }  // namespace
 
-const ElementRule* ruleFor(const std::string& element) {
+const std::vector<ElementRule>& allRules() {
     static const std::vector<ElementRule> rules = makeRules();
+    return rules;
+}
+
+const ElementRule* ruleFor(const std::string& element) {
+    const auto& rules = allRules();
     const auto found =
         std::find_if(rules.begin(), rules.end(), [&](const ElementRule& rule) { return rule.name == element; });
     return found == rules.end() ? nullptr : &*found;

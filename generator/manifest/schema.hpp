@@ -32,6 +32,12 @@ struct ElementRule {
     bool hasText = false;
 };
 
+/// The rules of all elements, that of the root first.
+const std::vector<ElementRule>& allRules();
+
+/// The same as XML Schema (XSD 1.0), less what that cannot say.
+std::string schemaText();
+
 /// Null for an unknown element.
 const ElementRule* ruleFor(const std::string& element);
 

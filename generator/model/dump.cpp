@@ -25,9 +25,12 @@ Json toJson(const Attribute& attribute);
 Json toJson(const Component& component);
 Json toJson(const Operation& operation);
 Json toJson(const Person& person);
+Json toJson(const Plugin& plugin);
 Json toJson(const Port& port);
 Json toJson(const Property& property);
-Json toJson(const ServiceUse& service);
+Json toJson(const Requirement& required);
+Json toJson(const Service& service);
+Json toJson(const ServicePlugin& service);
 Json toJson(const Text& text);
 
 template <class T>
@@ -83,6 +86,10 @@ Json toJson(const Attribute& attribute) {
     Json json = started(attribute.name);
     put(json, "type", attribute.type);
     if (attribute.defaultValue.given()) json["default"] = attribute.defaultValue.value;
+    if (attribute.constant) json["constant"] = true;
+    put(json, "unit", attribute.unit);
+    put(json, "min", attribute.minimum);
+    put(json, "max", attribute.maximum);
     put(json, "doc", attribute.doc);
     return json;
 }
@@ -104,10 +111,44 @@ Json toJson(const Operation& operation) {
     return json;
 }
 
-Json toJson(const ServiceUse& service) {
+template <class T>
+void putList(Json& into, const char* key, const std::vector<T>& items) {
+    if (!items.empty()) into[key] = toJson(items);
+}
+
+void putInterface(Json& json, const Interface& interface) {
+    putList(json, "ports", interface.ports);
+    putList(json, "properties", interface.properties);
+    putList(json, "attributes", interface.attributes);
+    putList(json, "operations", interface.operations);
+    putList(json, "services", interface.services);
+}
+
+Json toJson(const Service& service) {
     Json json = started(service.name);
-    json["role"] = service.role == ServiceRole::Required ? "required" : "provided";
     put(json, "doc", service.doc);
+    putInterface(json, service);
+    return json;
+}
+
+Json toJson(const Requirement& required) {
+    Json json = started(required.name);
+    put(json, "doc", required.doc);
+    putList(json, "operations", required.operations);
+    return json;
+}
+
+Json toJson(const ServicePlugin& service) {
+    Json json = started(service.name);
+    put(json, "class", service.className);
+    put(json, "doc", service.doc);
+    putInterface(json, service);
+    return json;
+}
+
+Json toJson(const Plugin& plugin) {
+    Json json = started(plugin.name);
+    put(json, "doc", plugin.doc);
     return json;
 }
 
@@ -135,11 +176,8 @@ Json toJson(const Component& component) {
     json["initial"] = component.initial == InitialState::Stopped ? "Stopped" : "PreOperational";
     if (component.activity) json["activity"] = toJson(*component.activity);
     put(json, "doc", component.doc);
-    json["ports"] = toJson(component.ports);
-    json["properties"] = toJson(component.properties);
-    json["attributes"] = toJson(component.attributes);
-    json["operations"] = toJson(component.operations);
-    json["services"] = toJson(component.services);
+    putInterface(json, component);
+    putList(json, "required", component.required);
     json["hooks"] = toJson(component.hooks);
     return json;
 }
@@ -159,10 +197,13 @@ std::string dump(const Package& package) {
     put(json, "version", package.version);
     put(json, "license", package.license);
     put(json, "description", package.description);
-    json["maintainers"] = toJson(package.maintainers);
-    json["dependencies"] = toJson(package.dependencies);
-    json["typekits"] = toJson(package.typekitHeaders);
-    json["components"] = toJson(package.components);
+    putList(json, "maintainers", package.maintainers);
+    putList(json, "authors", package.authors);
+    putList(json, "dependencies", package.dependencies);
+    putList(json, "typekits", package.typekitHeaders);
+    putList(json, "components", package.components);
+    putList(json, "services", package.services);
+    putList(json, "plugins", package.plugins);
     return json.dump(2) + "\n";
 }
 

@@ -31,7 +31,6 @@ enum class Direction { In, Out };
 enum class Thread { Client, Own };
 enum class ActivityKind { Periodic, NonPeriodic, Sequential, Slave };
 enum class InitialState { PreOperational, Stopped };
-enum class ServiceRole { Required, Provided };
 
 /// Connection policy that a port proposes to those who connect it.
 struct Policy {
@@ -65,10 +64,15 @@ struct Property {
     diag::Location where;
 };
 
+/// A value without description in the runtime. A constant is set once, by its default.
 struct Attribute {
     Text name;
     Text type;
     Text defaultValue;
+    bool constant = false;
+    std::optional<Number> minimum;
+    std::optional<Number> maximum;
+    std::string unit;
     std::string doc;
     diag::Location where;
 };
@@ -90,9 +94,28 @@ struct Operation {
     diag::Location where;
 };
 
-struct ServiceUse {
+struct Service;
+
+/// What others see of a component or a service.
+struct Interface {
+    std::vector<Port> ports;
+    std::vector<Property> properties;
+    std::vector<Attribute> attributes;
+    std::vector<Operation> operations;
+    std::vector<Service> services;
+};
+
+/// A part of the interface of a component under a name of its own; services can have services.
+struct Service : Interface {
     Text name;
-    ServiceRole role = ServiceRole::Required;
+    std::string doc;
+    diag::Location where;
+};
+
+/// A service of a peer that a component calls.
+struct Requirement {
+    Text name;
+    std::vector<Operation> operations;
     std::string doc;
     diag::Location where;
 };
@@ -116,17 +139,28 @@ struct Hooks {
     bool exception = false;
 };
 
-struct Component {
+struct Component : Interface {
     Text className;  ///< qualified: "tank::Controller"
     InitialState initial = InitialState::Stopped;
     std::optional<Activity> activity;  ///< the runtime's default if not given
     std::string doc;
-    std::vector<Port> ports;
-    std::vector<Property> properties;
-    std::vector<Attribute> attributes;
-    std::vector<Operation> operations;
-    std::vector<ServiceUse> services;
+    std::vector<Requirement> required;
     Hooks hooks;
+    diag::Location where;
+};
+
+/// A service in a library of its own, which components load by name.
+struct ServicePlugin : Interface {
+    Text name;
+    Text className;  ///< qualified: "tank::Recorder"
+    std::string doc;
+    diag::Location where;
+};
+
+/// Code in a library of its own that runs when it is loaded, into a component or into the process.
+struct Plugin {
+    Text name;
+    std::string doc;
     diag::Location where;
 };
 
@@ -135,12 +169,13 @@ struct Person {
     Text email;
 };
 
-/// Parts of a package that are written once from a template and described by no manifest.
-struct Skeletons {
-    bool component = false;
-    bool plugin = false;
-    bool service = false;
-    bool support = false;
+enum class SkeletonKind { Component, Plugin, Service, Support, Application };
+
+/// A part of a package that is written once from a template and described by no manifest.
+struct Skeleton {
+    SkeletonKind kind = SkeletonKind::Component;
+    std::string name;       ///< of its library or program, and in the names of its files
+    std::string className;  ///< qualified; of components and services
 };
 
 struct Package {
@@ -149,10 +184,13 @@ struct Package {
     Text license;
     std::string description;
     std::vector<Person> maintainers;
+    std::vector<Person> authors;
     std::vector<Text> dependencies;    ///< names of packages
     std::vector<Text> typekitHeaders;  ///< relative to the package: "include/tank/tank-types.hpp"
     std::vector<Component> components;
-    Skeletons skeletons;
+    std::vector<ServicePlugin> services;
+    std::vector<Plugin> plugins;
+    std::vector<Skeleton> skeletons;
     diag::Location where;
 };
 

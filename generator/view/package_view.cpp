@@ -9,6 +9,8 @@
 
 #include <model/cpp_type.hpp>
 #include <view/cpp_text.hpp>
+#include <view/interface_view.hpp>
+#include <view/skeleton_view.hpp>
 #include <xml/escape.hpp>
 
 namespace oroforge::view {
@@ -19,19 +21,17 @@ using nlohmann::json;
 
 std::string orElse(const model::Text& text, const char* fallback) { return text.given() ? text.value : fallback; }
 
-/// "Controller" → "controller": the usual name of an instance.
-std::string instanceName(const std::string& className) {
-    std::string result = className;
-    if (!result.empty()) result[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(result[0])));
-    return result;
-}
-
-json maintainersOf(const model::Package& package) {
+json people(const std::vector<model::Person>& persons) {
     json list = json::array();
-    for (const model::Person& person : package.maintainers) {
+    for (const model::Person& person : persons) {
         list.push_back(
             {{"name", xml::escapeText(person.name.value)}, {"email", xml::escapeAttribute(person.email.value)}});
     }
+    return list;
+}
+
+json maintainersOf(const model::Package& package) {
+    json list = people(package.maintainers);
     // The format of package.xml demands one.
     if (list.empty()) list.push_back({{"name", "Unknown"}, {"email", "unknown@example.org"}});
     return list;
@@ -58,8 +58,12 @@ json deployedProperties(const model::Component& component) {
         const std::string type = cpfType(property.type.value);
         if (!property.defaultValue.given() || type.empty()) continue;
         std::string value = property.defaultValue.value;
+        const std::string literal = type == "string" ? stringLiteral(value)
+                                    : type == "char" ? "'" + value + "'"
+                                                     : value;
         if (type == "boolean") value = value == "true" ? "1" : "0";
-        list.push_back({{"name", property.name.value}, {"type", type}, {"value", xml::escapeText(value)}});
+        list.push_back(
+            {{"name", property.name.value}, {"type", type}, {"value", xml::escapeText(value)}, {"literal", literal}});
     }
     return list;
 }
@@ -67,23 +71,24 @@ json deployedProperties(const model::Component& component) {
 struct Connection {
     std::string type;
     const model::Port* input = nullptr;
-    bool hasOutput = false;
-    bool isConnectable() const { return input != nullptr && hasOutput; }
+    std::vector<std::string> inputs;   ///< instances that have such a port
+    std::vector<std::string> outputs;  ///< the same
+    bool isConnectable() const { return input != nullptr && !outputs.empty(); }
 };
 
 /// Ports of one name and type, at least one output and one input, make a connection of that name.
 std::map<std::string, Connection> connectionsOf(const model::Package& package) {
     std::map<std::string, Connection> connections;
     for (const auto& component : package.components) {
+        const std::string instance = instanceName(lastName(component.className.value));
         for (const auto& port : component.ports) {
             const std::string type = model::normalised(port.type.value);
             Connection& connection =
-                connections.emplace(port.name.value, Connection{type, nullptr, false}).first->second;
+                connections.emplace(port.name.value, Connection{type, nullptr, {}, {}}).first->second;
             if (connection.type != type) continue;
-            if (port.direction == model::Direction::Out)
-                connection.hasOutput = true;
-            else if (connection.input == nullptr || port.policy)
-                connection.input = &port;
+            const bool output = port.direction == model::Direction::Out;
+            (output ? connection.outputs : connection.inputs).push_back(instance);
+            if (!output && (connection.input == nullptr || port.policy)) connection.input = &port;
         }
     }
     return connections;
@@ -97,7 +102,16 @@ json connectionViews(const std::map<std::string, Connection>& connections) {
         if (!connection.isConnectable()) continue;
         const auto& policy = connection.input->policy;
         json size = policy && policy->size ? json(policy->size->text) : json(nullptr);
-        list.push_back({{"name", name}, {"policyType", policy ? policyNumber(policy->type) : 0}, {"size", size}});
+        json links = json::array();
+        for (const std::string& output : connection.outputs) {
+            for (const std::string& input : connection.inputs) {
+                links.push_back({{"from", output + "." + name}, {"to", input + "." + name}});
+            }
+        }
+        list.push_back({{"name", name},
+                        {"policyType", policy ? policyNumber(policy->type) : 0},
+                        {"size", size},
+                        {"links", links}});
     }
     return list;
 }
@@ -146,17 +160,31 @@ std::vector<std::string> installedHeaders(const model::Package& package) {
     std::vector<std::string> headers = typekitHeaders(package);
     for (const auto& component : package.components)
         headers.push_back("src/" + lastName(component.className.value) + ".hpp");
-    const std::string& name = package.name.value;
-    if (package.skeletons.component) headers.push_back("src/" + name + "-component.hpp");
-    if (package.skeletons.support) headers.push_back("include/" + name + "/" + name + "-support.hpp");
+    for (const auto& service : package.services) headers.push_back("src/" + lastName(service.className.value) + ".hpp");
     return headers;
 }
 
-std::vector<std::string> testFiles(const model::Package& package) {
-    std::vector<std::string> files;
-    for (const auto& component : package.components) files.push_back(lastName(component.className.value) + "_test.cpp");
-    if (package.skeletons.component) files.push_back(package.name.value + "-component_test.cpp");
-    return files;
+json serviceEntries(const model::Package& package) {
+    json list = json::array();
+    for (const model::ServicePlugin& service : package.services) {
+        list.push_back({{"class", lastName(service.className.value)},
+                        {"qualified", service.className.value},
+                        {"service", service.name.value},
+                        {"target", package.name.value + "-" + service.name.value + "-service"},
+                        {"summary", service.doc.empty() ? json(nullptr) : json(oneLine(service.doc))}});
+    }
+    return list;
+}
+
+json pluginEntries(const model::Package& package) {
+    json list = json::array();
+    for (const model::Plugin& plugin : package.plugins) {
+        list.push_back({{"name", plugin.name.value},
+                        {"plugin", plugin.name.value},
+                        {"target", package.name.value + "-" + plugin.name.value},
+                        {"comment", commentLines(plugin.doc)}});
+    }
+    return list;
 }
 
 std::set<std::string> ownNamespaces(const model::Package& package) {
@@ -165,18 +193,16 @@ std::set<std::string> ownNamespaces(const model::Package& package) {
         const std::string space = namespaceOf(component.className.value);
         if (!space.empty()) spaces.insert(space);
     }
+    for (const auto& service : package.services) {
+        const std::string space = namespaceOf(service.className.value);
+        if (!space.empty()) spaces.insert(space);
+    }
     return spaces;
 }
 
-std::set<std::string> qualifiedNamesIn(const model::Component& component) {
+std::set<std::string> qualifiedNames(const std::vector<std::string>& types) {
     std::string text;
-    for (const auto& port : component.ports) text += port.type.value + ";";
-    for (const auto& property : component.properties) text += property.type.value + ";";
-    for (const auto& attribute : component.attributes) text += attribute.type.value + ";";
-    for (const auto& operation : component.operations) {
-        text += operation.returns.value + ";";
-        for (const auto& argument : operation.arguments) text += argument.type.value + ";";
-    }
+    for (const std::string& type : types) text += type + ";";
     static const std::regex qualified("[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)+");
     std::set<std::string> names;
     for (std::sregex_iterator it(text.begin(), text.end(), qualified), end; it != end; ++it) names.insert(it->str());
@@ -197,32 +223,40 @@ json packageView(const model::Package& package, const std::string& manifest) {
     view["description"] = xml::escapeText(package.description.empty() ? "The package " + name : package.description);
     view["summary"] = package.description.empty() ? json(nullptr) : json(package.description);
     view["maintainers"] = maintainersOf(package);
+    view["authors"] = people(package.authors);
     view["dependencies"] = json::array();
     for (const auto& dependency : package.dependencies) view["dependencies"].push_back({{"name", dependency.value}});
     view["typekitHeaderList"] = joined(typekitHeaders(package));
     view["installedHeaderList"] = joined(installedHeaders(package));
-    view["tests"] = testFiles(package);
     view["hasTypekit"] = !package.typekitHeaders.empty();
     view["components"] = componentEntries(package);
     view["hasComponents"] = !package.components.empty();
-    view["manifest"] = package.components.empty() ? json(nullptr) : json(manifest);
+    view["services"] = serviceEntries(package);
+    view["plugins"] = pluginEntries(package);
+    view["manifest"] = orNull(package.components.empty() && package.services.empty() ? "" : manifest);
+    view["hasManifestTests"] = !view["manifest"].is_null();
     view["connections"] = connectionViews(connectionsOf(package));
-    view["component"] = package.skeletons.component;
-    view["plugin"] = package.skeletons.plugin;
-    view["service"] = package.skeletons.service;
-    view["support"] = package.skeletons.support;
-    view["deployable"] = package.skeletons.component || !package.components.empty();
+    view["hasConnections"] = !view["connections"].empty();
+    view["skeletons"] = package.skeletons.empty() ? json(nullptr) : skeletonsView(package);
+    view["deployedSkeletons"] = skeletonsView(package)["components"];
+    view["deployable"] = view["hasComponents"] || !view["deployedSkeletons"].empty();
+    view["hasTests"] = view["hasManifestTests"] || view["deployable"];
+    view["buildTool"] = "cmake";
     return view;
 }
 
 json typekitView(const model::Package& package, const std::string& header) {
     const auto spaces = ownNamespaces(package);
     std::map<std::string, std::set<std::string>> structs;
-    for (const auto& component : package.components) {
-        for (const std::string& name : qualifiedNamesIn(component)) {
+    const auto addStructs = [&](const std::vector<std::string>& types) {
+        for (const std::string& name : qualifiedNames(types)) {
             if (spaces.count(namespaceOf(name)) != 0) structs[namespaceOf(name)].insert(lastName(name));
         }
+    };
+    for (const auto& component : package.components) {
+        addStructs(typesIn(component, component.required));
     }
+    for (const auto& service : package.services) addStructs(typesIn(service, {}));
     json view;
     view["package"] = package.name.value;
     view["guard"] = guardName(includeName(header, package.name.value));

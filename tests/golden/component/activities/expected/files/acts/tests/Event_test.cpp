@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rtt/extras/ComponentHarness.hpp>
+
 namespace {
 
 TEST(Event, CanBeMade) {
@@ -11,13 +13,17 @@ TEST(Event, CanBeMade) {
     EXPECT_EQ(component.getTaskState(), acts::Event::Stopped);
 }
 
-TEST(Event, ConfiguresStartsAndStops) {
+TEST(Event, RunsStepByStep) {
     acts::Event component("component");
+    RTT::extras::ComponentHarness harness(component);
 
-    ASSERT_TRUE(component.configure());
-    EXPECT_EQ(component.getTaskState(), acts::Event::Stopped);
-    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(harness.start());
+    harness.step();
     EXPECT_TRUE(component.isRunning());
+
+    // The probes above return what the test goes on with: .write(sample) of an input, .last() and .all() of an output;
+    // harness.call<double(int)>("operation", 1) calls, harness.step(0.5) lets half a second pass.
+
     ASSERT_TRUE(component.stop());
     EXPECT_TRUE(component.cleanup());
     EXPECT_EQ(component.getTaskState(), acts::Event::PreOperational);

@@ -5,9 +5,9 @@ namespace services {
 
 ClientBase::ClientBase(const std::string& name)
     : RTT::TaskContext(name, Stopped) {
+    this->provides("diagnosis")->doc("what went wrong");
     this->requires_("calibration");  // offsets of the sensors
     this->requires_("clock");
-    this->provides("diagnosis")->doc("what went wrong");
 }
 
 }  // namespace services

@@ -22,9 +22,10 @@ ControllerBase::ControllerBase(const std::string& name)
 }
 
 bool ControllerBase::configure() {
+    const std::string& owner = this->getName();
     bool inRange = true;
     if (!(gain_ >= 0.0)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'gain' is " << +gain_ << " 1/s"
+        RTT::log(RTT::Error) << owner << ": property 'gain' is " << +gain_ << " 1/s"
                              << ", expected at least 0" << RTT::endlog();
         inRange = false;
     }

@@ -22,8 +22,8 @@ class ControllerBase : public RTT::TaskContext {
 public:
     explicit ControllerBase(const std::string& name);
 
-    /// Checks the ranges of the properties and, if they hold, configures: configureHook() can rely on them.
-    /// False, with an error in the log for each property outside of its range, and without configureHook(), if not.
+    /// Checks the ranges of properties and attributes and, if they hold, configures: configureHook() can rely on them.
+    /// False, with an error in the log for each value outside of its range, and without configureHook(), if not.
     bool configure() override;
 
     // Operations

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rtt/extras/ComponentHarness.hpp>
+
 namespace {
 
 TEST(Controller, CanBeMade) {
@@ -38,13 +40,19 @@ TEST(Controller, HasItsOperations) {
     EXPECT_TRUE(component.provides()->hasOperation("reset"));
 }
 
-TEST(Controller, ConfiguresStartsAndStops) {
+TEST(Controller, RunsStepByStep) {
     tank::Controller component("component");
+    RTT::extras::ComponentHarness harness(component, 0.01);
+    harness.input<tank::LevelSample>("level");
+    harness.output<double>("valve");
 
-    ASSERT_TRUE(component.configure());
-    EXPECT_EQ(component.getTaskState(), tank::Controller::Stopped);
-    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(harness.start());
+    harness.step();
     EXPECT_TRUE(component.isRunning());
+
+    // The probes above return what the test goes on with: .write(sample) of an input, .last() and .all() of an output;
+    // harness.call<double(int)>("operation", 1) calls, harness.step(0.5) lets half a second pass.
+
     ASSERT_TRUE(component.stop());
     EXPECT_TRUE(component.cleanup());
     EXPECT_EQ(component.getTaskState(), tank::Controller::PreOperational);

@@ -16,14 +16,15 @@ SourceBase::SourceBase(const std::string& name)
 }
 
 bool SourceBase::configure() {
+    const std::string& owner = this->getName();
     bool inRange = true;
     if (!(step_ >= -5.0)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'step' is " << +step_ << " 1/s"
+        RTT::log(RTT::Error) << owner << ": property 'step' is " << +step_ << " 1/s"
                              << ", expected at least -5" << RTT::endlog();
         inRange = false;
     }
     if (!(step_ <= 5.0)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'step' is " << +step_ << " 1/s"
+        RTT::log(RTT::Error) << owner << ": property 'step' is " << +step_ << " 1/s"
                              << ", expected at most 5" << RTT::endlog();
         inRange = false;
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rtt/extras/ComponentHarness.hpp>
+
 namespace {
 
 TEST(Sink, CanBeMade) {
@@ -23,13 +25,18 @@ TEST(Sink, HasItsOperations) {
     EXPECT_TRUE(component.provides()->hasOperation("sum"));
 }
 
-TEST(Sink, ConfiguresStartsAndStops) {
+TEST(Sink, RunsStepByStep) {
     pair::Sink component("component");
+    RTT::extras::ComponentHarness harness(component);
+    harness.input<double>("value");
 
-    ASSERT_TRUE(component.configure());
-    EXPECT_EQ(component.getTaskState(), pair::Sink::Stopped);
-    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(harness.start());
+    harness.step();
     EXPECT_TRUE(component.isRunning());
+
+    // The probes above return what the test goes on with: .write(sample) of an input, .last() and .all() of an output;
+    // harness.call<double(int)>("operation", 1) calls, harness.step(0.5) lets half a second pass.
+
     ASSERT_TRUE(component.stop());
     EXPECT_TRUE(component.cleanup());
     EXPECT_EQ(component.getTaskState(), pair::Sink::PreOperational);

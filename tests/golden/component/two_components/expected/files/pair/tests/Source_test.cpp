@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rtt/extras/ComponentHarness.hpp>
+
 namespace {
 
 TEST(Source, CanBeMade) {
@@ -25,13 +27,18 @@ TEST(Source, HasItsProperties) {
     EXPECT_EQ(step_->get(), 1.0);
 }
 
-TEST(Source, ConfiguresStartsAndStops) {
+TEST(Source, RunsStepByStep) {
     pair::Source component("component");
+    RTT::extras::ComponentHarness harness(component, 0.01);
+    harness.output<double>("value");
 
-    ASSERT_TRUE(component.configure());
-    EXPECT_EQ(component.getTaskState(), pair::Source::Stopped);
-    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(harness.start());
+    harness.step();
     EXPECT_TRUE(component.isRunning());
+
+    // The probes above return what the test goes on with: .write(sample) of an input, .last() and .all() of an output;
+    // harness.call<double(int)>("operation", 1) calls, harness.step(0.5) lets half a second pass.
+
     ASSERT_TRUE(component.stop());
     EXPECT_TRUE(component.cleanup());
     EXPECT_EQ(component.getTaskState(), pair::Source::PreOperational);

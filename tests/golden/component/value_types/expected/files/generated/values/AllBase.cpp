@@ -26,39 +26,40 @@ AllBase::AllBase(const std::string& name)
 }
 
 bool AllBase::configure() {
+    const std::string& owner = this->getName();
     bool inRange = true;
     if (!(tiny_ >= -10)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'tiny' is " << +tiny_
+        RTT::log(RTT::Error) << owner << ": property 'tiny' is " << +tiny_
                              << ", expected at least -10" << RTT::endlog();
         inRange = false;
     }
     if (!(tiny_ <= 10)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'tiny' is " << +tiny_
+        RTT::log(RTT::Error) << owner << ": property 'tiny' is " << +tiny_
                              << ", expected at most 10" << RTT::endlog();
         inRange = false;
     }
     if (!(byte_ <= 200U)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'byte' is " << +byte_
+        RTT::log(RTT::Error) << owner << ": property 'byte' is " << +byte_
                              << ", expected at most 200" << RTT::endlog();
         inRange = false;
     }
     if (!(count_ >= 1U)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'count' is " << +count_
+        RTT::log(RTT::Error) << owner << ": property 'count' is " << +count_
                              << ", expected at least 1" << RTT::endlog();
         inRange = false;
     }
     if (!(ratio_ >= 0.1F)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'ratio' is " << +ratio_ << " %"
+        RTT::log(RTT::Error) << owner << ": property 'ratio' is " << +ratio_ << " %"
                              << ", expected at least 0.1" << RTT::endlog();
         inRange = false;
     }
     if (!(ratio_ <= 1e3F)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'ratio' is " << +ratio_ << " %"
+        RTT::log(RTT::Error) << owner << ": property 'ratio' is " << +ratio_ << " %"
                              << ", expected at most 1e3" << RTT::endlog();
         inRange = false;
     }
     if (!(whole_ >= -1.0)) {
-        RTT::log(RTT::Error) << this->getName() << ": property 'whole' is " << +whole_
+        RTT::log(RTT::Error) << owner << ": property 'whole' is " << +whole_
                              << ", expected at least -1" << RTT::endlog();
         inRange = false;
     }

@@ -6,6 +6,7 @@
 /// loadService("my_pkg_service") adds it to a component.
 class My_pkgService : public RTT::Service {
 public:
+    /// `owner` is the component; null where only the interface is asked for.
     explicit My_pkgService(RTT::TaskContext* owner) : RTT::Service("my_pkg_service", owner) {
         this->doc("A service of the package my-pkg.");
         this->addOperation("getOwnerName", &My_pkgService::getOwnerName, this).doc("Name of the component that loaded the service.");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rtt/extras/ComponentHarness.hpp>
+
 TEST(Mypkg, CanBeMade) {
     Mypkg component("component");
 
@@ -9,12 +11,17 @@ TEST(Mypkg, CanBeMade) {
     EXPECT_EQ(component.getTaskState(), Mypkg::Stopped);
 }
 
-TEST(Mypkg, ConfiguresStartsAndStops) {
+TEST(Mypkg, RunsStepByStep) {
     Mypkg component("component");
+    RTT::extras::ComponentHarness harness(component);
 
-    ASSERT_TRUE(component.configure());
-    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(harness.start());
+    harness.step();
     EXPECT_TRUE(component.isRunning());
+
+    // harness.input<double>("in").write(1.0) and harness.output<double>("out").last() reach ports that it has,
+    // harness.call<double>("operation", 1.0) its operations, and harness.step(0.5) lets half a second pass.
+
     ASSERT_TRUE(component.stop());
     EXPECT_TRUE(component.cleanup());
     EXPECT_EQ(component.getTaskState(), Mypkg::PreOperational);
