@@ -107,7 +107,8 @@ void checkComponent(const model::Component& component, diag::Sink& sink) {
     checkClassName(component.className, sink);
     checkInterface(component, Owner::Component, sink);
     for (const auto& required : component.required) {
-        checkIdentifier("service", required.name, sink);
+        // "this" is the component's own requester: operations that no service of the peer has.
+        if (required.name.value != "this") checkIdentifier("service", required.name, sink);
         for (const auto& operation : required.operations) checkOperation(operation, Owner::ProvidedService, sink);
     }
 }

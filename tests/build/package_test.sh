@@ -31,7 +31,7 @@ expect_resolved() { # install
 deploy_until() { # text option…
   local text=$1 status=0
   shift
-  (cd "$work" && exec deployer-gnulinux "$@" < /dev/null > deploy.out 2>&1) &
+  (cd "$work" && exec stdbuf -oL deployer-gnulinux "$@" < /dev/null > deploy.out 2>&1) &
   local pid=$!
   for _ in $(seq 1 1200); do  # a minute: the machine may be busy
     grep -qF -- "$text" "$work/deploy.out" 2> /dev/null && break
