@@ -83,6 +83,27 @@ TEST_F(PackageParts, CatkinByOptionAndByName) {
     }
 }
 
+// As ROS reads it: catkin_pkg is the library behind catkin, rosdep and bloom.
+TEST_F(PackageParts, ToolsOfRosAcceptThePackage) {
+    ASSERT_EQ(run({"plain"}).status, 0);
+    ASSERT_EQ(run({"my-pkg", "typekit", "--catkin", "--license", "MIT", "--author", "Ann <ann@example.org>"}).status, 0);
+    ASSERT_EQ(run({"bare", "empty"}).status, 0);
+    for (const char* name : {"plain", "my-pkg", "bare"}) {
+        test::Command command;
+        command.program = "/usr/bin/python3";
+        command.arguments = {"-c",
+                             "import sys\n"
+                             "from catkin_pkg.package import parse_package\n"
+                             "warnings = []\n"
+                             "package = parse_package(sys.argv[1], warnings=warnings)\n"
+                             "package.validate(warnings=warnings)\n"
+                             "print(package.name, warnings)\n",
+                             (dir_ / name).string()};
+        const test::Outcome outcome = test::run(command);
+        EXPECT_EQ(outcome.out, std::string(name) + " []\n") << outcome.err;
+    }
+}
+
 TEST_F(PackageParts, ADryRunOnlyTells) {
     const test::Outcome outcome = run({"pkg", "component", "--dry-run"});
     EXPECT_NE(outcome.out.find("would write pkg/src/pkg-component.cpp\n"), kNowhere);
