@@ -100,6 +100,9 @@ void checkClasses(const model::Package& package, diag::Sink& sink) {
     };
     for (const auto& component : package.components) add(component.className);
     for (const auto& service : package.services) add(service.className);
+    for (const auto& plugin : package.plugins) {
+        classes.add("plugin", plugin.name.value, plugin.name, "; a file of that name in src/ is made for each");
+    }
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ json pluginEntries(const model::Package& package) {
     for (const model::Plugin& plugin : package.plugins) {
         list.push_back({{"name", plugin.name.value},
                         {"plugin", plugin.name.value},
-                        {"target", package.name.value + "-" + plugin.name.value},
+                        {"target", package.name.value + "-" + plugin.name.value + "-plugin"},
                         {"comment", commentLines(plugin.doc)}});
     }
     return list;
