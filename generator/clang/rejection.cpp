@@ -48,7 +48,7 @@ constexpr Rule kRules[] = {
     {Reason::Misaligned, "TK026", "is packed to an address that does not suit '{}'",
      "order the fields by size instead of packing them"},
     {Reason::WideBitField, "TK033", "is wider than its type '{}'", "use several bit-fields, or a larger type"},
-    {Reason::Unnamed, "TK028", "has an unnamed type '{}'", "give the type a name"},
+    {Reason::Unnamed, "TK028", "has a type without a name outside of its function, '{}'", "declare the type outside"},
     {Reason::InternalLinkage, "TK029", "lies in an unnamed namespace: each file would have its own type",
      "move it into a named namespace"},
     {Reason::HiddenType, "TK030", "has the type '{}', whose name is not public", "make the nested type public", true},

@@ -14,6 +14,33 @@ std::string ownName(const clang::TagDecl& type) {
     return type.getNameAsString();
 }
 
+/// The field for which an unnamed struct is there, as in `struct { int x; } place;`: the first, if there are several.
+const clang::FieldDecl* fieldOfUnnamed(const clang::TagDecl& type) {
+    const auto* record = llvm::dyn_cast<clang::RecordDecl>(&type);
+    const auto* owner = llvm::dyn_cast<clang::RecordDecl>(type.getDeclContext());
+    if (record == nullptr || owner == nullptr || record->isAnonymousStructOrUnion() || !ownName(type).empty())
+        return nullptr;
+    for (const clang::FieldDecl* field : owner->fields()) {
+        const clang::QualType element = type.getASTContext().getBaseElementType(field->getType());
+        const clang::TagDecl* declared = element->getAsTagDecl();
+        if (declared != nullptr && declared->getCanonicalDecl() == type.getCanonicalDecl()) return field;
+    }
+    return nullptr;
+}
+
+/// What such a struct is called: by its field, as it has no other name.
+std::optional<TypeName> nameByField(const clang::FieldDecl& field) {
+    const clang::RecordDecl* owner = field.getParent();
+    while (owner->isAnonymousStructOrUnion()) owner = llvm::cast<clang::RecordDecl>(owner->getParent());
+    const auto outer = nameOf(*owner);
+    if (!outer || field.getName().empty()) return std::nullopt;
+    const std::string own = field.getNameAsString();
+    std::string cpp = "decltype(" + outer->cpp + "::" + own + ")";
+    if (field.getType()->isArrayType()) cpp = "std::remove_all_extents_t<" + cpp + ">";
+    if (field.getType().isConstQualified()) cpp = "std::remove_const_t<" + cpp + ">";
+    return TypeName{cpp, outer->registry + "/" + own};
+}
+
 /// An enumerator of that value; nothing if there is none, or if it has no name that others may use.
 std::optional<TypeName> nameOfEnumerator(const clang::EnumDecl& type, const llvm::APSInt& value) {
     const auto name = nameOf(type);
@@ -78,8 +105,12 @@ bool addScope(const clang::DeclContext* scope, TypeName& name) {
             return addScope(space->getDeclContext(), name);
         return addPart(*space, space->getNameAsString(), name);
     }
-    if (const auto* outer = llvm::dyn_cast<clang::TagDecl>(scope)) return addPart(*outer, ownName(*outer), name);
-    return false;
+    const auto* outer = llvm::dyn_cast<clang::TagDecl>(scope);
+    const auto outerName = outer != nullptr ? nameOf(*outer) : std::nullopt;
+    if (!outerName) return false;
+    name.cpp += outerName->cpp;
+    name.registry += outerName->registry;
+    return true;
 }
 
 bool isWidth(const BuiltinType& type, unsigned bits, bool isSigned, const clang::ASTContext& context) {
@@ -106,6 +137,7 @@ std::optional<std::vector<TypeName>> argumentsOf(const clang::ClassTemplateSpeci
 }
 
 std::optional<TypeName> nameOf(const clang::TagDecl& type) {
+    if (const clang::FieldDecl* field = fieldOfUnnamed(type)) return nameByField(*field);
     TypeName name;
     if (!addPart(type, ownName(type), name)) return std::nullopt;
     return name;
