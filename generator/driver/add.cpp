@@ -67,6 +67,14 @@ std::optional<Command> findCommand(const std::string& cmake, const std::string& 
     return command;
 }
 
+/// Headers stand before the first of the words that have a meaning of their own, as DEPENDS.
+std::size_t endOfHeaders(const std::string& cmake, const Command& call) {
+    const std::string arguments = withoutComments(cmake).substr(call.begin, call.close - call.begin);
+    std::smatch keyword;
+    if (!std::regex_search(arguments, keyword, std::regex("[ \\t\\r\\n]+[A-Z_]+(?=[ \\t\\r\\n]|$)"))) return call.close;
+    return call.begin + static_cast<std::size_t>(keyword.position());
+}
+
 /// What is written: files that must not be there yet, and the build file.
 struct Additions {
     emit::Outputs files;
@@ -79,7 +87,7 @@ std::string withTargets(const std::string& cmake, const Additions& additions, di
     std::string targets = additions.targets;
     if (!additions.header.empty()) {
         if (const auto call = findCommand(text, "orocos_typegen_headers")) {
-            text.insert(call->close, " " + additions.header);
+            text.insert(endOfHeaders(text, *call), " " + additions.header);
         } else {
             targets = "\norocos_typegen_headers(" + additions.header + ")\n";
         }
@@ -99,8 +107,7 @@ std::string withTargets(const std::string& cmake, const Additions& additions, di
     return text;
 }
 
-std::optional<Additions> additionsFor(const std::string& package, const Options& options,
-                                      const render::Renderer& renderer) {
+Additions additionsFor(const std::string& package, const Options& options, const render::Renderer& renderer) {
     const std::string& kind = options.add[0];
     const std::string& name = options.add[1];
     model::Package part;
@@ -137,14 +144,18 @@ void addPart(const Options& options, const render::Renderer& renderer, std::ostr
         sink.error(kHere, "OC009",
                    "no package here: expected a CMakeLists.txt with project() in the current directory");
     }
+    if (project && !check::packageNameFault(project->first).empty()) {
+        sink.error({kBuildFile, 0, 0}, "OC009",
+                   "the package is named '" + project->first + "' by project(); expected a plain name there");
+    }
     if (sink.hadErrors()) return;
 
-    auto additions = additionsFor(project->first, options, renderer);
-    for (const auto& [file, text] : additions->files) {
+    Additions additions = additionsFor(project->first, options, renderer);
+    for (const auto& [file, text] : additions.files) {
         if (fs::exists(file)) sink.error({file, 0, 0}, "OC010", "the file is there already; nothing was written");
     }
-    additions->files[kBuildFile] = withTargets(cmake, *additions, sink);
-    if (!sink.hadErrors()) writeOutputs(additions->files, ".", options.dryRun, out, sink);
+    additions.files[kBuildFile] = withTargets(cmake, additions, sink);
+    if (!sink.hadErrors()) writeOutputs(additions.files, ".", options.dryRun, out, sink);
 }
 
 }  // namespace oroforge::driver

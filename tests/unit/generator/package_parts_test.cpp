@@ -86,7 +86,8 @@ TEST_F(PackageParts, CatkinByOptionAndByName) {
 // As ROS reads it: catkin_pkg is the library behind catkin, rosdep and bloom.
 TEST_F(PackageParts, ToolsOfRosAcceptThePackage) {
     ASSERT_EQ(run({"plain"}).status, 0);
-    ASSERT_EQ(run({"my-pkg", "typekit", "--catkin", "--license", "MIT", "--author", "Ann <ann@example.org>"}).status, 0);
+    ASSERT_EQ(run({"my-pkg", "typekit", "--catkin", "--license", "MIT", "--author", "Ann <ann@example.org>"}).status,
+              0);
     ASSERT_EQ(run({"bare", "empty"}).status, 0);
     for (const char* name : {"plain", "my-pkg", "bare"}) {
         test::Command command;
@@ -138,6 +139,12 @@ TEST_F(PackageParts, AddedTypesJoinTheTypekit) {
     ASSERT_EQ(run({"--add", "typekit", "pump"}, "pkg").status, 0);
     EXPECT_NE(at("orocos_typegen_headers(include/pkg/pkg-types.hpp include/pkg/pump-types.hpp)"), kNowhere);
 
+    dir_.write("third/CMakeLists.txt",
+               "project(third)\norocos_typegen_headers(-v a.hpp # the first )\n  b.hpp\n  DEPENDS "
+               "other)\norocos_generate_package()\n");
+    ASSERT_EQ(run({"--add", "typekit", "pump"}, "third").status, 0);
+    EXPECT_NE(read("third/CMakeLists.txt").find("  b.hpp include/third/pump-types.hpp\n  DEPENDS other)"), kNowhere);
+
     ASSERT_EQ(run({"other", "component"}).status, 0);
     ASSERT_EQ(run({"--add", "typekit", "pump"}, "other").status, 0);
     EXPECT_NE(read("other/CMakeLists.txt").find("orocos_typegen_headers(include/other/pump-types.hpp)"), kNowhere);
@@ -162,6 +169,10 @@ TEST_F(PackageParts, AddWritesOverNothing) {
     EXPECT_NE(run({"--add", "plugin", "1x"}, "pkg").err.find("[OC002]"), kNowhere);
     EXPECT_EQ(test::readTree(dir_ / "pkg"), before);
     EXPECT_NE(run({"--add", "component", "x"}).err.find("[OC009]"), kNowhere);
+
+    dir_.write("computed/CMakeLists.txt", "project(${NAME})\norocos_generate_package()\n");
+    EXPECT_NE(run({"--add", "support", "x"}, "computed").err.find("[OC009] the package is named '${NAME}'"), kNowhere);
+    EXPECT_FALSE(has("computed/src"));
 
     dir_.write("odd/CMakeLists.txt", "project(odd)\n");
     const test::Outcome odd = run({"--add", "support", "x"}, "odd");
