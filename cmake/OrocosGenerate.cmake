@@ -84,6 +84,9 @@ endfunction()
 # ${PROJECT_NAME}_GENERATED_SOURCES is to be listed among a component's sources, ${PROJECT_NAME}_<service>_GENERATED_SOURCES
 # among those of a service; the include path is set by itself.
 function(_oro_generate manifest)
+  if(TARGET ${PROJECT_NAME}-components-generate)
+    message(FATAL_ERROR "orocos_generate_components(${manifest}): called a second time in project ${PROJECT_NAME}; a project has one manifest, with all of its components")
+  endif()
   _oro_find_generator(generator orocreate-pkg)
   set(dir ${PROJECT_BINARY_DIR}/generated)
   get_filename_component(path ${manifest} ABSOLUTE)

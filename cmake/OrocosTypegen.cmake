@@ -274,15 +274,13 @@ function(_oro_typegen)
     "cmake_language(DEFER CALL _oro_write_compiler_flags [[${target}]] [[${flags}-$<COMPILE_LANGUAGE>-$<CONFIG>.txt]])")
 
   install(FILES ${dir}/types/${PROJECT_NAME}/typekit/Types.hpp DESTINATION include/orocos/${PROJECT_NAME}/typekit)
-  list(JOIN requires " " requires)
   _oro_write_pkg_config(${target}-${OROCOS_TARGET} 1.0 "${requires}"
-    "-L\${orocos_libdir}/types -l${target}-${OROCOS_TARGET}" "-I\${includedir}")
+    "-L\${orocos_libdir}/types;-l${target}-${OROCOS_TARGET}" "-I\${includedir}")
 endfunction()
 
 macro(orocos_typegen_headers)
   _oro_typegen(${ARGN})
-  list(APPEND OROCOS_DEFINED_TYPES ${PROJECT_NAME}-typekit)
-  list(APPEND ${PROJECT_NAME}_EXPORTED_LIBRARIES ${PROJECT_NAME}-typekit)
   get_target_property(_oro_typekit_dirs ${PROJECT_NAME}-typekit OROCOS_TYPEKIT_DIR)
   list(APPEND ${PROJECT_NAME}_EXPORTED_INCLUDE_DIRS ${_oro_typekit_dirs}/types)
+  _oro_list_target(typekit ${PROJECT_NAME}-typekit)
 endmacro()

@@ -11,12 +11,13 @@
 #   orocos_plugin / orocos_service   plugin                     …/plugins
 #   orocos_library(name src…)        ordinary shared library    lib
 #   orocos_executable(name src…)     program                    bin
-#   orocos_configure_executable(target)
+#       all of these: [INSTALL dir] [VERSION v] [EXPORT set] [INCLUDES DESTINATION dir]
+#   orocos_configure_executable(target…)
 #   orocos_typegen_headers(header…)  typekit made by typegen    …/types
 #   orocos_typegen_headers(header… COMMITTED folder)   of sources that typegen wrote before
 #   orocos_generate_components(manifest.xml)
 #   orocos_install_headers(…) orocos_generate_package(…) orocos_uninstall_target()
-#   orocos_find_package(pkg …) orocos_use_package(pkg …)
+#   orocos_find_package(pkg…) orocos_use_package(pkg…) orocos_get_manifest_deps(variable)
 #   orocos_add_include_directories(target …) orocos_add_compile_flags(target …)
 #   orocos_link_whole(target …)      as STATIC, for static libraries made by add_library()
 #   orocos_add_link_flags(target …) orocos_set_install_rpath(target …)
@@ -31,11 +32,15 @@ if(NOT OROCOS-RTT_FOUND)
 endif()
 
 include(GNUInstallDirs)
+include(${CMAKE_CURRENT_LIST_DIR}/OrocosConfigure.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosTargets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosGenerate.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosTypegen.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/OrocosCatkin.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/OrocosExport.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosPackage.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/OrocosHelpers.cmake)
 
 if(NOT USE_OROCOS_RTT)
   set(USE_OROCOS_RTT TRUE)
@@ -44,6 +49,7 @@ if(NOT USE_OROCOS_RTT)
     set(OROCOS_SUFFIX /${OROCOS_TARGET})
   endif()
   option(OROCOS_NO_AUTO_LINKING "Do not link targets with the libraries of used packages" OFF)
+  _oro_forget_last_run()
 
   # The word "orocos" stands for the prefix of the toolchain; anything else is a path.
   if(INSTALL_PATH AND NOT ORO_DEFAULT_INSTALL_PREFIX)
@@ -54,11 +60,17 @@ if(NOT USE_OROCOS_RTT)
   elseif(ORO_DEFAULT_INSTALL_PREFIX)
     set(CMAKE_INSTALL_PREFIX ${ORO_DEFAULT_INSTALL_PREFIX} CACHE PATH "Install prefix" FORCE)
   endif()
+endif()
 
+# Once for each project: of a workspace, the first may have included this file for all.
+if(NOT "${_oro_set_up}" STREQUAL "${PROJECT_SOURCE_DIR}")
+  set(_oro_set_up "${PROJECT_SOURCE_DIR}")
+  _oro_choose_flavour()
+  _oro_set_output_directories()
   orocos_get_manifest_deps(_oro_manifest_deps)
-  foreach(_oro_dep ${_oro_manifest_deps})
-    orocos_use_package(${_oro_dep} OROCOS_ONLY)
-  endforeach()
+  if(_oro_manifest_deps)
+    orocos_use_package(${_oro_manifest_deps} OROCOS_ONLY)
+  endif()
 endif()
 
 cmake_policy(POP)

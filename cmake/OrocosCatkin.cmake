@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Private part of UseOrocos.cmake: where a project is built. Plain CMake, or catkin, which builds what is to be loaded into
+# a "devel space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one. catkin itself need not be there.
+
+# Sets _oro_devel to the devel space, or to nothing where there is none.
+macro(_oro_choose_flavour)
+  set(_oro_devel "")
+  if(ORO_USE_ROSBUILD OR COMMAND rosbuild_init)
+    message(WARNING "rosbuild is not supported: ${PROJECT_NAME} is built by plain CMake, into its build folder")
+  endif()
+  set(_oro_catkin FALSE)
+  if(DEFINED ORO_USE_CATKIN)
+    set(_oro_catkin ${ORO_USE_CATKIN})
+  elseif((catkin_FOUND OR CATKIN_DEVEL_PREFIX) AND EXISTS ${PROJECT_SOURCE_DIR}/package.xml)
+    set(_oro_catkin TRUE)
+  endif()
+  if(_oro_catkin)
+    if(NOT CATKIN_DEVEL_PREFIX)
+      find_package(catkin QUIET)
+    endif()
+    if(NOT CATKIN_DEVEL_PREFIX)
+      set(CATKIN_DEVEL_PREFIX ${CMAKE_BINARY_DIR}/devel)
+      message(STATUS "ORO_USE_CATKIN without catkin: the devel space is ${CATKIN_DEVEL_PREFIX}")
+    endif()
+    get_filename_component(_oro_devel ${CATKIN_DEVEL_PREFIX} ABSOLUTE BASE_DIR ${CMAKE_BINARY_DIR})
+  endif()
+endmacro()
+
+# ORO_{COMPONENT,TYPEKIT,PLUGIN}_OUTPUT_DIRECTORY. What a package puts into one of them is used instead of what is written
+# here; but what is here for one project is not for the next, which inherits the variables.
+macro(_oro_set_output_directories)
+  foreach(_oro_kind COMPONENT TYPEKIT PLUGIN)
+    _oro_default_output(${_oro_kind} _oro_default_${_oro_kind}_new)
+    if(NOT ORO_${_oro_kind}_OUTPUT_DIRECTORY OR "${ORO_${_oro_kind}_OUTPUT_DIRECTORY}" STREQUAL "${_oro_default_${_oro_kind}}")
+      set(ORO_${_oro_kind}_OUTPUT_DIRECTORY ${_oro_default_${_oro_kind}_new})
+    endif()
+    set(_oro_default_${_oro_kind} ${_oro_default_${_oro_kind}_new})
+  endforeach()
+endmacro()
+
+# Where libraries of a kind are built if nobody says otherwise.
+function(_oro_default_output kind result)
+  set(COMPONENT "")
+  set(TYPEKIT /types)
+  set(PLUGIN /plugins)
+  set(base ${PROJECT_BINARY_DIR})
+  if(_oro_devel)
+    set(base ${_oro_devel}/lib)
+  elseif(CMAKE_LIBRARY_OUTPUT_DIRECTORY)
+    set(base ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+  endif()
+  set(${result} ${base}/orocos${OROCOS_SUFFIX}/${PROJECT_NAME}${${kind}} PARENT_SCOPE)
+endfunction()
+
+# The folder that a target of the kind is to be built into; the variable may have been set, or
+# CMAKE_LIBRARY_OUTPUT_DIRECTORY, since the macros were included.
+function(_oro_output_directory kind result)
+  _oro_default_output(${kind} directory)
+  if(NOT "${ORO_${kind}_OUTPUT_DIRECTORY}" STREQUAL "${_oro_default_${kind}}" AND ORO_${kind}_OUTPUT_DIRECTORY)
+    get_filename_component(directory ${ORO_${kind}_OUTPUT_DIRECTORY} ABSOLUTE BASE_DIR ${PROJECT_BINARY_DIR})
+  endif()
+  set(${result} ${directory} PARENT_SCOPE)
+endfunction()
+
+# The pkg-config file of the devel space: folders of the source and of the build tree.
+function(_oro_write_devel_pkg_config name version requires targets include_dirs)
+  set(libs "")
+  foreach(target ${targets})
+    _oro_library_directory(dir ${target})
+    get_target_property(type ${target} TYPE)
+    get_target_property(kind ${target} OROCOS_KIND)
+    if(kind STREQUAL "component" AND type STREQUAL "STATIC_LIBRARY")
+      _oro_whole_archive(whole ${dir}/lib${target}-${OROCOS_TARGET}.a)
+      list(APPEND libs ${whole})
+    else()
+      list(APPEND libs -L${dir} -l${target}-${OROCOS_TARGET})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES libs)
+  set(cflags ${include_dirs})
+  list(TRANSFORM cflags PREPEND -I)
+  _oro_configure_pkg_config(${_oro_devel}/lib/pkgconfig/${name}.pc ${_oro_devel} "${name}" "${version}" "${requires}"
+    "${libs}" "${cflags}")
+endfunction()
+
+# catkin wants every package to call catkin_package(). Those that do not, have it called for them.
+macro(_oro_catkin_package)
+  if(_oro_devel AND COMMAND catkin_package AND NOT ${PROJECT_NAME}_CATKIN_PACKAGE)
+    catkin_package()
+  endif()
+endmacro()
