@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# debian_packages.sh BUILD: the Debian packages of this build are installed by apt into a bare system, and there an ordinary
+# user takes the first steps: scaffold, generate, build, test, deploy. Needs root, debootstrap and a mirror of Debian.
+set -euo pipefail
+build=$1
+source=$(cd "$(dirname "$0")/../.." && pwd)
+skip() { echo "SKIPPED: $*"; exit 77; }
+fail() { echo "FAILED: $*" >&2; exit 1; }
+mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
+[ "$(id -u)" = 0 ] || skip "debootstrap needs root"
+command -v debootstrap > /dev/null || skip "no debootstrap (./dev stress installs it)"
+if [ "${OWN_MOUNTS:-}" != yes ]; then
+  # What is mounted below is gone when the script ends, however it ends.
+  OWN_MOUNTS=yes exec unshare --mount --propagation private "$0" "$@"
+fi
+root=$(mktemp -d)
+chmod 755 "$root"
+trap 'umount -l "$root/proc" "$root/dev" 2> /dev/null; rm -rf --one-file-system "$root"' EXIT
+
+echo "== the packages"
+rm -rf "$build/packages"
+(cd "$build" && cpack > packages.log 2>&1) || { cat "$build/packages.log"; fail "cpack"; }
+for part in runtime dev tools; do
+  file=$(echo "$build"/packages/oroforge-"$part"_*.deb)
+  [ -f "$file" ] || fail "no package oroforge-$part"
+  dpkg-deb --field "$file" Package Version Depends Installed-Size
+  [ -z "$(dpkg-deb --contents "$file" | awk '$6 !~ /^\.\/(usr\/.*)?$/')" ] || fail "oroforge-$part has files outside of /usr"
+done
+contents() { dpkg-deb --contents "$(echo "$build"/packages/oroforge-"$1"_*.deb)"; }
+expect_packaged() { # part file
+  [[ $(contents "$1") == *" .$2"$'\n'* ]] || fail "no $2 in oroforge-$1"
+}
+expect_packaged runtime /usr/bin/deployer-gnulinux
+expect_packaged tools /usr/bin/typegen
+expect_packaged dev /usr/include/rtt/TaskContext.hpp
+# The three are all of an installation, but for env.sh.
+for part in runtime dev tools; do contents $part; done | awk '$6 ~ /[^\/]$/ && $6 !~ /share\/doc/ { print substr($6, 7) }' | sort > "$root/packaged"
+cmake --install "$build" --prefix "$root/all" > /dev/null
+(cd "$root/all" && find . -not -type d -not -name env.sh | sed 's|^\./||' | sort) | diff - "$root/packaged" || fail "the packages are not what is installed"
+rm -r "$root/all" "$root/packaged"
+if command -v lintian > /dev/null; then
+  # Names of libraries and of packages differ on purpose: they are those of the original, or all of a kind in one package.
+  lintian --no-cfg --allow-root --fail-on error --suppress-tags "$(echo dir-or-file-in-opt custom-library-search-path shared-library-lacks-prerequisites \
+    package-name-doesnt-match-sonames copyright-without-copyright-notice | tr ' ' ',')" "$build"/packages/*.deb || fail "lintian"
+fi
+
+echo "== a bare system"
+debootstrap --variant=minbase "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" "$mirror" > "$build/debootstrap.log" 2>&1 || {
+  tail -n 5 "$build/debootstrap.log"
+  grep -qiE 'couldn.t (download|resolve)|failed getting|invalid release' "$build/debootstrap.log" "$root/debootstrap/debootstrap.log" 2> /dev/null &&
+    skip "the mirror $mirror does not answer"
+  fail "debootstrap"
+}
+mount -t proc proc "$root/proc"
+mount --bind /dev "$root/dev"
+cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+mkdir "$root/packages"
+cp "$build"/packages/*.deb "$root/packages"
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
+inside apt-get update -q > /dev/null
+# With what they recommend of each other, but not with all that compilers recommend.
+inside sh -c 'apt-get install -y -q --no-install-recommends /packages/*.deb make' > "$build/apt.log" 2>&1 || { tail -n 40 "$build/apt.log"; fail "apt-get install"; }
+[ -z "$(inside dpkg --audit)" ] || fail "dpkg finds the installation incomplete"
+
+echo "== a user's first steps"
+cp -r "$source/examples/t01_tank" "$root/packages/t01_tank"
+cat > "$root/packages/steps" << 'TXT'
+#!/bin/sh
+set -e
+cd "$HOME"
+/packages/t01_tank/run /usr --seconds 1
+# Nothing has to be set: programs, CMake and pkg-config find what lies in /usr.
+orocreate-pkg mypkg component typekit
+cmake -S mypkg -B build -DCMAKE_INSTALL_PREFIX="$HOME/inst" -DBUILD_TESTING=OFF
+cmake --build build --target install
+pkg-config --exists --print-errors orocos-rtt-gnulinux ocl-gnulinux
+cat > app.ops << 'OPS'
+import("mypkg")
+loadComponent("one", "Mypkg")
+one.configure()
+one.start()
+OPS
+RTT_COMPONENT_PATH=$HOME/inst/lib/orocos timeout -s INT 5 deployer -linfo -s app.ops < /dev/null > deploy.out 2>&1 || [ $? = 124 ]
+grep Mypkg deploy.out
+TXT
+chmod 755 "$root/packages/steps"
+inside useradd --create-home robot
+inside su - robot -c /packages/steps > "$build/steps.log" 2>&1 || { cat "$build/steps.log"; fail "the first steps"; }
+grep -q 'verdict:.*OK' "$build/steps.log" || { cat "$build/steps.log"; fail "no verdict of the tank"; }
+
+echo "== and away again"
+inside sh -c 'apt-get purge -y -q oroforge-runtime oroforge-dev oroforge-tools' > "$build/apt.log" 2>&1 || { cat "$build/apt.log"; fail "apt-get purge"; }
+[ -z "$(find "$root/usr" -name '*orocos*' -o -name typegen)" ] || fail "files stay behind"
