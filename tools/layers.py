@@ -42,6 +42,8 @@ LAYER_OF = {
     "generator/adapters/": "adapters",
     "generator/clang/": "clang",
     "generator/check/": "check",
+    "generator/merge/": "merge",
+    "generator/flags/": "flags",
     "generator/view/": "view",
     "generator/render/": "render",
     "generator/emit/": "emit",
@@ -58,7 +60,7 @@ LAYER_OF = {
 LEAFS = {"diag", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
-GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "view", "render", "emit", "banner", "report"}
+GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "merge", "view", "render", "emit", "banner", "report", "flags"}
 OUTER = LEAFS | API | {"plugin"}
 DEPLOYER = RUNTIME | {"ocl"}
 UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
@@ -94,13 +96,15 @@ MAY_INCLUDE = {
     "adapters": LEAFS | {"render"},
     "clang": {"diag", "model", "adapters"},
     "check": LEAFS | {"model"},
+    "merge": {"diag", "model"},
+    "flags": {"diag"},
     "banner": set(),
     "view": LEAFS | {"model", "banner"},
     "render": {"diag"},
     "emit": {"diag", "banner"},
     "report": {"diag", "render"},
     "driver": GENERATOR | {"xml"},
-    "collect": {"diag", "model", "clang"},
+    "collect": {"diag", "model", "clang", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
     "typegen": GENERATOR | {"collect", "plan"},
     # Text that ends up in the user's package: installed headers only.
@@ -121,7 +125,7 @@ FOREIGN = {
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
-    r"(gtest|gmock)/": ["tests/", "templates/"],    # generated packages bring a test
+    r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test
     r"benchmark/": ["bench/"],
     # Every component translation unit would pay for these (mpl/bool.hpp: archives of boost.serialization must name it).
     r"boost/(fusion|mpl(?!/bool\.hpp)|spirit|phoenix|lambda)/": [],

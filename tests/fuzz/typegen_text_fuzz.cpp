@@ -6,10 +6,10 @@
 #include <adapters/read_adapters.hpp>
 #include <clang/doc_comment.hpp>
 #include <diag/sink.hpp>
-#include <driver/command_words.hpp>
-#include <driver/compile_database.hpp>
-#include <driver/flags_file.hpp>
 #include <driver/options.hpp>
+#include <flags/command_words.hpp>
+#include <flags/compile_database.hpp>
+#include <flags/flags_file.hpp>
 
 #include "typegen/scratch_folder.hpp"
 
@@ -71,12 +71,12 @@ void checkDatabase(const std::string& text, const ScratchFolder& folder) {
     const std::string file = folder.write("compile_commands.json", text);
     for (const std::string& wanted : {std::string(), std::string("a.cpp")}) {
         diag::Sink sink;
-        const auto flags = typekit::readCompileDatabase(file, wanted, {"/somewhere/include/a.hpp"}, sink);
+        const auto flags = flags::readCompileDatabase(file, wanted, {"/somewhere/include/a.hpp"}, sink);
         require(flags.has_value() != sink.hadErrors(), "there are flags or an error");
         checkErrors(sink, file);
         if (!flags) continue;
         requireFlags(flags->flags);
-        requireFlags(typekit::withoutOverridden(flags->flags, {"-D", "A=1", "-std=c++20"}));
+        requireFlags(flags::withoutOverridden(flags->flags, {"-D", "A=1", "-std=c++20"}));
     }
 }
 
@@ -88,8 +88,8 @@ void checkOptions(const std::string& text) {
     const auto options = typekit::parseOptions(lines, sink);
     require(options.has_value() != sink.hadErrors(), "there are options or an error");
     if (options) requireFlags(options->flags);
-    requireFlags(typekit::meaningfulFlags(lines));
-    requireFlags(typekit::flagsOfCommand(typekit::splitCommand(text), "/somewhere"));
+    requireFlags(flags::meaningfulFlags(lines));
+    requireFlags(flags::flagsOfCommand(flags::splitCommand(text), "/somewhere"));
 }
 
 }  // namespace

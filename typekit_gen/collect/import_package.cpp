@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <optional>
 
+#include <flags/flags_file.hpp>
+
 namespace oroforge::typekit {
 
 namespace {
@@ -31,27 +33,11 @@ std::optional<std::string> askPkgConfig(const std::string& module) {
 
 }  // namespace
 
-std::vector<std::string> splitFlags(const std::string& line) {
-    std::vector<std::string> words;
-    bool open = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool quoted = line[i] == '\\' && i + 1 < line.size();
-        if (!quoted && std::isspace(static_cast<unsigned char>(line[i])) != 0) {
-            open = false;
-            continue;
-        }
-        if (!open) words.emplace_back();
-        open = true;
-        words.back() += quoted ? line[++i] : line[i];
-    }
-    return words;
-}
-
 std::vector<std::string> importFlags(const std::string& package, const std::string& target, diag::Sink& sink) {
     const std::vector<std::string> modules = {package + "-typekit-" + target, package + "-" + target, package};
     if (isModuleName(package)) {
         for (const std::string& module : modules) {
-            if (const auto text = askPkgConfig(module)) return splitFlags(*text);
+            if (const auto text = askPkgConfig(module)) return flags::splitFlags(*text);
         }
     }
     sink.error({"typegen"}, "TK004",

@@ -15,9 +15,6 @@ namespace oroforge::typekit {
 /// none and an error TK004 if it knows none of them. Runs programs, so it blocks.
 std::vector<std::string> importFlags(const std::string& package, const std::string& target, diag::Sink& sink);
 
-/// Words of a line as pkg-config prints it: blanks separate, a backslash protects the next character.
-std::vector<std::string> splitFlags(const std::string& line);
-
 }  // namespace oroforge::typekit
 
 #endif

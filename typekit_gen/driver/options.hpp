@@ -23,8 +23,8 @@ struct Options {
     std::vector<std::string> imports;  ///< packages whose include folders are needed
     std::vector<std::string> flags;    ///< for the compiler
     std::string target = "gnulinux";
-    std::string flagsFile;                         ///< more of them, see flags_file.hpp
-    std::string database;                          ///< and more, see compile_database.hpp
+    std::string flagsFile;                         ///< more of them, see flags/flags_file.hpp
+    std::string database;                          ///< and more, see flags/compile_database.hpp
     std::string databaseEntry;                     ///< source or target whose entry is taken; empty = the best
     std::map<std::string, std::string> includeAs;  ///< input → how generated code includes it
     std::vector<std::string> transports;           ///< to generate for

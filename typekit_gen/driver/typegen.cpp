@@ -16,14 +16,14 @@
 #include <diff/tell_changes.hpp>
 #include <emit/depfile.hpp>
 #include <emit/outputs.hpp>
+#include <flags/compile_database.hpp>
+#include <flags/flags_file.hpp>
 #include <plan/output_names.hpp>
 #include <plan/render_typekit.hpp>
 #include <plan/typekit_view.hpp>
 #include <report/explain.hpp>
 
 #include "check_output.hpp"
-#include "compile_database.hpp"
-#include "flags_file.hpp"
 #include "run_record.hpp"
 
 namespace fs = std::filesystem;
@@ -39,9 +39,9 @@ namespace {
 void addDatabaseFlags(const Options& options, cxx::ParseRequest& request, diag::Sink& sink, std::ostream& out) {
     diag::Sink faultsOfInputs;  // reported where they are read
     const auto headers = expandInputs(options.inputs, faultsOfInputs);
-    const auto database = readCompileDatabase(options.database, options.databaseEntry, headers, sink);
+    const auto database = flags::readCompileDatabase(options.database, options.databaseEntry, headers, sink);
     if (!database) return;
-    const auto flags = withoutOverridden(database->flags, request.flags);
+    const auto flags = flags::withoutOverridden(database->flags, request.flags);
     request.flags.insert(request.flags.end(), flags.begin(), flags.end());
     if (options.verbose) out << "options of " << database->source << ", from " << database->file << "\n";
 }
@@ -55,7 +55,7 @@ std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink&
         request.flags.insert(request.flags.end(), flags.begin(), flags.end());
     }
     if (!options.flagsFile.empty()) {
-        const auto flags = readFlagsFile(options.flagsFile, sink);
+        const auto flags = flags::readFlagsFile(options.flagsFile, sink);
         request.flags.insert(request.flags.end(), flags.begin(), flags.end());
     }
     if (!options.database.empty()) addDatabaseFlags(options, request, sink, out);
@@ -96,7 +96,7 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
     }
     std::set<std::string> inputs;
     for (const std::string& file : model.files) inputs.insert(realPath(file));
-    if (!options.database.empty()) inputs.insert(realPath(compileDatabaseFile(options.database)));
+    if (!options.database.empty()) inputs.insert(realPath(flags::compileDatabaseFile(options.database)));
     return emit::writeDepfile(options.depfile, outputs, {inputs.begin(), inputs.end()}, sink);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <driver/compile_database.hpp>
+#include <flags/compile_database.hpp>
 
 #include <sstream>
 
-#include <driver/command_words.hpp>
+#include <flags/command_words.hpp>
 #include <driver/typegen.hpp>
 #include <support/temp_dir.hpp>
 
@@ -28,7 +28,7 @@ struct Taken {
 
 Taken take(const std::string& database, const std::string& wanted = "", const Words& headers = {}) {
     diag::Sink sink;
-    const auto found = typekit::readCompileDatabase(database, wanted, headers, sink);
+    const auto found = flags::readCompileDatabase(database, wanted, headers, sink);
     EXPECT_EQ(found.has_value(), sink.empty());
     Taken taken;
     if (found) taken = {found->flags, found->source, ""};
@@ -45,7 +45,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 }  // namespace
 
 TEST(CompileDatabase, SplitsCommandsAsAShellDoes) {
-    EXPECT_EQ(typekit::splitCommand(R"(g++ -DA=\"x\ y\" '-DB=a "b"' "-DC=\"q\" \n" -I"a b"/c '' -DD=\\)"),
+    EXPECT_EQ(flags::splitCommand(R"(g++ -DA=\"x\ y\" '-DB=a "b"' "-DC=\"q\" \n" -I"a b"/c '' -DD=\\)"),
               (Words{"g++", "-DA=\"x y\"", "-DB=a \"b\"", "-DC=\"q\" \\n", "-Ia b/c", "", "-DD=\\"}));
 }
 
@@ -54,25 +54,25 @@ TEST(CompileDatabase, PassesOnWhatChangesTheMeaningOfHeaders) {
                            "-D",     "Y",   "-UZ",          "-O2", "-Wall",    "-fPIC",    "-std=c11", "-std=gnu++20",
                            "-o",     "-Io", "-MF",          "x.d", "-include", "none.hpp", "-Xclang",  "-include",
                            "-c",     "x.c", "-include-pch", "p",   "--",       "-Ilast"};
-    EXPECT_EQ(typekit::flagsOfCommand(command, "/dir"),
+    EXPECT_EQ(flags::flagsOfCommand(command, "/dir"),
               (Words{"-I", "/dir/a", "-I", "/dir/b", "-isystem", "/c", "-D", "X=1", "-D", "Y", "-U", "Z",
                      "-std=gnu++20", "-include", "none.hpp"}));
-    EXPECT_EQ(typekit::flagsOfCommand({"g++", "-std=c++14"}, "/dir"), Words{});
+    EXPECT_EQ(flags::flagsOfCommand({"g++", "-std=c++14"}, "/dir"), Words{});
 }
 
 TEST(CompileDatabase, ReadsResponseFiles) {
     const TempDir dir;
     dir.write("words.rsp", "-DX \"-Ia b\"\n@words.rsp");
-    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@words.rsp", "@absent"}, dir.path().string()).size() % 4, 0U);
+    EXPECT_EQ(flags::flagsOfCommand({"g++", "@words.rsp", "@absent"}, dir.path().string()).size() % 4, 0U);
     dir.write("words.rsp", "-DX \"-Ia b\"\n");
-    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@words.rsp"}, dir.path().string()),
+    EXPECT_EQ(flags::flagsOfCommand({"g++", "@words.rsp"}, dir.path().string()),
               (Words{"-D", "X", "-I", (dir / "a b").string()}));
 }
 
 TEST(CompileDatabase, TakesFoldersForNoResponseFiles) {
     const TempDir dir;
     dir.write("folder/words.rsp", "-DX");
-    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@folder", "@", "@.", "-DY"}, dir.path().string()), (Words{"-D", "Y"}));
+    EXPECT_EQ(flags::flagsOfCommand({"g++", "@folder", "@", "@.", "-DY"}, dir.path().string()), (Words{"-D", "Y"}));
 }
 
 TEST(CompileDatabase, ReadsResponseFilesThatNameEachOtherOnce) {
@@ -81,7 +81,7 @@ TEST(CompileDatabase, ReadsResponseFilesThatNameEachOtherOnce) {
     for (int i = 0; i != 100; ++i) text += "@words.rsp @other.rsp\n";
     dir.write("words.rsp", text);
     dir.write("other.rsp", "-DY @words.rsp");
-    EXPECT_EQ(typekit::flagsOfCommand({"g++", "@words.rsp"}, dir.path().string()).size(), 2U + 100U * 2U);
+    EXPECT_EQ(flags::flagsOfCommand({"g++", "@words.rsp"}, dir.path().string()).size(), 2U + 100U * 2U);
 }
 
 TEST(CompileDatabase, TakesTheSourceThatIncludesMostHeaders) {
@@ -141,8 +141,8 @@ TEST(CompileDatabase, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(CompileDatabase, IsWeakerThanTheCommandLine) {
-    EXPECT_EQ(typekit::withoutOverridden({"-std=c++17", "-D", "A=1", "-D", "F(x)=x", "-U", "B", "-I", "/x", "-D", "C"},
-                                         {"-std=c++20", "-D", "A", "-D", "B=2", "-D", "F", "-I", "/y"}),
+    EXPECT_EQ(flags::withoutOverridden({"-std=c++17", "-D", "A=1", "-D", "F(x)=x", "-U", "B", "-I", "/x", "-D", "C"},
+                                       {"-std=c++20", "-D", "A", "-D", "B=2", "-D", "F", "-I", "/y"}),
               (Words{"-I", "/x", "-D", "C"}));
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <driver/flags_file.hpp>
+#include <flags/flags_file.hpp>
 
 #include <support/temp_dir.hpp>
 
 #include <gtest/gtest.h>
 
 using namespace oroforge;
+using flags::meaningfulFlags;
 using oroforge::test::TempDir;
-using typekit::meaningfulFlags;
 using Words = std::vector<std::string>;
 
 TEST(MeaningfulFlags, KeepsFoldersAndMacrosOnly) {
@@ -32,14 +32,14 @@ TEST(MeaningfulFlags, SplitsSeveralWordsInOne) {
 TEST(ReadFlagsFile, TakesEachLineForAWord) {
     const TempDir dir;
     diag::Sink sink;
-    EXPECT_EQ(typekit::readFlagsFile(dir.write("f", "-DTEXT=\"a b\"\n\n-Iwith blank\n").string(), sink),
+    EXPECT_EQ(flags::readFlagsFile(dir.write("f", "-DTEXT=\"a b\"\n\n-Iwith blank\n").string(), sink),
               (Words{"-D", "TEXT=\"a b\"", "-I", "with blank"}));
     EXPECT_TRUE(sink.empty());
 }
 
 TEST(ReadFlagsFile, ReportsAMissingFile) {
     diag::Sink sink;
-    EXPECT_TRUE(typekit::readFlagsFile("/no/such/file", sink).empty());
+    EXPECT_TRUE(flags::readFlagsFile("/no/such/file", sink).empty());
     ASSERT_EQ(sink.errorCount(), 1U);
     EXPECT_EQ(sink.all()[0].code, "TK008");
 }

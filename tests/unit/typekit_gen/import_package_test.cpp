@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include <flags/flags_file.hpp>
 #include <support/temp_dir.hpp>
 
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@ using namespace oroforge;
 using oroforge::test::TempDir;
 
 TEST(SplitFlags, HonoursBackslashes) {
-    EXPECT_EQ(typekit::splitFlags("-I/a/b -I/with\\ blank  -I/c\n"),
+    EXPECT_EQ(flags::splitFlags("-I/a/b -I/with\\ blank  -I/c\n"),
               (std::vector<std::string>{"-I/a/b", "-I/with blank", "-I/c"}));
-    EXPECT_TRUE(typekit::splitFlags(" \n").empty());
+    EXPECT_TRUE(flags::splitFlags(" \n").empty());
 }
 
 TEST(ImportFlags, AsksForTheTypekitFirst) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /// The command of a compile database, taken apart.
-#ifndef OROFORGE_TYPEKIT_GEN_DRIVER_COMMAND_WORDS_HPP
-#define OROFORGE_TYPEKIT_GEN_DRIVER_COMMAND_WORDS_HPP
+#ifndef OROFORGE_GENERATOR_FLAGS_COMMAND_WORDS_HPP
+#define OROFORGE_GENERATOR_FLAGS_COMMAND_WORDS_HPP
 
 #include <string>
 #include <vector>
 
-namespace oroforge::typekit {
+namespace oroforge::flags {
 
 /// Words as a POSIX shell makes them of quotes and backslashes; nothing else of the shell's is known.
 std::vector<std::string> splitCommand(const std::string& line);
@@ -19,6 +19,6 @@ std::vector<std::string> flagsOfCommand(const std::vector<std::string>& words, c
 /// The value of -o, or nothing.
 std::string outputOfCommand(const std::vector<std::string>& words);
 
-}  // namespace oroforge::typekit
+}  // namespace oroforge::flags
 
 #endif

@@ -16,7 +16,7 @@
 
 namespace fs = std::filesystem;
 
-namespace oroforge::typekit {
+namespace oroforge::flags {
 
 namespace {
 
@@ -278,4 +278,4 @@ std::vector<std::string> withoutOverridden(const std::vector<std::string>& flags
     return kept;
 }
 
-}  // namespace oroforge::typekit
+}  // namespace oroforge::flags

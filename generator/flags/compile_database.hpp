@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /// Options of the compiler out of a compile_commands.json, as CMake, Meson and Bear write it.
-#ifndef OROFORGE_TYPEKIT_GEN_DRIVER_COMPILE_DATABASE_HPP
-#define OROFORGE_TYPEKIT_GEN_DRIVER_COMPILE_DATABASE_HPP
+#ifndef OROFORGE_GENERATOR_FLAGS_COMPILE_DATABASE_HPP
+#define OROFORGE_GENERATOR_FLAGS_COMPILE_DATABASE_HPP
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 #include <diag/sink.hpp>
 
-namespace oroforge::typekit {
+namespace oroforge::flags {
 
 struct DatabaseFlags {
     std::vector<std::string> flags;  ///< -I -isystem -D -U -include -std; folders and files are absolute
@@ -34,6 +34,6 @@ std::string compileDatabaseFile(const std::string& database);
 std::vector<std::string> withoutOverridden(const std::vector<std::string>& flags,
                                            const std::vector<std::string>& stronger);
 
-}  // namespace oroforge::typekit
+}  // namespace oroforge::flags
 
 #endif

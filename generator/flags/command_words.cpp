@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace oroforge::typekit {
+namespace oroforge::flags {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::string outputOfCommand(const std::vector<std::string>& words) {
     return {};
 }
 
-}  // namespace oroforge::typekit
+}  // namespace oroforge::flags

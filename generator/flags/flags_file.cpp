@@ -2,12 +2,11 @@
 // Copyright Oroforge contributors
 #include "flags_file.hpp"
 
+#include <cctype>
 #include <fstream>
 #include <set>
 
-#include <collect/import_package.hpp>
-
-namespace oroforge::typekit {
+namespace oroforge::flags {
 
 namespace {
 
@@ -28,6 +27,22 @@ std::vector<std::string> expanded(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::vector<std::string> splitFlags(const std::string& line) {
+    std::vector<std::string> words;
+    bool open = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool quoted = line[i] == '\\' && i + 1 < line.size();
+        if (!quoted && std::isspace(static_cast<unsigned char>(line[i])) != 0) {
+            open = false;
+            continue;
+        }
+        if (!open) words.emplace_back();
+        open = true;
+        words.back() += quoted ? line[++i] : line[i];
+    }
+    return words;
+}
 
 std::vector<std::string> meaningfulFlags(const std::vector<std::string>& words) {
     const std::vector<std::string> all = expanded(words);
@@ -57,4 +72,4 @@ std::vector<std::string> readFlagsFile(const std::string& file, diag::Sink& sink
     return meaningfulFlags(words);
 }
 
-}  // namespace oroforge::typekit
+}  // namespace oroforge::flags
