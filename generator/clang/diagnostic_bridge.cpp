@@ -30,7 +30,7 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     last_ = nullptr;
     if (level < clang::DiagnosticsEngine::Error || isFollowUp(info)) return;
     if (where.file.empty()) {
-        where.file = "typegen";
+        where.file = places_.program();
     } else if (where.line == 0) {
         where.file = lastHeader_;  // at the end of our own main file, which is the end of what it includes
     }

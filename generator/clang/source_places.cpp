@@ -4,7 +4,8 @@
 
 namespace oroforge::cxx {
 
-SourcePlaces::SourcePlaces(const std::vector<model::Header>& headers) {
+SourcePlaces::SourcePlaces(const std::vector<model::Header>& headers, std::string program)
+    : program_(std::move(program)) {
     for (const model::Header& header : headers) {
         llvm::sys::fs::UniqueID id;
         if (!llvm::sys::fs::getUniqueID(header.path, id)) listed_.emplace(id, header.path);
@@ -27,7 +28,7 @@ diag::Location SourcePlaces::locate(const clang::SourceManager& sources, clang::
     const clang::PresumedLoc place = sources.getPresumedLoc(seen, /*UseLineDirectives=*/false);
     if (place.isInvalid()) return {};
     const std::string file = given(sources, sources.getFileID(seen), place.getFilename());
-    if (file == kMainFile) return {"typegen"};
+    if (file == kMainFile) return {program_};
     return {file, place.getLine(), place.getColumn()};
 }
 

@@ -20,7 +20,9 @@ inline constexpr const char* kMainFile = "typegen_input.cpp";
 
 class SourcePlaces {
 public:
-    explicit SourcePlaces(const std::vector<model::Header>& headers);
+    /// `program` stands for the main file in messages.
+    explicit SourcePlaces(const std::vector<model::Header>& headers, std::string program = "typegen");
+    const std::string& program() const { return program_; }
 
     /// Where the user sees it: for macro expansions the place of the macro's use.
     /// Of what a macro makes: where it stands in the macro, or in its arguments. Unknown if the macro glued it together.
@@ -35,6 +37,7 @@ public:
 
 private:
     std::string given(const clang::SourceManager& sources, clang::FileID file, const std::string& spelled) const;
+    std::string program_;
     std::map<llvm::sys::fs::UniqueID, std::string> listed_;
 };
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "parse_files.hpp"
+
+#include <array>
+
+#include "lean_library.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+class Consumer : public clang::SemaConsumer {
+public:
+    explicit Consumer(const Parse& parse) : parse_(parse) {}
+    void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
+    void ForgetSema() override { sema_ = nullptr; }
+    void HandleTagDeclDefinition(clang::TagDecl* type) override { dropComparisons(*type); }
+    bool shouldSkipFunctionBody(clang::Decl* function) override { return parse_.skipsBody(*function); }
+    void HandleTranslationUnit(clang::ASTContext&) override { parse_.end(*sema_); }
+
+private:
+    const Parse& parse_;
+    clang::Sema* sema_ = nullptr;
+};
+
+class Action : public clang::ASTFrontendAction {
+public:
+    explicit Action(const Parse& parse) : parse_(parse) {}
+    std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+        if (parse_.begin) parse_.begin(compiler);
+        return std::make_unique<Consumer>(parse_);
+    }
+
+private:
+    const Parse& parse_;
+};
+
+llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> filesOf(const Parse& parse) {
+    auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
+    llvm::SmallString<256> here;
+    if (!llvm::sys::fs::current_path(here)) memory->setCurrentWorkingDirectory(here.str().str());
+    for (const auto& [name, text] : parse.files)
+        memory->addFile(name, 0, llvm::MemoryBuffer::getMemBufferCopy(text, name));
+    auto all = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::getRealFileSystem());
+    all->pushOverlay(memory);
+    return all;
+}
+
+std::shared_ptr<clang::CompilerInvocation> invocationOf(const Parse& parse, clang::CreateInvocationOptions options) {
+    std::vector<const char*> words = {"orocreate-pkg",   "--driver-mode=g++", "-xc++",
+                                      "-std=c++17",      "-fsyntax-only",     "-w",
+                                      "-ferror-limit=0", "-resource-dir"};
+    words.push_back(parse.resourceDir.c_str());
+    for (const std::string& flag : parse.flags) words.push_back(flag.c_str());
+    words.push_back(parse.mainFile.c_str());
+    std::shared_ptr<clang::CompilerInvocation> invocation = clang::createInvocation(words, std::move(options));
+    if (!invocation) return nullptr;
+    invocation->getFrontendOpts().SkipFunctionBodies = true;  // asks shouldSkipFunctionBody()
+    invocation->getFrontendOpts().DisableFree = false;        // one process may parse many times
+    invocation->getDiagnosticOpts().ShowCarets = false;       // else it counts errors on stderr by itself
+    return invocation;
+}
+
+}  // namespace
+
+bool parseFiles(const Parse& parse) {
+    const auto files = filesOf(parse);
+    clang::CreateInvocationOptions options;
+    options.Diags = clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, parse.messages,
+                                                               /*ShouldOwnClient=*/false);
+    options.VFS = files;
+    const auto invocation = invocationOf(parse, options);
+    if (!invocation) return false;
+    clang::CompilerInstance compiler;
+    compiler.setInvocation(invocation);
+    compiler.createDiagnostics(parse.messages, /*ShouldOwnClient=*/false);
+    compiler.getDiagnostics().setFatalsAsError(true);  // a file that is not found must not hide what else is wrong
+    compiler.createFileManager(files);
+    Action action(parse);
+    return compiler.ExecuteAction(action);
+}
+
+bool isLibrary(const clang::Decl& declaration) {
+    const clang::SourceManager& sources = declaration.getASTContext().getSourceManager();
+    if (sources.isInSystemHeader(sources.getExpansionLoc(declaration.getLocation()))) return true;
+    const clang::NamespaceDecl* outermost = nullptr;
+    for (const clang::DeclContext* scope = declaration.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
+        if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
+    }
+    if (outermost == nullptr) return false;
+    static const std::array names = {"std", "boost", "RTT", "__gnu_cxx"};
+    return std::find(names.begin(), names.end(), outermost->getName()) != names.end();
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "toolchain_flags.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace oroforge::cxx {
+
+namespace {
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+/// Where CMake took the sources of a build tree from, as its cache tells.
+fs::path sourcesOf(const fs::path& buildTree) {
+    const std::string key = "CMAKE_HOME_DIRECTORY:INTERNAL=";
+    std::ifstream cache(buildTree / "CMakeCache.txt");
+    for (std::string line; std::getline(cache, line);) {
+        if (line.compare(0, key.size(), key) == 0) return line.substr(key.size());
+    }
+    return {};
+}
+
+std::vector<std::string> flagsFor(const std::vector<fs::path>& folders) {
+    std::vector<std::string> flags;
+    for (const fs::path& folder : folders) {
+        if (isThere(folder)) flags.insert(flags.end(), {"-isystem", folder.string()});
+    }
+    return flags;
+}
+
+}  // namespace
+
+std::vector<std::string> toolchainFlags(const std::string& executable) {
+    std::error_code error;
+    const fs::path program = fs::canonical(executable, error);
+    if (error) return {};
+    const fs::path include = program.parent_path().parent_path() / "include";
+    if (isThere(include / "rtt/TaskContext.hpp") || isThere(include / "orocos/rtt/TaskContext.hpp"))
+        return flagsFor({include, include / "orocos"});
+    for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+        if (!isThere(folder / "CMakeCache.txt")) continue;
+        const fs::path sources = sourcesOf(folder);
+        return flagsFor({sources / "runtime", sources / "deployer", folder / "include"});
+    }
+    return {};
+}
+
+std::vector<std::string> toolchainFlags() { return toolchainFlags("/proc/self/exe"); }
+
+}  // namespace oroforge::cxx
