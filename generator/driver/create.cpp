@@ -13,6 +13,7 @@
 #include <check/check.hpp>
 #include <driver/kinds.hpp>
 #include <driver/package_files.hpp>
+#include <driver/wanted_classes.hpp>
 #include <manifest/reader.hpp>
 
 namespace fs = std::filesystem;
@@ -100,6 +101,9 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     Scaffold files = scaffold(*package, manifest, options.catkin, renderer);
     addTypekitHeaders(*package, options.from, files, sink);
     files.shared[manifest] = textOf(options.from);
+    // Sources that are there already were not written from this manifest.
+    const std::string record = fs::exists(name) ? std::string() : firstRecord(*package, manifest, renderer);
+    if (!record.empty()) files.shared[merge::kRecordFile] = record;
     writePackage(files, name, options, out, sink);
 }
 

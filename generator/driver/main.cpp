@@ -4,7 +4,9 @@
 
 #include <driver/add.hpp>
 #include <driver/create.hpp>
+#include <driver/describe.hpp>
 #include <driver/kinds.hpp>
+#include <driver/update.hpp>
 #include <driver/upgrade.hpp>
 #include <render/renderer.hpp>
 #include <report/explain.hpp>
@@ -28,6 +30,10 @@ void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
     try {
         if (!options.add.empty()) {
             driver::addPart(options, renderer, out, sink);
+        } else if (options.describe) {
+            driver::describeComponents(options, out, sink);
+        } else if (options.update) {
+            driver::updatePackage(options, renderer, out, sink);
         } else if (options.generate.empty()) {
             driver::createPackage(options, renderer, out, sink);
         } else {

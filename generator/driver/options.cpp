@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <diag/nearest_match.hpp>
+#include <driver/compiler_words.hpp>
 #include <report/report.hpp>
 
 namespace fs = std::filesystem;
@@ -25,7 +26,11 @@ constexpr const char* kUsage =
     "  orocreate-pkg --add KIND NAME          one more part in the package of the current directory\n"
     "  orocreate-pkg --generate MANIFEST --output DIR [--check]\n"
     "                                         the base classes alone; what the package's build calls\n"
+    "  orocreate-pkg --update [MANIFEST] [--dry-run | --check] [-I DIR] [-D MACRO]\n"
+    "                                         the classes of an existing package follow its manifest\n"
     "  orocreate-pkg --upgrade DIR...         manifest.xml of packages of the original toolchain\n"
+    "  orocreate-pkg --describe FILE... [-o MANIFEST] [-I DIR] [-D MACRO] [-std=STANDARD] [-p DIR]\n"
+    "                                         the manifest of component classes that were written by hand\n"
     "  orocreate-pkg --list                   the kinds, and the templates that can be replaced\n"
     "  orocreate-pkg --explain [CODE...]      what a code means, as the OM003 in \"error: [OM003] ...\"; none = list "
     "them\n"
@@ -55,7 +60,15 @@ void declare(CLI::App& app, Options& options) {
     app.add_flag("--list", options.list, "Print the kinds and the templates");
     app.add_flag("--catkin", options.catkin, "For a catkin workspace; orocreate-catkin-pkg does so by itself");
     app.add_flag("--upgrade", options.upgrade, "Change manifest.xml of packages so that rosdep finds the toolchain");
-    app.add_flag("--check", options.check, "With --generate: write nothing, fail if a file is missing or stale");
+    app.add_flag("--check", options.check,
+                 "With --generate, --update: write nothing, fail if a file is missing or stale");
+    app.add_flag("--update", options.update, "Bring the classes of the user up to date with the manifest");
+    const auto addNames = [&](const char* name, std::vector<std::string>& into, const char* type, const char* help) {
+        app.add_option(name, into, help)->type_name(type)->expected(1)->multi_option_policy(
+            CLI::MultiOptionPolicy::TakeAll);
+    };
+    addNames("--take-manifest", options.takeManifest, "NAME", "With --update: change what stands in the code");
+    addNames("--take-code", options.takeCode, "NAME", "With --update: leave what stands in the code");
     app.add_option("--from", options.from, "Component manifest (XML) of the new package")->type_name("MANIFEST");
     app.add_option("--generate", options.generate, "Component manifest to generate base classes from")
         ->type_name("MANIFEST");
@@ -73,6 +86,13 @@ void declare(CLI::App& app, Options& options) {
     app.add_flag("--explain", options.explain, "Print what these codes of errors mean; without any list them all");
     app.add_flag("-f,--force", options.force,
                  "Write into an existing directory; sources there are kept, build files are kept as *.old");
+    app.add_flag("--describe", options.describe, "Read headers and sources, print the manifest of their components");
+    app.add_option("--package", options.package, "With --describe: the package's name; else that of the folder")
+        ->type_name("NAME");
+    app.add_option("-p,--compile-database", options.database, "Take options of the compiler from compile_commands.json")
+        ->type_name("FILE|DIR");
+    app.add_option("--compile-database-for", options.databaseEntry, "From the entry of this source or target")
+        ->type_name("SOURCE|TARGET");
     app.set_version_flag("--version", "orocreate-pkg (Oroforge) " OROFORGE_VERSION);
 }
 
@@ -109,8 +129,10 @@ std::vector<std::string> modesOf(const Options& options) {
     add(options.explain, "--explain");
     add(options.list, "--list");
     add(options.upgrade, "--upgrade");
+    add(options.update, "--update");
     add(!options.add.empty(), "--add");
     add(!options.generate.empty(), "--generate");
+    add(options.describe, "--describe");
     if (modes.empty()) modes.push_back(kCreate);
     return modes;
 }
@@ -123,23 +145,28 @@ struct Use {
 };
 
 std::vector<Use> usesOf(const Options& options) {
-    const std::string generate = "--generate";
+    const std::string generate = "--generate", describe = "--describe";
     return {
         {"--from", !options.from.empty(), {kCreate}},
-        {"--output", !options.output.empty(), {generate}},
+        {"--output", !options.output.empty(), {generate, describe}},
         {"--list-outputs", options.listOutputs, {generate}},
         {"--depfile", !options.depfile.empty(), {generate}},
         {"--depfile-target", !options.depfileTarget.empty(), {generate}},
         {"--dump", !options.dump.empty(), {generate}},
-        {"--check", options.check, {generate}},
-        {"--template-dir", !options.templateDir.empty(), {kCreate, "--add", generate, "--list"}},
+        {"--check", options.check, {generate, "--update"}},
+        {"--take-manifest", !options.takeManifest.empty(), {"--update"}},
+        {"--take-code", !options.takeCode.empty(), {"--update"}},
+        {"--template-dir", !options.templateDir.empty(), {kCreate, "--add", generate, "--list", "--update"}},
         {"--namespace", !options.nameSpace.empty(), {kCreate, "--add"}},
         {"--class", !options.className.empty(), {kCreate, "--add"}},
         {"--license", !options.license.empty(), {kCreate}},
         {"--author", !options.authors.empty(), {kCreate}},
         {"--catkin", options.catkin, {kCreate}},
-        {"--dry-run", options.dryRun, {kCreate, "--add", "--upgrade"}},
+        {"--dry-run", options.dryRun, {kCreate, "--add", "--upgrade", "--update"}},
         {"--force", options.force, {kCreate, "--upgrade"}},
+        {"--package", !options.package.empty(), {describe}},
+        {"--compile-database", !options.database.empty(), {describe}},
+        {"--compile-database-for", !options.databaseEntry.empty(), {describe}},
     };
 }
 
@@ -177,6 +204,14 @@ void checkCombination(const Options& options, diag::Sink& sink) {
     } else if (mode == "--add" || mode == "--list") {
         complain(!options.words.empty(),
                  mode + " takes no package name, found '" + (options.words.empty() ? "" : options.words.front()) + "'");
+    } else if (mode == "--describe") {
+        complain(options.words.empty(), "--describe needs headers or sources");
+        complain(!options.databaseEntry.empty() && options.database.empty(),
+                 "--compile-database-for says which entry, but no --compile-database");
+        complain(options.format != "text" && options.output.empty(),
+                 "--format excludes --describe without --output: both write to standard output");
+    } else if (mode == "--update") {
+        complain(options.words.size() > 1, "--update takes one manifest");
     } else if (mode == "--upgrade") {
         complain(options.words.empty(), "--upgrade needs the folders of packages");
     }
@@ -189,8 +224,15 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sin
     CLI::App app(kUsage, "orocreate-pkg");
     app.set_help_flag("-h,--help", "Print this and stop");
     declare(app, options);
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    // Other modes have no use for them, and complain.
+    const bool compiles = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return word == "--describe" || word == "--update";
+    });
+    if (compiles) options.flags = takeCompilerWords(words);
+    std::reverse(words.begin(), words.end());
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
             status = app.exit(error);

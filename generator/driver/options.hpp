@@ -30,11 +30,20 @@ struct Options {
     bool explain = false;              ///< tell what the codes mean that `words` then are
     bool listOutputs = false;
     bool force = false;
-    bool dryRun = false;   ///< tell what would be written
-    bool list = false;     ///< tell which kinds and templates there are
-    bool catkin = false;   ///< for a catkin workspace
-    bool upgrade = false;  ///< `words` are packages of the original toolchain
-    bool check = false;    ///< with --generate: tell which files are stale instead of writing them
+    bool dryRun = false;             ///< tell what would be written
+    bool list = false;               ///< tell which kinds and templates there are
+    bool catkin = false;             ///< for a catkin workspace
+    bool upgrade = false;            ///< `words` are packages of the original toolchain
+    bool describe = false;           ///< `words` are headers and sources to be described as a manifest
+    std::string package;             ///< name of the package that they belong to
+    std::vector<std::string> flags;  ///< of the compiler, for what is read with one
+    std::string database;            ///< more of them, see flags/compile_database.hpp
+    std::string databaseEntry;
+    bool update = false;                    ///< bring the user's classes up to date with the manifest
+    std::vector<std::string> takeManifest;  ///< names: change what stands in the code
+    std::vector<std::string> takeCode;      ///< names: leave what stands in the code
+    std::vector<std::string> includes;      ///< folders where sources of the package find headers
+    bool check = false;  ///< with --generate and --update: tell which files are stale instead of writing them
 };
 
 /// Nothing if the program is to end with `status`: after --help or --version (0), or a wrong command line (1, reported).

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// One component or service class as a model.
+#ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_HPP
+#define OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_HPP
+
+#include <set>
+#include <string>
+
+#include <diag/sink.hpp>
+#include <model/package.hpp>
+
+#include "component_state.hpp"
+#include "find_components.hpp"
+
+namespace oroforge::cxx {
+
+class ComponentDescriber {
+public:
+    ComponentDescriber(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks)
+        : sema_(sema), places_(places), remarks_(remarks) {}
+
+    model::Component component(const clang::CXXRecordDecl& type);
+    model::ServicePlugin service(const FoundClass& found);
+
+    /// Files that declare functions whose definitions were missing.
+    const std::set<std::string>& incomplete() const { return incomplete_; }
+
+private:
+    /// Follows the constructor; tells what other functions of the class add later.
+    Followed follow(const clang::CXXRecordDecl& type);
+    model::Text nameOf(const clang::CXXRecordDecl& type) const;
+    std::string docOf(const clang::CXXRecordDecl& type) const;
+
+    clang::Sema& sema_;
+    const SourcePlaces& places_;
+    diag::Sink& remarks_;
+    std::set<std::string> incomplete_;
+};
+
+}  // namespace oroforge::cxx
+
+#endif

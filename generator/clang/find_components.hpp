@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Which classes are components or services.
+#ifndef OROFORGE_GENERATOR_CLANG_FIND_COMPONENTS_HPP
+#define OROFORGE_GENERATOR_CLANG_FIND_COMPONENTS_HPP
+
+#include <string>
+#include <vector>
+
+#include "source_places.hpp"
+
+namespace oroforge::cxx {
+
+struct FoundClass {
+    const clang::CXXRecordDecl* type = nullptr;
+    std::string service;  ///< of a service class: the name of its plugin
+};
+
+struct FoundClasses {
+    std::vector<FoundClass> components;
+    std::vector<FoundClass> services;
+    std::vector<const clang::CXXRecordDecl*> unregistered;  ///< components left out, because others are registered
+};
+
+/// In the order of their definitions. Registered classes (ORO_CREATE_COMPONENT, ORO_LIST_COMPONENT_TYPE) if there are any,
+/// else all components that are defined in the listed files and can be made; services if they are plugins.
+FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places);
+
+/// Whether it is RTT::TaskContext, RTT::Service … or derived from it.
+bool isDerivedFrom(const clang::CXXRecordDecl& type, const char* name);
+
+/// The constructor that a component loader would call, else the first that is no copy; null if there is none.
+const clang::CXXConstructorDecl* constructorOf(const clang::CXXRecordDecl& type, clang::Sema& sema);
+
+/// With namespaces, those without a name left out.
+std::string classNameOf(const clang::CXXRecordDecl& type);
+
+}  // namespace oroforge::cxx
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "follow.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+using llvm::dyn_cast;
+
+constexpr unsigned kMostRounds = 1000;  // of one loop
+
+/// Whether the function may be left there, so that what follows is not certain either.
+class LeavesFinder : public clang::RecursiveASTVisitor<LeavesFinder> {
+public:
+    explicit LeavesFinder(bool ownsBreaks) : loops_(ownsBreaks ? 1 : 0) {}
+    bool found = false;
+    bool VisitReturnStmt(clang::ReturnStmt*) { return !(found = true); }
+    bool VisitBreakStmt(clang::BreakStmt*) { return !(found = found || loops_ == 0); }
+    bool VisitContinueStmt(clang::ContinueStmt*) { return !(found = found || loops_ == 0); }
+    bool TraverseLambdaExpr(clang::LambdaExpr*) { return true; }
+    bool TraverseForStmt(clang::ForStmt* loop) { return within(loop, &RecursiveASTVisitor::TraverseForStmt); }
+    bool TraverseWhileStmt(clang::WhileStmt* loop) { return within(loop, &RecursiveASTVisitor::TraverseWhileStmt); }
+    bool TraverseDoStmt(clang::DoStmt* loop) { return within(loop, &RecursiveASTVisitor::TraverseDoStmt); }
+    bool TraverseSwitchStmt(clang::SwitchStmt* choice) {
+        return within(choice, &RecursiveASTVisitor::TraverseSwitchStmt);
+    }
+    bool TraverseCXXForRangeStmt(clang::CXXForRangeStmt* loop) {
+        return within(loop, &RecursiveASTVisitor::TraverseCXXForRangeStmt);
+    }
+
+private:
+    template <class Statement>
+    bool within(Statement* statement, bool (RecursiveASTVisitor::*traverse)(Statement*, DataRecursionQueue*)) {
+        ++loops_;
+        const bool goesOn = (this->*traverse)(statement, nullptr);
+        --loops_;
+        return goesOn;
+    }
+
+    unsigned loops_;
+};
+
+/// `ownsBreaks`: it is the body of a loop or a switch.
+bool mayLeave(const clang::Stmt* statement, bool ownsBreaks) {
+    LeavesFinder finder(ownsBreaks);
+    finder.TraverseStmt(const_cast<clang::Stmt*>(statement));
+    return finder.found;
+}
+
+}  // namespace
+
+void Follower::runUndecided(const clang::Stmt* statement, const std::string& why, bool ownsBreaks) {
+    if (statement == nullptr) return;
+    undecided_.push_back(why);
+    run(statement);
+    undecided_.pop_back();
+    // Until the end of the function, which pops all of them.
+    if (mayLeave(statement, ownsBreaks)) undecided_.push_back(why + ", which may leave the function before");
+}
+
+Follower::Flow Follower::run(const clang::Stmt* statement) {
+    if (statement == nullptr || isTooMuch(statement->getBeginLoc())) return Flow::Next;
+    if (const auto* block = dyn_cast<clang::CompoundStmt>(statement)) {
+        for (const clang::Stmt* part : block->body()) {
+            const Flow flow = run(part);
+            if (flow != Flow::Next) return flow;
+        }
+        return Flow::Next;
+    }
+    if (const auto* declaration = dyn_cast<clang::DeclStmt>(statement)) {
+        for (const clang::Decl* one : declaration->decls()) {
+            if (const auto* variable = dyn_cast<clang::VarDecl>(one)) declare(*variable);
+        }
+        return Flow::Next;
+    }
+    if (const auto* choice = dyn_cast<clang::IfStmt>(statement)) return runIf(*choice);
+    if (const auto* loop = dyn_cast<clang::ForStmt>(statement)) return runFor(*loop);
+    if (const auto* loop = dyn_cast<clang::CXXForRangeStmt>(statement)) return runEach(*loop);
+    if (const auto* loop = dyn_cast<clang::WhileStmt>(statement)) return runRounds(loop->getCond(), loop->getBody());
+    if (const auto* choice = dyn_cast<clang::SwitchStmt>(statement)) return runSwitch(*choice);
+    if (const auto* loop = dyn_cast<clang::DoStmt>(statement)) {
+        const Flow flow = run(loop->getBody());
+        return flow == Flow::Next || flow == Flow::Continue ? runRounds(loop->getCond(), loop->getBody())
+               : flow == Flow::Break                        ? Flow::Next
+                                                            : flow;
+    }
+    if (const auto* attempt = dyn_cast<clang::CXXTryStmt>(statement)) {
+        const Flow flow = run(attempt->getTryBlock());
+        for (unsigned i = 0; i != attempt->getNumHandlers(); ++i)
+            runUndecided(attempt->getHandler(i)->getHandlerBlock(), "in a 'catch'");
+        return flow;
+    }
+    if (const auto* end = dyn_cast<clang::ReturnStmt>(statement)) {
+        if (end->getRetValue() != nullptr) frames_.back().result = eval(end->getRetValue());
+        // In a branch that is only looked at, the rest of it is still to be looked at.
+        return undecided_.empty() ? Flow::Return : Flow::Next;
+    }
+    if (llvm::isa<clang::BreakStmt>(statement)) return Flow::Break;
+    if (llvm::isa<clang::ContinueStmt>(statement)) return Flow::Continue;
+    if (const auto* label = dyn_cast<clang::SwitchCase>(statement)) return run(label->getSubStmt());
+    if (const auto* label = dyn_cast<clang::LabelStmt>(statement)) return run(label->getSubStmt());
+    if (const auto* attributed = dyn_cast<clang::AttributedStmt>(statement)) return run(attributed->getSubStmt());
+    if (const auto* expression = dyn_cast<clang::Expr>(statement)) eval(expression);
+    return Flow::Next;
+}
+
+void Follower::declare(const clang::VarDecl& variable) {
+    if (variable.isStaticLocal() && !variable.getType().isConstQualified()) return;  // it may have changed since
+    if (variable.getType()->isReferenceType()) {
+        const Value target = eval(variable.getInit());
+        frames_.back().locals[&variable] = target.is(Value::Kind::Place) ? target.text : fresh("local");
+        return;
+    }
+    const Place place = fresh("local");
+    frames_.back().locals[&variable] = place;
+    if (variable.getInit() != nullptr) initialise(place, variable.getType(), variable.getInit());
+}
+
+Follower::Flow Follower::runIf(const clang::IfStmt& statement) {
+    run(statement.getInit());
+    if (const clang::VarDecl* variable = statement.getConditionVariable()) declare(*variable);
+    const auto decided = truth(statement.getCond());
+    if (decided) return run(*decided ? statement.getThen() : statement.getElse());
+    runUndecided(statement.getThen(), "in an 'if' whose condition is not constant");
+    runUndecided(statement.getElse(), "in an 'else' whose condition is not constant");
+    return Flow::Next;
+}
+
+Follower::Flow Follower::runFor(const clang::ForStmt& statement) {
+    run(statement.getInit());
+    for (unsigned round = 0; round != kMostRounds; ++round) {
+        const auto goesOn = statement.getCond() == nullptr ? std::optional<bool>(true) : truth(statement.getCond());
+        if (goesOn && !*goesOn) return Flow::Next;
+        if (!goesOn || !undecided_.empty()) break;
+        const Flow flow = run(statement.getBody());
+        if (flow == Flow::Break) return Flow::Next;
+        if (flow == Flow::Return) return flow;
+        eval(statement.getInc());
+    }
+    // What counts the rounds is not known any more, nor are names that it is part of.
+    undecided_.push_back("");
+    eval(statement.getInc());
+    undecided_.pop_back();
+    runUndecided(statement.getBody(), "in a loop whose rounds are not constant", true);
+    return Flow::Next;
+}
+
+Follower::Flow Follower::runRounds(const clang::Expr* condition, const clang::Stmt* body) {
+    for (unsigned round = 0; round != kMostRounds; ++round) {
+        const auto goesOn = truth(condition);
+        if (goesOn && !*goesOn) return Flow::Next;
+        if (!goesOn || !undecided_.empty()) break;
+        const Flow flow = run(body);
+        if (flow == Flow::Break) return Flow::Next;
+        if (flow == Flow::Return) return flow;
+    }
+    runUndecided(body, "in a loop whose rounds are not constant", true);
+    return Flow::Next;
+}
+
+Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
+    run(statement.getInit());
+    const Value range = eval(statement.getRangeInit());
+    const clang::VarDecl& variable = *statement.getLoopVariable();
+    clang::QualType type = statement.getRangeInit()->getType().getNonReferenceType();
+    std::optional<std::uint64_t> size;
+    if (const auto* array = context_.getAsConstantArrayType(type)) size = array->getSize().getZExtValue();
+    const auto* record = type->getAsCXXRecordDecl();
+    const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
+    if (instance != nullptr && instance->isInStdNamespace() && instance->getName() == "array")
+        size = instance->getTemplateArgs()[1].getAsIntegral().getZExtValue();
+    // Lists in braces say how long they are, and so do containers that were made of one.
+    // Not so those that have an order of their own.
+    const bool sorts = record != nullptr && (record->getName().contains("map") || record->getName().contains("set"));
+    if (!sorts && range.is(Value::Kind::Place) && memory_.count(range.text + "#size") != 0)
+        size = static_cast<std::uint64_t>(memory_[range.text + "#size"].number);
+    if (!range.is(Value::Kind::Place) || !size || *size > kMostRounds) {
+        runUndecided(statement.getBody(), "in a loop over elements that are not constant", true);
+        return Flow::Next;
+    }
+    for (std::uint64_t i = 0; i != *size; ++i) {
+        const Place element = range.text + "[" + std::to_string(i) + "]";
+        if (variable.getType()->isReferenceType()) {
+            frames_.back().locals[&variable] = element;
+        } else {
+            const Place own = fresh("local");
+            copyObject(element, own);
+            frames_.back().locals[&variable] = own;
+        }
+        const Flow flow = run(statement.getBody());
+        if (flow == Flow::Break) return Flow::Next;
+        if (flow == Flow::Return) return flow;
+    }
+    return Flow::Next;
+}
+
+Follower::Flow Follower::runSwitch(const clang::SwitchStmt& statement) {
+    run(statement.getInit());
+    const Value value = content(statement.getCond());
+    const auto* block = dyn_cast<clang::CompoundStmt>(statement.getBody());
+    const clang::SwitchCase* taken = nullptr;
+    bool decided = value.is(Value::Kind::Number) && block != nullptr;
+    for (const clang::SwitchCase* one = statement.getSwitchCaseList(); one != nullptr; one = one->getNextSwitchCase()) {
+        const auto* label = dyn_cast<clang::CaseStmt>(one);
+        if (label == nullptr) {
+            if (taken == nullptr) taken = one;  // 'default'
+            continue;
+        }
+        const Value wanted = content(label->getLHS());
+        decided = decided && wanted.is(Value::Kind::Number) && label->getRHS() == nullptr;
+        if (decided && wanted.number == value.number) taken = one;
+    }
+    if (!decided || !undecided_.empty()) {
+        runUndecided(statement.getBody(), "in a 'switch' whose value is not constant", true);
+        return Flow::Next;
+    }
+    bool reached = false;
+    for (const clang::Stmt* part : block->body()) {
+        // Of "case 1: case 2: …" the second label is within the first.
+        for (const clang::Stmt* label = part; !reached && llvm::isa<clang::SwitchCase>(label);
+             label = llvm::cast<clang::SwitchCase>(label)->getSubStmt())
+            reached = label == taken;
+        const Flow flow = reached ? run(part) : Flow::Next;
+        if (flow == Flow::Break) return Flow::Next;
+        if (flow != Flow::Next) return flow;
+    }
+    return Flow::Next;
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <driver/new_classes.hpp>
+
+#include <algorithm>
+
+#include <driver/package_files.hpp>
+#include <driver/package_sources.hpp>
+#include <view/cpp_text.hpp>
+
+namespace fs = std::filesystem;
+
+namespace oroforge::driver {
+
+namespace {
+
+const char* const kBuildFile = "CMakeLists.txt";
+
+bool isFound(const model::UserCode& code, const std::string& name) {
+    return std::any_of(code.classes.begin(), code.classes.end(),
+                       [&](const model::UserClass& one) { return one.name == name && !one.file.empty(); });
+}
+
+/// Behind the word that names a source of another component: in a line of its own, or beside it.
+bool addBehind(std::string& cmake, const std::string& known, const std::string& fresh) {
+    for (std::size_t at = cmake.find(known); at != std::string::npos; at = cmake.find(known, at + 1)) {
+        const std::size_t end = at + known.size();
+        const std::string before = at == 0 ? " " : cmake.substr(at - 1, 1);
+        const std::string behind = end == cmake.size() ? " " : cmake.substr(end, 1);
+        if (std::string(" \t\n(").find(before) == std::string::npos) continue;
+        if (std::string(" \t\r\n)").find(behind) == std::string::npos) continue;
+        const std::size_t line = at == 0 ? 0 : cmake.rfind('\n', at - 1) + 1;
+        const std::string indent = cmake.substr(line, at - line);
+        if (indent.find('#') != std::string::npos) continue;
+        const bool alone = indent.find_first_not_of(" \t") == std::string::npos &&
+                           std::string("\r\n").find(behind) != std::string::npos;
+        const std::string lineEnd = behind == "\r" ? "\r\n" : "\n";
+        cmake.insert(end, (alone ? lineEnd + indent : " ") + fresh);
+        return true;
+    }
+    return false;
+}
+
+void addToBuild(const NewClasses& input, const merge::WantedClass& wanted, emit::Outputs& outputs, merge::Plan& plan,
+                diag::Sink& sink) {
+    const std::string name = view::lastName(wanted.name);
+    if (outputs.count(kBuildFile) == 0) outputs[kBuildFile] = textOf(input.root / kBuildFile);
+    std::string& cmake = outputs[kBuildFile];
+    bool source = false, header = false, test = false;
+    for (auto other = input.wanted.rbegin(); other != input.wanted.rend() && wanted.isComponent; ++other) {
+        if (!other->isComponent || other->name == wanted.name) continue;
+        const std::string known = view::lastName(other->name);
+        source = source || addBehind(cmake, "src/" + known + ".cpp", "src/" + name + ".cpp");
+        if (!header) header = addBehind(cmake, "src/" + known + ".hpp", "src/" + name + ".hpp");
+        test = test || addBehind(cmake, "tests/" + known + "_test.cpp", "tests/" + name + "_test.cpp");
+    }
+    if (source) plan.changes.push_back(std::string(kBuildFile) + ": src/" + name + ".cpp");
+    if (cmake.empty()) outputs.erase(kBuildFile);
+    if (source) return;
+    sink.warning({input.shown + kBuildFile, 0, 0}, "OC041",
+                 "no place for 'src/" + name + ".cpp' was found: it is to be added by hand")
+        .note(wanted.where, "of the class that is new here");
+}
+
+}  // namespace
+
+void addNewClasses(const NewClasses& input, const render::Renderer& renderer, emit::Outputs& outputs, merge::Plan& plan,
+                   diag::Sink& sink) {
+    const Scaffold all = scaffold(input.package, input.manifest, false, renderer);
+    for (const merge::WantedClass& wanted : input.wanted) {
+        if (isFound(input.code, wanted.name)) continue;
+        const std::string name = view::lastName(wanted.name);
+        const auto recorded = input.record.find(wanted.name);
+        if (recorded != input.record.end()) {
+            plan.record[wanted.name] = recorded->second;
+            sink.warning(wanted.where, "OC034",
+                         "class '" + wanted.name + "' was once in this package and is not found any more")
+                .hint("if it has another name now, change the manifest, too");
+            continue;
+        }
+        for (const std::string& file :
+             {"src/" + name + ".hpp", "src/" + name + ".cpp", "tests/" + name + "_test.cpp"}) {
+            if (fs::exists(input.root / file)) {
+                if (file.compare(0, 4, "src/") == 0)
+                    sink.error({input.shown + file, 0, 0}, "OC030",
+                               "this file is there already, but class '" + wanted.name + "' was not found in it")
+                        .note(wanted.where, "the manifest wants it here");
+                continue;
+            }
+            outputs[file] = all.user.at(file);
+            plan.changes.push_back(file + ": new");
+        }
+        plan.record[wanted.name] = merge::recordOf(wanted);
+        addToBuild(input, wanted, outputs, plan, sink);
+    }
+}
+
+}  // namespace oroforge::driver

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <merge/edits.hpp>
+
+#include <algorithm>
+#include <cassert>
+
+namespace oroforge::merge {
+
+void Edits::replace(const std::string& file, model::Span span, const std::string& text) {
+    std::vector<Edit>& edits = byFile_[file];
+    // Behind all that begin at the same place: the order of insertions is that of the calls.
+    const auto at = std::upper_bound(edits.begin(), edits.end(), span.begin,
+                                     [](std::size_t begin, const Edit& edit) { return begin < edit.span.begin; });
+    edits.insert(at, Edit{span, text});
+}
+
+void Edits::insert(const std::string& file, std::size_t at, const std::string& text) { replace(file, {at, at}, text); }
+
+std::string applied(const std::string& text, const std::vector<Edit>& edits) {
+    std::string result;
+    std::size_t at = 0;
+    for (const Edit& edit : edits) {
+        assert(edit.span.begin >= at && edit.span.end <= text.size());
+        result.append(text, at, edit.span.begin - at);
+        result += edit.text;
+        at = edit.span.end;
+    }
+    return result.append(text, at, std::string::npos);
+}
+
+std::string undone(const std::string& changed, const std::string& before, const std::vector<Edit>& edits) {
+    std::string result;
+    std::size_t at = 0;     // in `changed`
+    std::size_t atOld = 0;  // in `before`
+    for (const Edit& edit : edits) {
+        const std::size_t kept = edit.span.begin - atOld;
+        result.append(changed, at, kept);
+        at += kept;
+        if (changed.compare(at, edit.text.size(), edit.text) != 0) return {};
+        result.append(before, edit.span.begin, edit.span.end - edit.span.begin);
+        at += edit.text.size();
+        atOld = edit.span.end;
+    }
+    return result.append(changed, std::min(at, changed.size()), std::string::npos);
+}
+
+diag::Location moved(const diag::Location& where, const std::string& before, const std::vector<Edit>& edits) {
+    if (where.line == 0) return where;
+    std::size_t at = 0;
+    for (unsigned line = 1; line < where.line && at < before.size(); ++line) at = before.find('\n', at) + 1;
+    at += where.column == 0 ? 0 : where.column - 1;
+    std::size_t now = at;
+    for (const Edit& edit : edits) {
+        if (edit.span.begin > at || edit.span.end > at) break;
+        now += edit.text.size() - (edit.span.end - edit.span.begin);
+    }
+    const std::string after = applied(before, edits);
+    diag::Location result = where;
+    result.line =
+        1 + static_cast<unsigned>(std::count(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(now), '\n'));
+    const std::size_t newline = now == 0 ? std::string::npos : after.rfind('\n', now - 1);
+    if (where.column != 0)
+        result.column = static_cast<unsigned>(now - (newline == std::string::npos ? 0 : newline + 1)) + 1;
+    return result;
+}
+
+}  // namespace oroforge::merge

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_GENERATOR_MERGE_NEW_MEMBERS_HPP
+#define OROFORGE_GENERATOR_MERGE_NEW_MEMBERS_HPP
+
+#include <map>
+#include <string>
+
+#include <merge/insertion.hpp>
+#include <merge/plan.hpp>
+
+namespace oroforge::merge {
+
+/// Whether a call registers that kind: "addEventPort" a "port".
+bool registers(const std::string& verb, const std::string& kind);
+
+/// Puts data members into a class, and the calls that make them known into its constructor: each behind the last of its
+/// kind, in the words of that.
+class NewMembers {
+public:
+    NewMembers(const model::UserClass& type, const Input& input, Plan& into);
+
+    /// The constructor that has a body to register things in; null if there is none.
+    const model::UserFunction* constructor() const { return constructor_; }
+
+    /// Declares it; returns the name of the data member.
+    std::string declare(const WantedMember& member);
+    /// Adds "this->" + call + ";" to the constructor.
+    void registerBy(const std::string& kind, const std::string& path, const std::string& call);
+    /// Makes the edits.
+    void finish();
+
+private:
+    struct Lines {
+        std::string text;
+        bool inEmptyBody = false;
+    };
+
+    std::string memberName(const WantedMember& member) const;
+    const model::UserField* lastField(const std::string& kind) const;
+    std::string portPrefix() const;
+    std::string receiverLike(const model::UserRegistration* sample, bool sameKind) const;
+
+    const model::UserClass& type_;
+    const Input& input_;
+    Plan& into_;
+    const model::UserFunction* constructor_ = nullptr;
+    std::map<std::size_t, std::string> declarations_;  ///< lines by place in the file of the class
+    bool atEnd_ = false;
+    std::map<std::size_t, std::string> calls_;  ///< lines by place in the file of the constructor
+};
+
+}  // namespace oroforge::merge
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Decides how the user's files follow a change of the manifest.
+///
+///     manifest ─► wanted ─┐
+///     sources ─► user code ├─► plan: edits, a new record, what to tell
+///     record of last time ─┘
+///
+/// Three signatures meet: what the manifest wants, what was last written, what stands in the code. Code that is as it was
+/// written follows the manifest. Code that the user changed stays, and if the manifest wants something else, that is an
+/// error: who of the two is right, nobody can guess.
+#ifndef OROFORGE_GENERATOR_MERGE_PLAN_HPP
+#define OROFORGE_GENERATOR_MERGE_PLAN_HPP
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+#include <merge/edits.hpp>
+#include <merge/record.hpp>
+#include <merge/wanted.hpp>
+#include <model/user_code.hpp>
+
+namespace oroforge::merge {
+
+/// Conflicts that the user decided: names as in the manifest, with or without the class in front, "finish" or "Plant.finish".
+struct Choices {
+    std::set<std::string> manifest;
+    std::set<std::string> code;
+};
+
+bool isChosen(const std::set<std::string>& names, const std::string& className, const std::string& name);
+
+/// What the compiler makes of a signature in the namespace of a class; key as of question().
+using Answers = std::map<std::string, model::CanonicalSignature>;
+
+std::string question(const model::Signature& signature);
+
+/// Signatures that plan() will want to compare with those in the code.
+std::vector<model::Signature> questionsOf(const WantedClass& wanted, const RecordedClass* recorded);
+
+struct Input {
+    const model::UserCode& code;
+    const std::map<std::string, Answers>& answers;  ///< by class
+    const Record& record;
+    const Choices& choices;
+};
+
+struct Plan {
+    Edits edits;
+    Record record;
+    std::vector<std::string> changes;  ///< "src/Plant.hpp: bool finish(int sent)"
+};
+
+/// Of the wanted classes that the code has. With errors in the sink the plan is not to be carried out.
+Plan plan(const std::vector<WantedClass>& wanted, const Input& input, diag::Sink& sink);
+
+/// What stands in files that were just made.
+RecordedClass recordOf(const WantedClass& wanted);
+
+/// How members are made known, and declared, in a class that has no generated base.
+void planMembers(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
+                 diag::Sink& sink);
+
+}  // namespace oroforge::merge
+
+#endif

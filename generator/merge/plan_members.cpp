@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+//
+// Classes that have no generated base declare and register their ports, properties, attributes and operations themselves.
+#include <algorithm>
+
+#include <merge/new_members.hpp>
+#include <merge/plan.hpp>
+#include <merge/text_places.hpp>
+#include <model/cpp_type.hpp>
+
+namespace oroforge::merge {
+
+namespace {
+
+using model::UserField;
+using model::UserRegistration;
+
+class MemberPlanner {
+public:
+    MemberPlanner(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
+                  diag::Sink& sink)
+        : wanted_(wanted), type_(type), input_(input), into_(into), sink_(sink), fresh_(type, input, into) {
+        const auto found = input.record.find(wanted.name);
+        if (found != input.record.end()) recorded_ = found->second;
+    }
+
+    void run() {
+        for (const WantedMember& member : wanted_.members) plan(member);
+        for (const WantedMethod& method : wanted_.methods)
+            if (!method.isHook) planOperation(method);
+        fresh_.finish();
+    }
+
+private:
+    const UserField* fieldNamed(const std::string& name) const {
+        for (const UserField& field : type_.fields)
+            if (field.name == name) return &field;
+        return nullptr;
+    }
+
+    /// The call that registers that name: it has it as a text, or the data member it takes was given it.
+    const UserRegistration* callFor(const std::string& kind, const std::string& name) const {
+        for (const UserRegistration& one : type_.registrations) {
+            if (!registers(one.verb, kind)) continue;
+            const UserField* field = fieldNamed(one.member);
+            const std::string known = !one.literal.empty() ? one.literal : field != nullptr ? field->literal : "";
+            if (known == name) return &one;
+        }
+        return nullptr;
+    }
+
+    /// A call of that kind of which nobody knows what it registers.
+    const UserRegistration* unclear(const std::string& kind) const {
+        for (const UserRegistration& one : type_.registrations) {
+            if (!registers(one.verb, kind) || !one.literal.empty()) continue;
+            const UserField* field = fieldNamed(one.member);
+            if (field == nullptr || field->literal.empty()) return &one;
+        }
+        return nullptr;
+    }
+
+    bool chosen(const std::set<std::string>& names, const std::string& shown) const {
+        return isChosen(names, wanted_.name, shown);
+    }
+
+    bool hasType(const UserField& field, const std::string& type) const {
+        const auto answers = input_.answers.find(wanted_.name);
+        if (answers != input_.answers.end()) {
+            const auto answer = answers->second.find(question({"void", {{type, ""}}}));
+            if (answer != answers->second.end() && answer->second.known() && !field.canonical.empty())
+                return answer->second.arguments.front() == field.canonical;
+        }
+        return withoutLayout(cut(input_.code.texts.at(field.file), field.type)) == model::normalised(type);
+    }
+
+    void keepRecord(const WantedMember& member, const std::string& name, bool kept) {
+        into_.record[wanted_.name].members[member.shown] = {member.kind, name, member.type, kept};
+    }
+
+    void plan(const WantedMember& member) {
+        const auto found = recorded_.members.find(member.shown);
+        const RecordedMember* last = found == recorded_.members.end() ? nullptr : &found->second;
+        const UserRegistration* call = callFor(member.kind, member.name);
+        const UserField* field = call != nullptr ? fieldNamed(call->member) : nullptr;
+        for (const std::string& name : {last != nullptr ? last->member : "", member.method + "_", member.method,
+                                        "m_" + member.method, "_" + member.method})
+            if (field == nullptr && call == nullptr && !name.empty()) field = fieldNamed(name);
+        const std::string fieldName = field != nullptr ? field->name : last != nullptr ? last->member : "";
+        const bool unchanged = last != nullptr && model::normalised(last->type) == model::normalised(member.type);
+        const bool takeManifest = chosen(input_.choices.manifest, member.shown);
+        if (chosen(input_.choices.code, member.shown) || (unchanged && last->kept && !takeManifest))
+            return keepRecord(member, fieldName, true);
+        if (field != nullptr) return planDeclared(member, *field, call, last, unchanged, takeManifest);
+        // What the call takes is nothing that a class declares: a variable of another, say.
+        if (call != nullptr) return keepRecord(member, "", false);
+        if (last != nullptr && unchanged && !takeManifest) return warnRemoved(member, last->member);
+        if (!canAdd(member.kind, member.shown, member.where)) return;
+        const std::string name = fresh_.declare(member);
+        fresh_.registerBy(member.kind, member.path,
+                          member.verb + "(\"" + member.name + "\", " + name + ")" + member.doc);
+        keepRecord(member, name, false);
+    }
+
+    void planDeclared(const WantedMember& member, const UserField& field, const UserRegistration* call,
+                      const RecordedMember* last, bool unchanged, bool takeManifest) {
+        const bool samePort =
+            field.portClass == member.portClass ||
+            (member.portClass.empty() && field.portClass != "InputPort" && field.portClass != "OutputPort");
+        if (!samePort || !hasType(field, member.type)) {
+            const bool untouched = last != nullptr && samePort && !unchanged && hasType(field, last->type);
+            if (!untouched && !(takeManifest && samePort)) return conflict(member, field, last);
+            if (!changeType(member, field)) return;
+        }
+        if (call == nullptr && last == nullptr) {
+            if (!canAdd(member.kind, member.shown, member.where)) return;
+            fresh_.registerBy(member.kind, member.path,
+                              member.verb + "(\"" + member.name + "\", " + field.name + ")" + member.doc);
+        }
+        keepRecord(member, field.name, false);
+    }
+
+    bool changeType(const WantedMember& member, const UserField& field) {
+        const std::string& text = input_.code.texts.at(field.file);
+        if (field.type.empty() || hasComment(cut(text, field.type))) {
+            sink_
+                .error(field.where, "OC032",
+                       "the type of '" + field.name + "' cannot become '" + member.type +
+                           "', as the manifest wants it: it is not written plainly, or several names share it")
+                .note(member.where, "in the manifest here")
+                .hint("change it by hand; then there is nothing left to do");
+            return false;
+        }
+        into_.edits.replace(field.file, field.type, member.portClass.empty() ? member.declared : member.type);
+        into_.changes.push_back(field.file + ": '" + field.name + "' is of type " + member.type);
+        return true;
+    }
+
+    void conflict(const WantedMember& member, const UserField& field, const RecordedMember* last) {
+        const auto named = [](const std::string& portClass, const std::string& type) {
+            return portClass.empty() ? type : portClass + "<" + type + ">";
+        };
+        const std::string here = withoutLayout(cut(input_.code.texts.at(field.file), field.whole));
+        auto& error = sink_.error(field.where, "OC031",
+                                  member.kind + " '" + member.shown + "' is '" + here + "' here and of type '" +
+                                      named(member.portClass, member.type) + "' in the manifest" +
+                                      (last == nullptr ? "" : "; it was once of type '" + last->type + "'"));
+        error.note(member.where, "in the manifest here")
+            .hint("'--take-manifest " + member.shown + "' changes the type here, '--take-code " + member.shown +
+                  "' leaves it as it is");
+    }
+
+    void warnRemoved(const WantedMember& member, const std::string& name) {
+        keepRecord(member, name, false);
+        sink_
+            .warning(type_.where, "OC034",
+                     "class '" + type_.name + "' no longer has " + member.kind + " '" + member.shown +
+                         "', which the manifest still has")
+            .note(member.where, "in the manifest here")
+            .hint("'--take-manifest " + member.shown + "' writes it again, '--take-code " + member.shown +
+                  "' leaves it out");
+    }
+
+    bool canAdd(const std::string& kind, const std::string& shown, const diag::Location& where) {
+        if (const UserRegistration* one = unclear(kind)) {
+            sink_
+                .error(one->where, "OC033",
+                       "what this call registers cannot be told: it may be " + kind + " '" + shown + "'")
+                .note(where, "wanted here")
+                .hint("write the name as a text, or say that all is as it should be with '--take-code " + shown + "'");
+            return false;
+        }
+        if (fresh_.constructor() != nullptr && !type_.isMacro) return true;
+        sink_
+            .error(type_.where, "OC032",
+                   "class '" + type_.name + "' has no constructor with a body in this package to register " + kind +
+                       " '" + shown + "' in")
+            .note(where, "wanted here");
+        return false;
+    }
+
+    void planOperation(const WantedMethod& method) {
+        if (callFor("operation", method.operation) != nullptr) return;
+        // Known from before: who took the call out did so on purpose.
+        if (recorded_.methods.count(method.name) != 0 && !chosen(input_.choices.manifest, method.shown)) return;
+        if (chosen(input_.choices.code, method.shown)) return;
+        if (!canAdd("operation", method.shown, method.where)) return;
+        fresh_.registerBy("operation", method.path, method.registration);
+    }
+
+    const WantedClass& wanted_;
+    const model::UserClass& type_;
+    const Input& input_;
+    Plan& into_;
+    diag::Sink& sink_;
+    RecordedClass recorded_;
+    NewMembers fresh_;
+};
+
+}  // namespace
+
+void planMembers(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
+                 diag::Sink& sink) {
+    MemberPlanner(wanted, type, input, into, sink).run();
+}
+
+}  // namespace oroforge::merge

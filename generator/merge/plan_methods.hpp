@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_GENERATOR_MERGE_PLAN_METHODS_HPP
+#define OROFORGE_GENERATOR_MERGE_PLAN_METHODS_HPP
+
+#include <merge/plan.hpp>
+
+namespace oroforge::merge {
+
+/// Operations and hooks of one class.
+void planMethods(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
+                 diag::Sink& sink);
+
+/// Whether what stands in the code has this signature, as the compiler sees it; where it could not see, as it is written.
+bool hasSignature(const model::UserFunction& function, const model::Signature& signature, const std::string& className,
+                  const Input& input);
+
+/// How the user wrote it: "bool finish(double sent)"
+std::string asWritten(const model::UserFunction& function, const model::UserCode& code);
+
+}  // namespace oroforge::merge
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Classes of the user as they stand in their files: which bytes are what. Plain data, filled in by generator/clang.
+#ifndef OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
+#define OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <diag/diagnostic.hpp>
+
+namespace oroforge::model {
+
+/// Bytes [begin, end) of a file. Empty (0, 0) if there is nothing of the kind.
+struct Span {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    bool empty() const { return begin == end; }
+    bool holds(std::size_t at) const { return begin <= at && at < end; }
+    bool holds(const Span& other) const { return begin <= other.begin && other.end <= end; }
+};
+
+inline bool operator==(const Span& a, const Span& b) { return a.begin == b.begin && a.end == b.end; }
+inline bool operator<(const Span& a, const Span& b) { return a.begin != b.begin ? a.begin < b.begin : a.end < b.end; }
+
+/// A type and a name, as they are written.
+struct TypedName {
+    std::string type;
+    std::string name;
+};
+
+inline bool operator==(const TypedName& a, const TypedName& b) { return a.type == b.type && a.name == b.name; }
+
+/// What a method looks like from outside.
+struct Signature {
+    std::string returns = "void";
+    std::vector<TypedName> arguments;
+};
+
+inline bool operator==(const Signature& a, const Signature& b) {
+    return a.returns == b.returns && a.arguments == b.arguments;
+}
+
+/// The types of a signature as the compiler sees them, aliases and namespaces resolved; all empty where it could not.
+struct CanonicalSignature {
+    std::string returns;
+    std::vector<std::string> arguments;
+
+    bool known() const { return !returns.empty(); }
+};
+
+inline bool operator==(const CanonicalSignature& a, const CanonicalSignature& b) {
+    return a.returns == b.returns && a.arguments == b.arguments;
+}
+
+struct UserParameter {
+    std::string name;      ///< empty if it has none
+    Span whole;            ///< from the type to the end of the name or of the default value
+    Span type;             ///< empty if type and name are intertwined, as in "int a[3]", or come from a macro
+    bool isMacro = false;  ///< some of it comes out of a macro
+};
+
+enum class FunctionKind { Method, Constructor, Destructor };
+enum class Access { Public, Protected, Private };
+
+/// A declaration or definition of a member function.
+struct UserFunction {
+    std::string name;
+    FunctionKind kind = FunctionKind::Method;
+    Access access = Access::Public;
+    bool isTemplate = false;
+    bool isMacro = false;  ///< declared by a macro: nothing of it can be edited
+    bool isOther = false;  ///< const, static, with & or volatile: no operation or hook of the manifest is
+    bool saysVirtual = false;
+    bool saysOverride = false;  ///< or final
+    bool inClass = false;       ///< stands in the body of the class
+    bool isDefinition = false;
+
+    std::string file;
+    diag::Location where;  ///< of the name
+    Span whole;            ///< from the first word up to and with the ';' or '}'
+    Span returns;          ///< empty if the type cannot be told apart from other words
+    Span qualifier;        ///< "tank::Plant::" of a definition outside
+    Span nameSpan;
+    Span brackets;  ///< what stands between '(' and ')'
+    std::vector<UserParameter> parameters;
+    Span body;          ///< with its braces
+    Span scope;         ///< what stands between the braces of the namespace around; the whole file if there is none
+    std::string space;  ///< that namespace, "" if there is none
+    CanonicalSignature types;
+};
+
+/// A data member.
+struct UserField {
+    std::string name;
+    std::string file;
+    diag::Location where;
+    Span whole;             ///< up to and with the ';'
+    Span type;              ///< empty if it cannot be replaced: several names, a macro, "int a[3]"
+    std::string canonical;  ///< type as the compiler sees it
+    std::string portClass;  ///< "InputPort" or "OutputPort"; empty if it is no port
+    std::string literal;    ///< first string in its initialiser, in the class or in a constructor
+};
+
+/// A call such as this->addPort("level", level_) in a constructor.
+struct UserRegistration {
+    std::string verb;     ///< "addPort"
+    std::string literal;  ///< first argument, if it is a string
+    std::string member;   ///< the data member among the arguments
+    std::string file;
+    diag::Location where;
+    Span statement;         ///< up to and with the ';'
+    Span receiver;          ///< what stands before the verb: "this->", "ports()->" or nothing
+    bool isNested = false;  ///< in a block inside of the constructor: runs under a condition, or several times
+};
+
+/// "public:" and its like.
+struct AccessLabel {
+    Access access = Access::Public;
+    Span span;
+};
+
+struct UserClass {
+    std::string name;  ///< qualified
+    std::string file;
+    diag::Location where;
+    bool isMacro = false;
+    bool hasGeneratedBase = false;  ///< derives from the class that its manifest generates
+    bool isStruct = false;
+    Span whole;  ///< from "class" to its '}'
+    Span body;   ///< between the braces
+    std::vector<AccessLabel> labels;
+    std::vector<UserFunction> functions;  ///< by file and place
+    std::vector<UserField> fields;
+    std::vector<UserRegistration> registrations;
+};
+
+/// What is between #if and #endif, and what of it the compiler skipped.
+struct Conditionals {
+    std::vector<Span> blocks;   ///< whole lines
+    std::vector<Span> skipped;  ///< whole lines
+};
+
+struct UserCode {
+    std::vector<UserClass> classes;
+    std::map<std::string, Conditionals> conditionals;  ///< by file
+    std::map<std::string, std::string> texts;          ///< of the files that were read
+};
+
+}  // namespace oroforge::model
+
+#endif
