@@ -4,7 +4,7 @@
 // A case is a directory <kind>/<name>/ with
 //     args              command lines of orocreate-pkg, one per line; run one after the other
 //     other files       copied into the empty directory in which it runs
-//     expected/         status.txt (if not 0), stdout.txt, stderr.txt (if not empty), files/ (what it made)
+//     expected/         status.txt (if not 0), stdout.txt, stderr.txt (if not empty), files/ (what it made or changed)
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -48,7 +48,8 @@ std::map<std::string, std::string> observed(const fs::path& golden) {
         if (outcome.status != 0) result["status.txt"] += std::to_string(outcome.status) + "\n";
     }
     for (const auto& [name, text] : readTree(dir.path())) {
-        if (inputs.count(name) == 0) result["files/" + name] = text;
+        const auto input = inputs.find(name);
+        if (input == inputs.end() || input->second != text) result["files/" + name] = text;
     }
     return result;
 }
@@ -64,7 +65,8 @@ TEST_P(OrocreatePkgGolden, GivesWhatIsExpected) {
 
 std::vector<std::string> allCases() {
     std::vector<std::string> paths;
-    for (const char* kind : {"manifest_model", "manifest_view", "manifest_diagnostics", "component", "package"}) {
+    for (const char* kind :
+         {"manifest_model", "manifest_view", "manifest_diagnostics", "component", "package", "describe", "update"}) {
         for (const std::string& name : goldenCases(kind)) paths.push_back(std::string(kind) + "/" + name);
     }
     return paths;

@@ -21,9 +21,10 @@ namespace {
 std::set<std::string> codesInSources() {
     const std::regex quotedCode("\"((TK|EMIT|OM|OC)[0-9]{3})\"");
     std::set<std::string> codes;
-    for (const char* part : {"generator/adapters", "generator/check", "generator/clang", "generator/driver",
-                             "generator/emit", "generator/manifest", "generator/model", "generator/render",
-                             "generator/report", "generator/view", "typekit_gen"}) {
+    for (const char* part :
+         {"generator/adapters", "generator/check", "generator/clang", "generator/driver", "generator/emit",
+          "generator/flags", "generator/manifest", "generator/merge", "generator/model", "generator/render",
+          "generator/report", "generator/view", "typekit_gen"}) {
         for (const auto& [name, text] : readTree(sourceRoot() / part)) {
             for (std::sregex_iterator at(text.begin(), text.end(), quotedCode), end; at != end; ++at) {
                 codes.insert((*at)[1]);

@@ -1,0 +1,6 @@
+#include "Plant.hpp"
+
+void tank::models::Plant::drain( double /*amount*/, bool slowly )
+{
+  (void)slowly;
+}

@@ -1,0 +1,6 @@
+#include <tank/RecorderBase.hpp>
+class Recorder : public RecorderBase {
+public:
+    void record() override {
+    }
+};

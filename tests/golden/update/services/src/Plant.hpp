@@ -1,0 +1,2 @@
+#include <tank/PlantBase.hpp>
+struct Plant : PlantBase { Plant(const std::string& n) : PlantBase(n) {} };

@@ -1,0 +1,3 @@
+#include <tank/RecorderBase.hpp>
+class Recorder : public RecorderBase {
+};
