@@ -149,6 +149,7 @@ private:
         Words words(context_, begin);
         clang::Token token;
         clang::Token last;
+        last.startToken();
         std::size_t beforeLast = one.whole.begin;
         int depth = 0;
         while (words.next(token) && places_.offset(token.getLocation()) < into_.brackets.end) {

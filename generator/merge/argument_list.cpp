@@ -155,7 +155,7 @@ private:
         }
         const int previous = origin_[j - 1];
         const std::string behind = previous < 0 ? "" : pieces_[static_cast<std::size_t>(previous)].behind;
-        if (i >= 0 && previous == i - 1) {
+        if (i > 0 && previous == i - 1) {
             result_ += behind + "," + before + words;
             return;
         }

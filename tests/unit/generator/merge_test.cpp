@@ -57,6 +57,7 @@ TEST(ChangedArguments, KeepWhatTheUserWroteAroundThoseThatStay) {
     EXPECT_EQ(rewritten("f(int a, int b)", from, {{"int", "b"}}).text, "int b");
     EXPECT_EQ(rewritten("f(int a, int b)", from, {}).text, "");
     EXPECT_EQ(rewritten("f()", {}, {{"bool", "c"}}, true).text, "bool /*c*/");
+    EXPECT_EQ(rewritten("f(int mine)", {{"int", "a"}}, {{"bool", "n"}, {"int", "a"}}).text, "bool n, int mine");
 }
 
 TEST(ChangedArguments, PutACommaBeforeALineComment) {
