@@ -64,8 +64,10 @@ void declare(CLI::App& app, Options& options) {
                  "With --generate, --update: write nothing, fail if a file is missing or stale");
     app.add_flag("--update", options.update, "Bring the classes of the user up to date with the manifest");
     const auto addNames = [&](const char* name, std::vector<std::string>& into, const char* type, const char* help) {
-        app.add_option(name, into, help)->type_name(type)->expected(1)->multi_option_policy(
-            CLI::MultiOptionPolicy::TakeAll);
+        app.add_option(name, into, help)
+            ->type_name(type)
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
     addNames("--take-manifest", options.takeManifest, "NAME", "With --update: change what stands in the code");
     addNames("--take-code", options.takeCode, "NAME", "With --update: leave what stands in the code");
@@ -226,9 +228,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sin
     declare(app, options);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     // Other modes have no use for them, and complain.
-    const bool compiles = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-        return word == "--describe" || word == "--update";
-    });
+    const bool compiles = std::any_of(
+        words.begin(), words.end(), [](const std::string& word) { return word == "--describe" || word == "--update"; });
     if (compiles) options.flags = takeCompilerWords(words);
     std::reverse(words.begin(), words.end());
     try {
