@@ -92,6 +92,10 @@ public:
         getPort("none")->doc("found again");
         ma = 2 > 1 ? 7 : 8;
     }
+    ~Odd() override {
+        stop();
+        delete delayed;
+    }
     int over(int) { return 1; }
     double over(double) { return 1; }
     const std::string& named() const { return getName(); }

@@ -50,6 +50,10 @@ struct Io {
  *  It has everything. */
 class Tricky : public Base {
 public:
+    ~Tricky() override {
+        stop();
+        delete raw_;
+    }
     explicit Tricky(const std::string& name) : Base(name), op_("bound"), io_(this), gain_("gain", "a gain", 0.25f) {
         addIn("first", first_, "the first");
         addOut(*this, "second", second_);
@@ -100,7 +104,6 @@ public:
         label_ += " of it";
         if (kLimit > 3) addPort("always", always_);
     }
-    ~Tricky() { stop(); }
 
 private:
     void init() override { Base::init(); }
