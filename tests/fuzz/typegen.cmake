@@ -6,11 +6,14 @@ if(NOT TARGET oroforge_typekit_gen)
 endif()
 set(generator ${PROJECT_SOURCE_DIR}/generator)
 set(typekit_gen ${PROJECT_SOURCE_DIR}/typekit_gen)
-file(GLOB parts CONFIGURE_DEPENDS ${generator}/adapters/*.cpp ${generator}/emit/*.cpp ${generator}/model/*.cpp
-  ${generator}/render/*.cpp ${generator}/report/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
+file(GLOB parts CONFIGURE_DEPENDS ${generator}/adapters/*.cpp ${generator}/emit/*.cpp ${generator}/flags/*.cpp
+  ${generator}/model/*.cpp ${generator}/render/*.cpp ${generator}/report/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
   ${typekit_gen}/driver/*.cpp ${typekit_gen}/plan/*.cpp ${runtime}/diag/*.cpp)
 list(FILTER parts EXCLUDE REGEX "/driver/main.cpp$")
 file(GLOB clang_parts CONFIGURE_DEPENDS ${generator}/clang/*.cpp)
+# What reads components is no part of typegen.
+list(FILTER clang_parts EXCLUDE REGEX
+  "/(follow_|component_|describe_component|find_components|user_class|function_spans|registrations|conditional_watch|source_run)[a-z_]*.cpp$")
 list(APPEND clang_parts typegen/source_check.cpp)
 set(options -I${generator} -I${typekit_gen} -DOROFORGE_VERSION="fuzz")
 # As in generator/clang/clang.cmake: LLVM has no run-time type information, and its headers are read once.
