@@ -3,8 +3,6 @@
 #include <driver/add.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <ostream>
 #include <regex>
@@ -26,11 +24,6 @@ namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
 const char* const kBuildFile = "CMakeLists.txt";
-
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The text with each comment and quoted text blanked out, so that what is found in it is a command.
 std::string withoutComments(const std::string& cmake) {
@@ -138,7 +131,7 @@ void addPart(const Options& options, const render::Renderer& renderer, std::ostr
     const std::string fault = check::packageNameFault(options.add[1]);
     if (!fault.empty()) sink.error(kHere, "OC002", "name '" + options.add[1] + "' " + fault);
     checkNames(options, sink);
-    const std::string cmake = textOf(kBuildFile);
+    const std::string cmake = emit::textOf(kBuildFile);
     const auto project = findCommand(cmake, "project");
     if (!project) {
         sink.error(kHere, "OC009",

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 
 #include <check/check.hpp>
@@ -23,11 +21,6 @@ namespace oroforge::driver {
 namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
-
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 bool isOnly(const Options& options, const char* kind) { return options.words.size() == 2 && options.words[1] == kind; }
 
@@ -45,7 +38,7 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
     }
     for (const model::Text& header : headers) {
         if (!stands(header)) sink.error(header.where, "OC006", "no file '" + header.value + "' beside the manifest");
-        files.user[header.value] = textOf(directory / header.value);
+        files.user[header.value] = emit::textOf(directory / header.value);
     }
 }
 
@@ -62,7 +55,7 @@ emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::ve
     emit::Outputs outputs = files.shared;
     for (const auto& [name, text] : files.shared) {
         if (!fs::exists(directory / name)) continue;
-        const std::string old = textOf(directory / name);
+        const std::string old = emit::textOf(directory / name);
         if (old != text) outputs[backupName(directory, name)] = old;
     }
     for (const auto& [name, text] : files.user) {
@@ -100,7 +93,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     const std::string manifest = name + ".xml";
     Scaffold files = scaffold(*package, manifest, options.catkin, renderer);
     addTypekitHeaders(*package, options.from, files, sink);
-    files.shared[manifest] = textOf(options.from);
+    files.shared[manifest] = emit::textOf(options.from);
     // Sources that are there already were not written from this manifest.
     const std::string record = fs::exists(name) ? std::string() : firstRecord(*package, manifest, renderer);
     if (!record.empty()) files.shared[merge::kRecordFile] = record;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <driver/package_files.hpp>
-#include <driver/package_sources.hpp>
 #include <view/cpp_text.hpp>
 
 namespace fs = std::filesystem;
@@ -44,7 +43,7 @@ bool addBehind(std::string& cmake, const std::string& known, const std::string& 
 void addToBuild(const NewClasses& input, const merge::WantedClass& wanted, emit::Outputs& outputs, merge::Plan& plan,
                 diag::Sink& sink) {
     const std::string name = view::lastName(wanted.name);
-    if (outputs.count(kBuildFile) == 0) outputs[kBuildFile] = textOf(input.root / kBuildFile);
+    if (outputs.count(kBuildFile) == 0) outputs[kBuildFile] = emit::textOf(input.root / kBuildFile);
     std::string& cmake = outputs[kBuildFile];
     bool source = false, header = false, test = false;
     for (auto other = input.wanted.rbegin(); other != input.wanted.rend() && wanted.isComponent; ++other) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <set>
+
+#include <emit/outputs.hpp>
 
 namespace fs = std::filesystem;
 
@@ -51,11 +51,6 @@ bool isLeftOut(const fs::path& folder) {
 
 }  // namespace
 
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 bool definesClass(const std::string& text, const std::string& name) {
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
         std::size_t end = at + name.size();
@@ -79,7 +74,7 @@ PackageSources findSources(const fs::path& root, const std::vector<std::string>&
         }
         const bool source = hasEnding(it->path(), sources);
         if (!source && !hasEnding(it->path(), headers)) continue;
-        const std::string text = textOf(it->path());
+        const std::string text = emit::textOf(it->path());
         const bool defines = std::any_of(classNames.begin(), classNames.end(),
                                          [&](const std::string& name) { return definesClass(text, name); });
         if (!defines) continue;

@@ -22,9 +22,6 @@ PackageSources findSources(const std::filesystem::path& root, const std::vector<
 /// Whether a text has "class NAME", "struct NAME" or "NAME::member(".
 bool definesClass(const std::string& text, const std::string& name);
 
-/// The bytes of a file; nothing if there is none.
-std::string textOf(const std::filesystem::path& file);
-
 }  // namespace oroforge::driver
 
 #endif

@@ -35,7 +35,7 @@ std::optional<std::string> findManifest(diag::Sink& sink) {
     for (const fs::directory_entry& entry : fs::directory_iterator(".")) {
         const std::string name = entry.path().filename().string();
         if (entry.path().extension() != ".xml" || name == "package.xml" || name == "manifest.xml") continue;
-        const std::string text = textOf(entry.path());
+        const std::string text = emit::textOf(entry.path());
         if (text.find("<package ") != std::string::npos) found.push_back(name);
     }
     std::sort(found.begin(), found.end());
@@ -75,7 +75,7 @@ std::optional<Package> readPackage(const Options& options, const render::Rendere
     package.root = fs::canonical(folder.empty() ? fs::path(".") : folder);
     package.shown = folder.empty() || folder == "." ? "" : folder.string() + "/";
     package.wanted = wantedClasses(*model, fs::path(package.manifest).filename().string(), renderer);
-    const std::string record = textOf(package.root / merge::kRecordFile);
+    const std::string record = emit::textOf(package.root / merge::kRecordFile);
     if (record.empty()) return package;
     const auto parsed = merge::parseRecord(record, package.shown + merge::kRecordFile, sink);
     if (!parsed) return std::nullopt;
@@ -157,7 +157,7 @@ Code readCode(const Package& package, const Options& options, const render::Rend
         for (const model::UserField& field : one.fields) code.user.texts[field.file];
         for (const model::UserRegistration& call : one.registrations) code.user.texts[call.file];
     }
-    for (auto& [file, text] : code.user.texts) text = textOf(package.root / file);
+    for (auto& [file, text] : code.user.texts) text = emit::textOf(package.root / file);
     return code;
 }
 
@@ -186,7 +186,7 @@ void tellDifferences(const emit::Outputs& outputs, const Package& package, const
                      diag::Sink& sink) {
     std::vector<std::string> files;
     for (const auto& [file, text] : outputs) {
-        const std::string before = textOf(package.root / file);
+        const std::string before = emit::textOf(package.root / file);
         if (before == text) continue;
         files.push_back(package.shown + file);
         if (options.dryRun) out << merge::unifiedDiff(before, text, package.shown + file);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <regex>
 
@@ -16,11 +14,6 @@ namespace fs = std::filesystem;
 namespace oroforge::driver {
 
 namespace {
-
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> manifestsBelow(const fs::path& folder) {
     std::vector<fs::path> found;
@@ -50,7 +43,7 @@ void upgradePackages(const Options& options, std::ostream& out, diag::Sink& sink
             sink.error({folder, 0, 0}, "OC013", "no manifest.xml in this folder or below it");
         }
         for (const fs::path& manifest : manifests) {
-            const std::string before = textOf(manifest);
+            const std::string before = emit::textOf(manifest);
             const std::string after = upgraded(before);
             if (after == before) continue;
             outputs[manifest.string()] = after;

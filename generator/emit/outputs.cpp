@@ -14,21 +14,24 @@ namespace fs = std::filesystem;
 
 namespace oroforge::emit {
 
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 namespace {
 
 bool hasText(const fs::path& file, const std::string& text) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return false;
-    std::ifstream in(file, std::ios::binary);
-    return in && std::string(std::istreambuf_iterator<char>(in), {}) == text;
+    return textOf(file) == text;
 }
 
 /// Something stands there that nobody generated. An empty file is nothing that could be lost.
 bool isForeign(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return false;
-    std::ifstream in(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::string text = textOf(file);
     return !text.empty() && !hasBanner(text);
 }
 

@@ -32,6 +32,9 @@ bool write(const Outputs& outputs, const std::filesystem::path& directory, diag:
 bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
                     Written* written = nullptr);
 
+/// The bytes of a file; nothing if there is none.
+std::string textOf(const std::filesystem::path& file);
+
 /// What write() would do, without doing it.
 Written compare(const Outputs& outputs, const std::filesystem::path& directory);
 
