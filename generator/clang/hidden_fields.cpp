@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <memory>
 
+#include <model/shown_name.hpp>
+
 #include "type_names.hpp"
 
 namespace oroforge::cxx {
@@ -76,8 +78,9 @@ void compareLayouts(const model::TypeModel& described, const Layouts& with, cons
                                                           : ": " + std::to_string(other.size) + " bytes there, " +
                                                                 std::to_string(mine.size) + " here";
         sink.warning(type.where, "TK032",
-                     "type '" + type.cpp.substr(2) + "' is laid out in another way where __orogen is not defined" +
-                         sizes + missingField(mine, other))
+                     "type '" + model::cppShown(type.cpp) +
+                         "' is laid out in another way where __orogen is not defined" + sizes +
+                         missingField(mine, other))
             .hint("hide what is not to be described by [[oro::skip]] instead: it stays in its place");
     }
 }

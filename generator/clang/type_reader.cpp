@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include <model/shown_name.hpp>
+
 #include "check_headers.hpp"
 #include "describe_type.hpp"
 #include "diagnostic_bridge.hpp"
@@ -258,7 +260,8 @@ void checkMakers(const ParseRequest& request, const std::string& resourceDir, co
         const std::string error = type.make.empty() ? "" : errorBehindHeaders(request, resourceDir, makerTest(type));
         if (error.empty()) continue;
         const std::string why = error.find("__is_same") != std::string::npos ? "it is of another type" : error;
-        sink.error(type.where, "TK040", "'" + type.make + "' makes no value of '" + type.cpp.substr(2) + "': " + why)
+        sink.error(type.where, "TK040",
+                   "'" + type.make + "' makes no value of '" + model::cppShown(type.cpp) + "': " + why)
             .hint("give [[oro::make(\"…\")]] an expression that holds in the namespace of the type");
     }
 }

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include <model/shown_name.hpp>
+
 namespace oroforge::typekit {
 
 namespace {
@@ -139,7 +141,7 @@ void checkCircles(const model::TypeModel& model, diag::Sink& sink) {
             std::set<std::string> seen;
             if (!field.isPointee || !mayHold(field.type, type.name, model, seen)) continue;
             sink.error(field.where, "TK035",
-                       "field '" + field.name + "' of '" + type.cpp.substr(2) +
+                       "field '" + field.name + "' of '" + model::cppShown(type.cpp) +
                            "' may point to what holds it: its value would have no end")
                 .hint("use std::vector of the same type for children, or [[oro::skip]]");
         }

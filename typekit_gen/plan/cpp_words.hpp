@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include <model/shown_name.hpp>
+
 namespace oroforge::typekit {
 
 /// A string literal with its quotes.
@@ -14,8 +16,7 @@ std::string cppString(const std::string& text);
 /// A name made of letters, digits and underscores.
 std::string cppIdentifier(const std::string& text);
 
-/// The name of a type without the leading "::" of the names in it.
-std::string cppShown(const std::string& type);
+using model::cppShown;
 
 }  // namespace oroforge::typekit
 

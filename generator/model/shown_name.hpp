@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_GENERATOR_MODEL_SHOWN_NAME_HPP
+#define OROFORGE_GENERATOR_MODEL_SHOWN_NAME_HPP
+
+#include <string>
+
+namespace oroforge::model {
+
+/// The name of a type without the leading "::" of the names in it: "Box<demo::Point>" of "::Box<::demo::Point>".
+std::string cppShown(const std::string& type);
+
+}  // namespace oroforge::model
+
+#endif
