@@ -5,6 +5,7 @@
 #include <array>
 
 #include "lean_library.hpp"
+#include "type_names.hpp"
 
 namespace oroforge::cxx {
 
@@ -84,13 +85,8 @@ bool parseFiles(const Parse& parse) {
 bool isLibrary(const clang::Decl& declaration) {
     const clang::SourceManager& sources = declaration.getASTContext().getSourceManager();
     if (sources.isInSystemHeader(sources.getExpansionLoc(declaration.getLocation()))) return true;
-    const clang::NamespaceDecl* outermost = nullptr;
-    for (const clang::DeclContext* scope = declaration.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
-        if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
-    }
-    if (outermost == nullptr) return false;
     static const std::array names = {"std", "boost", "RTT", "__gnu_cxx"};
-    return std::find(names.begin(), names.end(), outermost->getName()) != names.end();
+    return std::find(names.begin(), names.end(), outermostNamespace(declaration)) != names.end();
 }
 
 }  // namespace oroforge::cxx

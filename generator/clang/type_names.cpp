@@ -217,13 +217,15 @@ std::string shownName(clang::QualType type, const clang::ASTContext& context) {
     return type.getAsString(policy);
 }
 
-bool isStandard(const clang::Decl& declaration) {
+llvm::StringRef outermostNamespace(const clang::Decl& declaration) {
     const clang::NamespaceDecl* outermost = nullptr;
     for (const clang::DeclContext* scope = declaration.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
         if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
     }
-    return outermost != nullptr && outermost->getName() == "std";
+    return outermost != nullptr ? outermost->getName() : llvm::StringRef();
 }
+
+bool isStandard(const clang::Decl& declaration) { return outermostNamespace(declaration) == "std"; }
 
 bool isStandard(const clang::CXXRecordDecl& type, const char* name) {
     return type.isInStdNamespace() && type.getName() == name;

@@ -41,6 +41,9 @@ std::string shownName(const clang::TagDecl& type);
 /// For messages: the type as the user spelled it.
 std::string shownName(clang::QualType type, const clang::ASTContext& context);
 
+/// The name of the namespace around all others that it lies in; empty for the global one.
+llvm::StringRef outermostNamespace(const clang::Decl& declaration);
+
 /// Whether it lies anywhere within namespace std.
 bool isStandard(const clang::Decl& declaration);
 

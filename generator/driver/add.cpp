@@ -12,6 +12,7 @@
 #include <check/check.hpp>
 #include <driver/kinds.hpp>
 #include <driver/package_files.hpp>
+#include <merge/text_places.hpp>
 #include <view/cpp_text.hpp>
 #include <view/skeleton_view.hpp>
 #include <view/view.hpp>
@@ -95,7 +96,7 @@ std::string withTargets(const std::string& cmake, const Additions& additions, di
     }
     // What it makes begins with an empty line; the one in front of the command goes behind it.
     std::string block = targets.substr(targets.find_first_not_of('\n')) + "\n";
-    if (text.find("\r\n") != std::string::npos) block = std::regex_replace(block, std::regex("\n"), "\r\n");
+    block = std::regex_replace(block, std::regex("\n"), merge::lineEndOf(text));
     text.insert(last->begin, block);
     return text;
 }
