@@ -29,7 +29,9 @@ po::options_description visibleOptions() {
         "no-consolelog", "write the log to its file only")("check",
                                                            "check scripts without running them, load and configure "
                                                            "what XML files describe, start nothing, clean up and end")(
-        "daemon,d", "run in the background")(
+        "daemon,d", "run in the background, without the console")(
+        "minNumberCPU", po::value<int>(), "end with exit status 254 if this process has fewer processors")(
+        "require-name-service", "for programs with CORBA; has no effect here")(
         "rtalloc-mem-size", po::value<std::string>(),
         "size of the pool of real-time memory, with k, m or g for units; default: 512k")(
         "DeployerName", po::value<std::vector<std::string>>()->composing(),
@@ -82,6 +84,11 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
         options.realTimeMemory = parseMemorySize(size);
         if (options.realTimeMemory == 0) error = "no size of real-time memory: '" + size + "'";
     }
+    if (values.count("minNumberCPU")) {
+        options.minimumProcessors = values["minNumberCPU"].as<int>();
+        if (options.minimumProcessors < 0)
+            error = "no number of processors: " + std::to_string(options.minimumProcessors);
+    }
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
     options.logLevel = logLevelOf(level);
@@ -107,13 +114,12 @@ bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
     }
 }
 
-std::string usage(const std::string& program) {
-    std::ostringstream text;
-    text << "Usage: " << program << " [options] [name] [file…] [-- options of the runtime]\n\n"
-         << "Creates, connects, configures and starts the components that the files describe, and runs them until\n"
-         << "SIGINT, SIGTERM or SIGHUP. Exit status: 0, or 255 if a file could not be deployed.\n\n"
-         << visibleOptions();
-    return text.str();
+std::string usage(const std::string& program, const ProgramText& text) {
+    std::ostringstream all;
+    all << "Usage: " << program << " [options] [name] [file…] [-- options of the runtime]\n\n"
+        << text.purpose << " Exit status: 0, or 255 if a file could not be deployed.\n\n"
+        << visibleOptions();
+    return all.str();
 }
 
 std::string version(const std::string& program) {

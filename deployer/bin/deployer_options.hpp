@@ -19,14 +19,20 @@ struct Options {
     bool consoleLog = true;
     bool check = false;
     bool daemon = false;
+    int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
 };
 
 /** Reads the command line. False, with the reason, if it cannot be understood. */
 bool parseOptions(int argc, char** argv, Options& options, std::string& error);
 
+/** What is said of a program that differs from others with the same command line. */
+struct ProgramText {
+    const char* purpose;
+};
+
 /** What --help shows. */
-std::string usage(const std::string& program);
+std::string usage(const std::string& program, const ProgramText& text);
 /** What --version shows. */
 std::string version(const std::string& program);
 

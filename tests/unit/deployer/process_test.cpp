@@ -133,7 +133,7 @@ TEST_F(DeployerProgram, LogLevelAndNoConsolelogDecideWhatIsShown) {
     EXPECT_THAT(readFile(directory_ / "orocos.log"), HasSubstr("created component 'producer'"));
 }
 
-TEST_F(DeployerProgram, WrapperStartsTheOnlyProgramOfItsNameOrThatOfTheTarget) {
+TEST_F(DeployerProgram, WrapperStartsTheProgramOfTheTarget) {
     std::filesystem::copy_file(DEPLOYER_WRAPPER, directory_ / "greet");
     const auto greeter = [this](const std::string& program, const std::string& text) {
         directory_.write(program, "#!/bin/sh\necho " + text + " $1\n");
@@ -142,18 +142,16 @@ TEST_F(DeployerProgram, WrapperStartsTheOnlyProgramOfItsNameOrThatOfTheTarget) {
     Command wrapper = command({"you"});
     wrapper.program = (directory_ / "greet").string();
     wrapper.environment = {{"OROCOS_TARGET", ""}};
-    const Outcome none = run(wrapper);
-    EXPECT_EQ(1, none.status);
-    EXPECT_THAT(none.err, HasSubstr("there are programs for: none"));
-
     greeter("greet-one", "one");
-    greeter("greet-corba-one", "another program");
-    EXPECT_EQ("one you\n", run(wrapper).out);
-
     greeter("greet-two", "two");
-    const Outcome several = run(wrapper);
-    EXPECT_EQ(1, several.status);
-    EXPECT_THAT(several.err, HasSubstr("for several targets: one two"));
+    greeter("greet-corba-one", "another program");
+    const Outcome unset = run(wrapper);
+    EXPECT_EQ(1, unset.status);
+    EXPECT_EQ("", unset.out);
+    EXPECT_EQ(
+        "greet: OROCOS_TARGET is not set; programs are installed for: one two\n"
+        "greet: set it before, for example: export OROCOS_TARGET=one\n",
+        unset.err);
     wrapper.environment = {{"OROCOS_TARGET", "two"}};
     EXPECT_EQ("two you\n", run(wrapper).out);
     wrapper.environment = {{"OROCOS_TARGET", "three"}};
@@ -171,6 +169,14 @@ TEST_F(DeployerProgram, WrapperAddsTheComponentPathOfTheWorkspace) {
     wrapper.environment = {{"OROCOS_TARGET", OROCOS_TARGET_WORD}, {"RTT_COMPONENT_PATH", ""}};
     const Outcome accepted = run(wrapper);
     EXPECT_EQ(0, accepted.status) << accepted.err;
+}
+
+TEST_F(DeployerProgram, EndsWhereProcessorsAreTooFew) {
+    const Outcome outcome = run(command({"--check", "--minNumberCPU", "1000"}));
+    EXPECT_EQ(254, outcome.status);
+    EXPECT_THAT(outcome.err, HasSubstr("1000 processors are needed"));
+    EXPECT_EQ(0, run(command({"--check", "--minNumberCPU=1"})).status);
+    EXPECT_EQ(255, run(command({"--check", "--minNumberCPU=-1"})).status);
 }
 
 TEST_F(DeployerProgram, SizeOfRealTimeMemoryIsTakenFromTheOption) {

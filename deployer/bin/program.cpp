@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "program.hpp"
+
+#include "../deployment/signals.hpp"
+#include "real_time_memory.hpp"
+
+#include <ocl/DeploymentComponent.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/os/startstop.h>
+#include <rtt/scripting/check.hpp>
+
+#include <exception>
+#include <initializer_list>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include <sched.h>
+#include <unistd.h>
+
+namespace OCL::deploy {
+namespace {
+
+constexpr int kFailure = 255;
+constexpr int kTooFewProcessors = 254;
+
+bool endsWith(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool deployFile(DeploymentComponent& deployer, const std::string& file, bool check) {
+    for (const char* suffix : {".xml", ".cpf"})
+        if (endsWith(file, suffix)) return deployer.kickStart2(file, !check);
+    for (const char* suffix : {".ops", ".osd"})
+        if (check && endsWith(file, suffix)) return RTT::scripting::checkScript(file, deployer, std::cerr);
+    for (const char* suffix : {".ops", ".osd", ".lua"})
+        if (endsWith(file, suffix)) return deployer.runScript(file);
+    std::cerr
+        << file
+        << ": error: unknown kind of file, expected .xml or .cpf for deployment, .ops, .osd or .lua for scripts\n";
+    return false;
+}
+
+bool deployFiles(DeploymentComponent& deployer, const Options& options) {
+    for (const std::string& file : options.files)
+        if (!deployFile(deployer, file, options.check)) return false;
+    return true;
+}
+
+int deploy(const Options& options, Stay stay) {
+    // Caught from now on, so that a signal during start-up ends the program in order as well.
+    std::optional<SignalCatcher> ending;
+    ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    DeploymentComponent deployer(options.name, options.siteFile);
+    const bool deployed = deployFiles(deployer, options);
+    if (!options.check) {
+        stay(deployer, *ending, options, deployed);
+        ending.reset();  // the next signal ends a shutdown that hangs
+        deployer.shutdownDeployment();
+    }
+    return deployed ? 0 : kFailure;
+}
+
+/** The processors that this process may run on. */
+int processors() {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
+int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay stay) {
+    if (__os_init(static_cast<int>(words.size()) - 1, const_cast<char**>(words.data())) != 0) {
+        std::cerr << words.front() << ": error: the runtime does not start\n";
+        return kFailure;
+    }
+    int status = kFailure;
+    try {
+        status = deploy(options, stay);
+    } catch (const std::exception& thrown) {
+        RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
+    }
+    __os_exit();
+    return status;
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
+    Options options;
+    std::string error;
+    if (!parseOptions(argc, argv, options, error)) {
+        std::cerr << argv[0] << ": error: " << error << "\n\n" << usage(argv[0], text);
+        return kFailure;
+    }
+    if (options.action != Options::Run) {
+        std::cout << (options.action == Options::ShowHelp ? usage(argv[0], text) : version(argv[0]));
+        return 0;
+    }
+    if (processors() < options.minimumProcessors) {
+        std::cerr << argv[0] << ": error: " << options.minimumProcessors
+                  << " processors are needed, and this process has " << processors() << "\n";
+        return kTooFewProcessors;
+    }
+    // Threads do not survive a fork: this comes before the runtime starts.
+    if (options.daemon && fork() != 0) _exit(0);
+
+    if (options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
+    if (!error.empty()) {
+        std::cerr << argv[0] << ": error: " << error << "\n";
+        return kFailure;
+    }
+    if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
+    if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
+    const int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);
+    if (options.realTimeMemory != 0) reportRealTimeMemory();
+    return status;
+}
+
+}  // namespace OCL::deploy

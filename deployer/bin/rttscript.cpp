@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// rttscript-<target>: deploys the files of the command line and ends. Scripts that are to run longer wait themselves.
+#include "program.hpp"
+
+namespace {
+
+void leave(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher&, const OCL::deploy::Options&, bool) {}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const OCL::deploy::ProgramText text = {
+        "Deploys the files and runs the scripts, one after the other, then stops and removes all components and ends.\n"
+        "A script that is to go on until a signal comes ends with waitForInterrupt()."};
+    return OCL::deploy::runProgram(argc, argv, text, &leave);
+}
