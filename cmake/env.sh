@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Sourced by any POSIX shell, ". PREFIX/env.sh": programs, packages and components of this prefix are found first. It may
-# be moved, and sourced twice. Where a shell does not tell which file it reads, set OROFORGE_PREFIX before.
+# Sourced by any POSIX shell, ". PREFIX/env.sh": programs, packages and components of this prefix are found first, and
+# OROCOS_TARGET is set. It may be moved, and sourced twice. Where a shell does not tell which file it reads, set OROFORGE_PREFIX before.
 
 # The folder of this file. What one shell calls a syntax error is kept from the others by eval.
 _oroforge_place=
@@ -48,6 +48,13 @@ if [ -d "$_oroforge_prefix/lib/cmake/orocos-rtt" ]; then
     _oroforge_put CMAKE_PREFIX_PATH "$_oroforge_prefix"
     _oroforge_put PKG_CONFIG_PATH "$_oroforge_prefix/lib/pkgconfig"
     _oroforge_put RTT_COMPONENT_PATH "$_oroforge_prefix/lib/orocos"
+    # The programs want to know which target; where there is but one, it is meant.
+    if [ -z "${OROCOS_TARGET:-}" ]; then
+        for _oroforge_target in "$_oroforge_prefix"/bin/rttscript-*; do
+            if [ -x "$_oroforge_target" ]; then OROCOS_TARGET=${_oroforge_target##*/rttscript-}; fi
+        done
+        export OROCOS_TARGET
+    fi
     for _oroforge_lua in "$_oroforge_prefix/share/lua/5.1" "$_oroforge_prefix/share/oroforge/lua"; do
         if [ -d "$_oroforge_lua" ]; then
             # Lua's patterns are separated by semicolons; two of them at the end stand for what it has by itself.
@@ -58,7 +65,7 @@ if [ -d "$_oroforge_prefix/lib/cmake/orocos-rtt" ]; then
             export LUA_PATH
         fi
     done
-    unset _oroforge_place _oroforge_prefix _oroforge_lua _oroforge_list
+    unset _oroforge_place _oroforge_prefix _oroforge_lua _oroforge_list _oroforge_target
     unset -f _oroforge_put
 else
     echo "env.sh: there is no toolchain in '$_oroforge_prefix', where this file is thought to be; set OROFORGE_PREFIX to its prefix" >&2

@@ -7,7 +7,7 @@ export PATH=${PATH#"$prefix/bin:"}
 moved="$work/a tool chain"
 cp -r --reflink=auto "$prefix" "$moved"
 mkdir -p "$moved/share/lua/5.1"
-clean() { env -u RTT_COMPONENT_PATH -u CMAKE_PREFIX_PATH -u PKG_CONFIG_PATH -u LUA_PATH -u OROFORGE_PREFIX "$@"; }
+clean() { env -u RTT_COMPONENT_PATH -u CMAKE_PREFIX_PATH -u PKG_CONFIG_PATH -u LUA_PATH -u OROCOS_TARGET -u OROFORGE_PREFIX "$@"; }
 cd /
 
 tried=""
@@ -15,9 +15,9 @@ for shell in sh bash "bash --posix" dash zsh ksh mksh yash "busybox sh"; do
   command -v "${shell% *}" > /dev/null || continue
   tried+=" ${shell% *}"
   # shellcheck disable=SC2016,SC2086  # expanded by that shell; a shell may be two words
-  clean $shell -c 'set -eu; . "$1/env.sh"; . "$1/env.sh"; printf "%s\n" "$PATH" "$CMAKE_PREFIX_PATH" "$PKG_CONFIG_PATH" "$RTT_COMPONENT_PATH" "$LUA_PATH"; command -v typegen; set | grep -i ^_oroforge || true' x "$moved" > "$work/out" 2>&1 ||
+  clean $shell -c 'set -eu; . "$1/env.sh"; . "$1/env.sh"; printf "%s\n" "$PATH" "$CMAKE_PREFIX_PATH" "$PKG_CONFIG_PATH" "$RTT_COMPONENT_PATH" "$LUA_PATH" "$OROCOS_TARGET"; command -v typegen; set | grep -i ^_oroforge || true' x "$moved" > "$work/out" 2>&1 ||
     { cat "$work/out"; fail "$shell"; }
-  printf '%s\n' "$moved/bin:$PATH" "$moved" "$moved/lib/pkgconfig" "$moved/lib/orocos" "$moved/share/lua/5.1/?.lua;;" "$moved/bin/typegen" |
+  printf '%s\n' "$moved/bin:$PATH" "$moved" "$moved/lib/pkgconfig" "$moved/lib/orocos" "$moved/share/lua/5.1/?.lua;;" gnulinux "$moved/bin/typegen" |
     diff - <(tr -d "'" < "$work/out") || fail "what $shell has of env.sh"
   # In a sub-shell, by a relative name, in front of what is there already, and behind a link.
   ln -sfn "$moved" "$work/link"
