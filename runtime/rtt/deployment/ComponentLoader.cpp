@@ -175,6 +175,10 @@ std::vector<std::string> ComponentLoader::listComponentTypes() const {
     return names;
 }
 
+std::vector<std::string> ComponentLoader::listComponentTypes(const std::string& library) const {
+    return impl_->table.typesOf(library);
+}
+
 std::string ComponentLoader::getComponentPath() const {
     const std::lock_guard<std::mutex> lock(impl_->pathMutex);
     return impl_->path;

@@ -95,6 +95,8 @@ public:
     std::vector<std::string> listComponents() const;
     /** Names of the types that can be created, sorted; those linked into the program included. */
     std::vector<std::string> listComponentTypes() const;
+    /** Names of the types that a loaded library has and that can be created; empty for other files. */
+    std::vector<std::string> listComponentTypes(const std::string& library) const;
 
     /** The search path. Initially RTT_COMPONENT_PATH and `orocos` beside the runtime's library. */
     std::string getComponentPath() const;

@@ -185,6 +185,15 @@ const FactoryMap& ComponentTable::keptFactories() {
     return *kept_.back();
 }
 
+std::vector<std::string> ComponentTable::typesOf(const std::string& library) const {
+    const std::string path = canonicalPath(library);
+    std::vector<std::string> names;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [name, type] : types_)
+        if (type.library == path) names.push_back(name);
+    return names;
+}
+
 std::vector<std::string> ComponentTable::components() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<std::string> names;

@@ -41,6 +41,8 @@ public:
     /** As factories(), kept as long as this table. */
     const FactoryMap& keptFactories();
     std::vector<std::string> components() const;
+    /** The types that come from this library file. */
+    std::vector<std::string> typesOf(const std::string& library) const;
 
     /** How to create the type, the name now taken; null with the reason if one of both cannot be had. */
     ComponentLoaderSignature reserve(const std::string& name, const std::string& type, std::string& error);
