@@ -29,6 +29,8 @@ po::options_description visibleOptions() {
         "no-consolelog", "write the log to its file only")("check",
                                                            "check scripts without running them, load and configure "
                                                            "what XML files describe, start nothing, clean up and end")(
+        "dry-run", "check everything that files and installed libraries can tell, create no component, and end")(
+        "dot", po::value<std::string>(), "write the graph of the components to this file, for Graphviz")(
         "daemon,d", "run in the background, without the console")(
         "minNumberCPU", po::value<int>(), "end with exit status 254 if this process has fewer processors")(
         "require-name-service", "for programs with CORBA; has no effect here")(
@@ -78,7 +80,9 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     if (values.count("site-file")) options.siteFile = values["site-file"].as<std::string>();
     options.consoleLog = !values.count("no-consolelog");
     options.check = values.count("check") != 0;
-    options.daemon = values.count("daemon") != 0 && !options.check;
+    options.dryRun = values.count("dry-run") != 0;
+    if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
+    options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     if (values.count("rtalloc-mem-size")) {
         const std::string size = values["rtalloc-mem-size"].as<std::string>();
         options.realTimeMemory = parseMemorySize(size);

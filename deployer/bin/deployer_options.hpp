@@ -18,9 +18,13 @@ struct Options {
     int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
     bool consoleLog = true;
     bool check = false;
+    bool dryRun = false;
+    std::string graphFile;  // for the graph of the components; empty: none wanted
     bool daemon = false;
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
+
+    bool endsAtOnce() const { return check || dryRun; }
 };
 
 /** Reads the command line. False, with the reason, if it cannot be understood. */

@@ -10,7 +10,10 @@
 #include <rtt/os/startstop.h>
 #include <rtt/scripting/check.hpp>
 
+#include <cerrno>
+#include <cstring>
 #include <exception>
+#include <fstream>
 #include <initializer_list>
 #include <iostream>
 #include <optional>
@@ -29,11 +32,13 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-bool deployFile(DeploymentComponent& deployer, const std::string& file, bool check) {
+bool deployFile(DeploymentComponent& deployer, const std::string& file, const Options& options) {
     for (const char* suffix : {".xml", ".cpf"})
-        if (endsWith(file, suffix)) return deployer.kickStart2(file, !check);
+        if (endsWith(file, suffix))
+            return options.dryRun ? deployer.planOnly(file) : deployer.kickStart2(file, !options.check);
     for (const char* suffix : {".ops", ".osd"})
-        if (check && endsWith(file, suffix)) return RTT::scripting::checkScript(file, deployer, std::cerr);
+        if (options.endsAtOnce() && endsWith(file, suffix))
+            return RTT::scripting::checkScript(file, deployer, std::cerr);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return deployer.runScript(file);
     std::cerr
@@ -43,18 +48,30 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, bool che
 }
 
 bool deployFiles(DeploymentComponent& deployer, const Options& options) {
-    for (const std::string& file : options.files)
-        if (!deployFile(deployer, file, options.check)) return false;
-    return true;
+    bool all = true;
+    for (const std::string& file : options.files) {
+        all = deployFile(deployer, file, options) && all;
+        if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
+    }
+    return all;
+}
+
+/** Writes the graph where one is wanted. */
+bool writeGraph(const DeploymentComponent& deployer, const std::string& file) {
+    if (file.empty()) return true;
+    std::ofstream out(file);
+    if (out << deployer.graph() && out.flush()) return true;
+    std::cerr << file << ": error: the graph cannot be written: " << std::strerror(errno) << "\n";
+    return false;
 }
 
 int deploy(const Options& options, Stay stay) {
     // Caught from now on, so that a signal during start-up ends the program in order as well.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
-    DeploymentComponent deployer(options.name, options.siteFile);
-    const bool deployed = deployFiles(deployer, options);
-    if (!options.check) {
+    DeploymentComponent deployer(options.name, options.siteFile, options.dryRun);
+    const bool deployed = deployFiles(deployer, options) && writeGraph(deployer, options.graphFile);
+    if (!options.endsAtOnce()) {
         stay(deployer, *ending, options, deployed);
         ending.reset();  // the next signal ends a shutdown that hangs
         deployer.shutdownDeployment();

@@ -4,6 +4,7 @@
 #include <ocl/DeploymentComponent.hpp>
 
 #include "deployment_state.hpp"
+#include "graph.hpp"
 #include "read_value.hpp"
 #include "report.hpp"
 #include "scripts.hpp"
@@ -28,7 +29,7 @@ using oroforge::diag::Sink;
 using RTT::endlog;
 using RTT::log;
 
-DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile)
+DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile, bool planOnly)
     : TaskContext(name, Stopped), impl_(new Impl) {
     impl_->session.deployer = this;
     impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
@@ -38,7 +39,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile)
     const std::string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
     if (std::filesystem::exists(site)) {
         log(RTT::Info) << "using site file '" << site << "'" << endlog();
-        (void)kickStart(site);
+        (void)(planOnly ? this->planOnly(site) : kickStart(site));
         return;
     }
     (void)configure();
@@ -111,6 +112,13 @@ bool DeploymentComponent::loadComponents(const std::string& file) {
     Sink sink;
     return impl_->load(deploy::readPlanFile(file, sink), sink);
 }
+
+bool DeploymentComponent::planOnly(const std::string& file) {
+    Sink sink;
+    return impl_->plan(deploy::readPlanFile(file, sink), sink);
+}
+
+std::string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
 
 bool DeploymentComponent::loadConfigurationString(const std::string& text) {
     Sink sink;

@@ -7,6 +7,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/os/fosi.h>
 
+#include <utility>
+
 namespace OCL {
 
 DeploymentComponent::Impl::Impl() : target(OROCOS_TARGET_NAME) { session.waitPeriodPolicy = ORO_WAIT_ABS; }
@@ -19,6 +21,14 @@ bool DeploymentComponent::Impl::load(const deploy::Plan& plan, oroforge::diag::S
     deploy::report(sink);
     if (!valid) undo(group, before);
     return valid;
+}
+
+bool DeploymentComponent::Impl::plan(deploy::Plan plan, oroforge::diag::Sink& sink) {
+    const RTT::Logger::In in(session.deployer->getName());
+    const bool good = deploy::prepare(session, plan, sink);
+    deploy::report(sink);
+    session.planned.push_back(std::move(plan));
+    return good;
 }
 
 bool DeploymentComponent::Impl::configure(int group) {

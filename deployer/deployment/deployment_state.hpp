@@ -17,6 +17,8 @@ struct DeploymentComponent::Impl {
 
     /** Loads a plan as the next group, reports, and undoes everything if anything was wrong. */
     bool load(const deploy::Plan& plan, oroforge::diag::Sink& sink);
+    /** Only prepares a plan, as the next one after those planned before, and reports. */
+    bool plan(deploy::Plan plan, oroforge::diag::Sink& sink);
     bool configure(int group);
     bool start(int group);
     /** Removes what a group created and forgets what its file said. */

@@ -9,6 +9,7 @@
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace OCL::deploy {
@@ -52,10 +53,26 @@ void doImports(const Plan& plan, diag::Sink& sink) {
     }
 }
 
+/** A library file may stand for the component type in it. Returns those that could not be used, which is reported. */
+std::vector<std::string> resolveTypes(Plan& plan, diag::Sink& sink) {
+    std::vector<std::string> reported;
+    for (ComponentPlan& component : plan.components) {
+        std::string error;
+        Text& type = component.type;
+        type.value = componentTypeOf(type.value, error);
+        if (error.empty()) continue;
+        sink.error(type.where, "DEP031", error);
+        reported.push_back(type.value);
+    }
+    return reported;
+}
+
 Surroundings surroundingsOf(const Session& session) {
     Surroundings result;
     result.deployer = session.deployer->getName();
     result.components = session.deployer->getPeerList();
+    for (const Plan& plan : session.planned)
+        for (const ComponentPlan& component : plan.components) result.components.push_back(component.name.value);
     result.componentTypes = ComponentLoader::Instance()->listComponentTypes();
     result.services = PluginLoader::Instance()->listServices();
     return result;
@@ -76,12 +93,28 @@ Record* recordFor(Session& session, const ComponentPlan& component, int group, d
 
 }  // namespace
 
-RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
+std::string componentTypeOf(const std::string& word, std::string& error) {
+    const ComponentLoader::shared_ptr loader = ComponentLoader::Instance();
+    const std::vector<std::string> known = loader->listComponentTypes();
+    std::error_code none;
+    const bool isLibrary = word.find(".so") != std::string::npos && std::filesystem::is_regular_file(word, none);
+    if (!isLibrary || std::find(known.begin(), known.end(), word) != known.end() || !loader->loadLibrary(word, error))
+        return word;
+    const std::vector<std::string> types = loader->listComponentTypes(word);
+    if (types.size() == 1) return types.front();
+    error = "library '" + word + "' has " + std::to_string(types.size()) + " component types, name one of them:";
+    for (const std::string& type : types) error += " " + type;
+    return word;
+}
+
+RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
     if (session.component(name)) {
         error = "a component of that name is already there";
         return nullptr;
     }
+    const std::string type = componentTypeOf(word, error);
+    if (!error.empty()) return nullptr;
     RTT::TaskContext* component = ComponentLoader::Instance()->loadComponent(name, type, error);
     if (!component) return nullptr;
     if (!session.loaded(component)) {
@@ -100,10 +133,17 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
     return component;
 }
 
-bool load(Session& session, const Plan& plan, int group, diag::Sink& sink) {
+bool prepare(const Session& session, Plan& plan, diag::Sink& sink) {
     doImports(plan, sink);
-    validate(plan, surroundingsOf(session), sink);
-    if (sink.hadErrors()) return false;
+    const std::vector<std::string> reported = resolveTypes(plan, sink);
+    Surroundings around = surroundingsOf(session);
+    around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());
+    validate(plan, around, sink);
+    return !sink.hadErrors();
+}
+
+bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
+    if (!prepare(session, plan, sink)) return false;
     for (const PolicyPlan& policy : plan.policies) session.records.policies[policy.name.value] = policy;
     applyGlobals(plan.globals, sink);
     for (const ComponentPlan& component : plan.components) {

@@ -15,12 +15,14 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace OCL::deploy {
 
 struct Session {
     RTT::TaskContext* deployer = nullptr;
     Records records;
+    std::vector<Plan> planned;                      // that are only to be checked
     int nextGroup = 1;                              // of the next file; 0: components created one by one
     int waitPeriodPolicy = 0;                       // for the threads of new activities
     std::function<bool(RTT::TaskContext*)> loaded;  // false refuses the component
@@ -36,8 +38,13 @@ struct Session {
 };
 
 // load.cpp
-/** Imports, validates and creates; true if nothing was wrong. What was created stays: see takeDown. */
-bool load(Session& session, const Plan& plan, int group, diag::Sink& sink);
+/** Imports, finds the types that library files stand for, and validates; creates nothing. True if nothing was wrong. */
+bool prepare(const Session& session, Plan& plan, diag::Sink& sink);
+/** Prepares and creates; true if nothing was wrong. What was created stays: see takeDown. */
+bool load(Session& session, Plan plan, int group, diag::Sink& sink);
+/** The component type that is meant: `word`, or the one type of the library file of that name, which is loaded. The reason
+    in `error` if the file cannot be loaded, or has none or several. */
+std::string componentTypeOf(const std::string& word, std::string& error);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);

@@ -6,6 +6,8 @@
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/marsh/detail/property_file.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -120,9 +122,13 @@ private:
     }
 
     void checkFiles(const ComponentPlan& component) {
-        for (const PropertyFilePlan& file : component.propertyFiles) checkFile(file.file);
+        for (const PropertyFilePlan& file : component.propertyFiles) {
+            RTT::PropertyBag scratch;
+            if (checkFile(file.file))
+                (void)RTT::marsh::loadFromFile(scratch, resolveFile(file.file), RTT::marsh::LoadMode::load, sink_);
+        }
         for (const ScriptPlan& script : component.scripts) {
-            checkFile(script.file);
+            (void)checkFile(script.file);
             const std::string service = serviceFor(script.kind, script.file.value);
             if (!contains(around_.services, service))
                 sink_.error(
@@ -131,10 +137,11 @@ private:
         }
     }
 
-    void checkFile(const Text& file) {
+    bool checkFile(const Text& file) {
         std::error_code error;
-        if (!std::filesystem::is_regular_file(resolveFile(file), error))
-            sink_.error(file.where, "DEP020", "no such file: '" + file.value + "'");
+        if (std::filesystem::is_regular_file(resolveFile(file), error)) return true;
+        sink_.error(file.where, "DEP020", "no such file: '" + file.value + "'");
+        return false;
     }
 
     const Plan& plan_;

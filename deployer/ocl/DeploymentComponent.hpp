@@ -36,8 +36,10 @@ public:
      * @param name the name of this component
      * @param siteFile a file that is deployed at once; empty: `<name>-site.cpf`. If there is none, the component
      *        library `ocl` is imported instead. Problems are logged; the constructor does not fail.
+     * @param planOnly the site file is not deployed but checked as planOnly() does
      */
-    explicit DeploymentComponent(std::string name = "Deployer", std::string siteFile = std::string());
+    explicit DeploymentComponent(std::string name = "Deployer", std::string siteFile = std::string(),
+                                 bool planOnly = false);
     /** With the property AutoUnload set, stops, cleans up and unloads everything this component loaded. */
     ~DeploymentComponent() override;
 
@@ -85,6 +87,10 @@ public:
     bool kickStart(const std::string& file);
     /** As kickStart, or without starting anything. */
     bool kickStart2(const std::string& file, bool start);
+    /** Reads a file, does its imports and checks it, together with those read so before; creates nothing. */
+    bool planOnly(const std::string& file);
+    /** The components with their connections and peers, in the language of Graphviz. */
+    std::string graph() const;
     /** Stops, cleans up and unloads all components loaded by this deployer, the last created first. */
     bool kickOutAll();
     bool kickOutComponent(const std::string& name);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "graph.hpp"
+
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/Service.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/sample_type_name.hpp>
+
+#include <set>
+#include <sstream>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::base::OutputPortInterface;
+using RTT::base::PortInterface;
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+std::string quoted(const std::string& text) { return '"' + escaped(text) + '"'; }
+
+std::string twoLines(const std::string& first, const std::string& second) {
+    return '"' + escaped(first) + "\\n" + escaped(second) + '"';
+}
+
+/** The policy as people speak of it. */
+std::string policyText(const RTT::ConnPolicy& policy) {
+    switch (policy.type) {
+        case RTT::ConnPolicy::DATA: return "data";
+        case RTT::ConnPolicy::BUFFER: return "buffer " + std::to_string(policy.size);
+        case RTT::ConnPolicy::CIRCULAR_BUFFER: return "circular buffer " + std::to_string(policy.size);
+        default: return "";
+    }
+}
+
+class Graph {
+public:
+    explicit Graph(const Session& session) : session_(session) {}
+
+    std::string text() {
+        text_ << "digraph " << quoted(session_.deployer->getName()) << " {\n  rankdir=LR;\n  node [shape=box];\n";
+        for (const std::string& name : session_.deployer->getPeerList()) addNode(name);
+        for (const std::string& name : session_.deployer->getPeerList()) addEdges(*session_.deployer->getPeer(name));
+        for (const Plan& plan : session_.planned)
+            for (const ComponentPlan& component : plan.components) addPlanned(component);
+        for (const std::string& connection : connections_)
+            text_ << "  " << quoted("connection " + connection) << " [shape=ellipse, label=" << quoted(connection)
+                  << "];\n";
+        text_ << "}\n";
+        return text_.str();
+    }
+
+private:
+    void addNode(const std::string& name) {
+        std::string type;
+        for (const Record& record : session_.records.all)
+            if (record.name == name) type = record.plan.type.value;
+        text_ << "  " << quoted(name) << " [label=" << label(name, type) << "];\n";
+    }
+
+    static std::string label(const std::string& name, const std::string& type) {
+        return type.empty() || type == "PropertyBag" ? quoted(name) : twoLines(name, type);
+    }
+
+    void addEdges(RTT::TaskContext& component) {
+        addConnections(component.getName(), *component.provides(), "");
+        for (const std::string& peer : component.getPeerList()) addPeer(component.getName(), peer);
+    }
+
+    void addPeer(const std::string& from, const std::string& to) {
+        text_ << "  " << quoted(from) << " -> " << quoted(to) << " [style=dashed, label=\"peer\"];\n";
+    }
+
+    /** Of the output ports of a service, and of those in it. */
+    void addConnections(const std::string& component, RTT::Service& service, const std::string& path) {
+        for (PortInterface* port : service.getPorts())
+            if (auto* output = dynamic_cast<OutputPortInterface*>(port)) addConnections(component, *output, path);
+        for (const std::string& name : service.getProviderNames())
+            if (name != "this") addConnections(component, *service.provides(name), path + name + ".");
+    }
+
+    void addConnections(const std::string& component, OutputPortInterface& output, const std::string& path) {
+        for (const auto& connection : output.getManager()->getConnections()) {
+            const PortInterface* const peer = connection.get<0>()->peer();
+            const RTT::DataFlowInterface* const owner = peer ? peer->getInterface() : nullptr;
+            const std::string end = owner && owner->getOwner() ? quoted(owner->getOwner()->getName())
+                                                               : quoted(connection.get<0>()->toString());
+            std::string text = path + output.getName();
+            if (peer) text += " → " + peer->getName();
+            const std::string data = RTT::internal::sampleTypeName(output) + ", " + policyText(connection.get<2>());
+            text_ << "  " << quoted(component) << " -> " << end << " [label=" << twoLines(text, data) << "];\n";
+        }
+    }
+
+    void addPlanned(const ComponentPlan& component) {
+        const std::string& name = component.name.value;
+        text_ << "  " << quoted(name) << " [label=" << label(name, component.type.value) << "];\n";
+        for (const PortPlan& port : component.ports) {
+            text_ << "  " << quoted(name) << " -> " << quoted("connection " + port.connection.value)
+                  << " [dir=none, label=" << quoted(port.port.value) << "];\n";
+            connections_.insert(port.connection.value);
+        }
+        for (const Text& peer : component.peers) addPeer(name, peer.value);
+    }
+
+    const Session& session_;
+    std::ostringstream text_;
+    std::set<std::string> connections_;
+};
+
+}  // namespace
+
+std::string graphOf(const Session& session) { return Graph(session).text(); }
+
+}  // namespace OCL::deploy
