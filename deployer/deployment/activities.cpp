@@ -7,18 +7,32 @@
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/extras/FileDescriptorActivity.hpp>
 #include <rtt/extras/PeriodicActivity.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/threads.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace OCL::deploy {
 namespace {
 
 using RTT::base::ActivityInterface;
+
+std::unique_ptr<ActivityInterface> fileDescriptorActivity(RTT::TaskContext& component, const ActivityNumbers& n,
+                                                          std::string& error) {
+    if (n.period > std::numeric_limits<int>::max()) {
+        error = "the timeout is too large, expected milliseconds";
+        return nullptr;
+    }
+    auto activity = std::make_unique<RTT::extras::FileDescriptorActivity>(n.scheduler, n.priority, n.period / 1000,
+                                                                          n.cpuAffinity, nullptr, component.getName());
+    activity->setTimeout(static_cast<int>(n.period));
+    return activity;
+}
 
 std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, ActivityKind kind,
                                                 const ActivityNumbers& n, RTT::TaskContext* master,
@@ -37,6 +51,7 @@ std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, Act
             error = "a PeriodicActivity needs a period of more than 0";
             return nullptr;
         case ActivityKind::Sequential: return std::make_unique<RTT::extras::SequentialActivity>();
+        case ActivityKind::FileDescriptor: return fileDescriptorActivity(component, n, error);
         case ActivityKind::Slave:
             if (!master) return std::make_unique<RTT::extras::SlaveActivity>(n.period);
             if (master->getActivity()) return std::make_unique<RTT::extras::SlaveActivity>(master->getActivity());
@@ -77,7 +92,8 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
     }
     std::unique_ptr<ActivityInterface> activity = makeActivity(component, kind, numbers, master, error);
     if (!activity) return false;
-    const bool ownThread = kind == ActivityKind::Activity || kind == ActivityKind::NonPeriodic;
+    const bool ownThread =
+        kind == ActivityKind::Activity || kind == ActivityKind::NonPeriodic || kind == ActivityKind::FileDescriptor;
     if (ownThread && activity->thread()) activity->thread()->setWaitPeriodPolicy(waitPolicy);
     if (!component.setActivity(activity.release())) {  // which owns it, also if it refuses
         error = "the component does not accept it; it cannot be set from the component's own thread";

@@ -15,7 +15,7 @@ namespace OCL::deploy {
 
 /** Numbers of an activity as the operations of the deployer take them. */
 struct ActivityNumbers {
-    double period = 0;  // seconds
+    double period = 0;  // seconds; of a FileDescriptorActivity: the timeout in milliseconds
     int priority = 0;
     int scheduler = 0;         // ORO_SCHED_…
     unsigned cpuAffinity = 0;  // 0: all

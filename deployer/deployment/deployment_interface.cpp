@@ -181,6 +181,12 @@ void addActivityOperations(Self& deployer) {
         .arg("Period", "Seconds")
         .arg("Priority", "Priority")
         .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER");
+    deployer.addOperation("setFileDescriptorActivity", &Self::setFileDescriptorActivity, &deployer, ClientThread)
+        .doc("Gives a component a thread that waits for file descriptors")
+        .arg("CompName", "Component")
+        .arg("Timeout", "Milliseconds; 0: none")
+        .arg("Priority", "Priority")
+        .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER");
     deployer.addOperation("setSequentialActivity", &Self::setSequentialActivity, &deployer, ClientThread)
         .doc("Has a component run in the threads of its callers")
         .arg("CompName", "Component");

@@ -112,6 +112,11 @@ bool DeploymentComponent::setPeriodicActivity(const std::string& name, double pe
     return change(impl_->session, name, ActivityKind::Periodic, numbers(period, priority, scheduler));
 }
 
+bool DeploymentComponent::setFileDescriptorActivity(const std::string& name, double timeout, int priority,
+                                                    int scheduler) {
+    return change(impl_->session, name, ActivityKind::FileDescriptor, numbers(timeout, priority, scheduler));
+}
+
 bool DeploymentComponent::setSequentialActivity(const std::string& name) {
     return change(impl_->session, name, ActivityKind::Sequential, ActivityNumbers());
 }

@@ -38,13 +38,13 @@ struct PolicyPlan {
     RTT::ConnPolicy policy;
 };
 
-enum class ActivityKind { Activity, NonPeriodic, Periodic, Slave, Sequential };
+enum class ActivityKind { Activity, NonPeriodic, Periodic, Slave, Sequential, FileDescriptor };
 
 struct ActivityPlan {
     ActivityKind kind = ActivityKind::Activity;
     std::string type;  // as written
     diag::Location where;
-    std::optional<double> period;  // seconds
+    std::optional<double> period;  // seconds; of a FileDescriptorActivity: the timeout in milliseconds
     std::optional<int> priority;
     bool realTime = true;  // ORO_SCHED_RT
     std::optional<unsigned> cpuAffinity;

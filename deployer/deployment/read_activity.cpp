@@ -24,6 +24,7 @@ const ActivityForm kForms[] = {
     {"PeriodicActivity", ActivityKind::Periodic, true, true},
     {"SlaveActivity", ActivityKind::Slave, false, false},
     {"SequentialActivity", ActivityKind::Sequential, false, false},
+    {"FileDescriptorActivity", ActivityKind::FileDescriptor, true, false},
 };
 
 const std::vector<std::string> kElements = {"Period", "Priority", "Scheduler", "CpuAffinity", "Master"};

@@ -6,6 +6,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace OCL::deploy {
@@ -58,6 +59,11 @@ SignalCatcher::~SignalCatcher() {
     writeEnd = outerPipe_[1];
     close(pipe_[0]);
     close(pipe_[1]);
+}
+
+bool SignalCatcher::caught() const {
+    pollfd end = {pipe_[0], POLLIN, 0};
+    return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
 }
 
 int SignalCatcher::wait() {

@@ -25,6 +25,10 @@ public:
     bool ready() const { return ready_; }
     /** Blocks until one of the signals has come since construction; returns its number. */
     int wait();
+    /** True if wait() would not block. */
+    bool caught() const;
+    /** Can be read as soon as a signal was caught. */
+    int descriptor() const { return pipe_[0]; }
 
 private:
     struct Previous {

@@ -135,6 +135,8 @@ public:
     bool setActivity(const std::string& name, double period, int priority, int scheduler);
     bool setActivityOnCPU(const std::string& name, double period, int priority, int scheduler, unsigned int cpu);
     bool setPeriodicActivity(const std::string& name, double period, int priority, int scheduler);
+    /** A thread that waits for file descriptors; `timeout` in milliseconds, 0 for none. */
+    bool setFileDescriptorActivity(const std::string& name, double timeout, int priority, int scheduler);
     bool setSequentialActivity(const std::string& name);
     bool setSlaveActivity(const std::string& name, double period);
     bool setMasterSlaveActivity(const std::string& master, const std::string& slave);

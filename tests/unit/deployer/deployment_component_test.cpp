@@ -6,6 +6,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/extras/FileDescriptorActivityInterface.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/os/fosi.h>
@@ -145,6 +146,13 @@ TEST_F(Deployment, ActivitiesAreSetWhileStopped) {
     ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
     EXPECT_TRUE(deployer_->setActivity("p", 0.5, 0, ORO_SCHED_OTHER));
     EXPECT_DOUBLE_EQ(0.5, peer("p")->getPeriod());
+    EXPECT_TRUE(deployer_->setFileDescriptorActivity("p", 250, 0, ORO_SCHED_OTHER));
+    const auto* const io =
+        dynamic_cast<RTT::extras::FileDescriptorActivityInterface*>(deployer_->getPeer("p")->getActivity());
+    ASSERT_TRUE(io);
+    EXPECT_EQ(250, io->getTimeout());
+    EXPECT_DOUBLE_EQ(0.25, deployer_->getPeer("p")->getActivity()->getPeriod());
+    EXPECT_FALSE(deployer_->setFileDescriptorActivity("p", 1e12, 0, ORO_SCHED_OTHER));
     EXPECT_TRUE(deployer_->setSequentialActivity("p"));
     EXPECT_TRUE(deployer_->setPeriodicActivity("p", 0.25, 0, ORO_SCHED_OTHER));
     EXPECT_FALSE(deployer_->setPeriodicActivity("p", 0, 0, ORO_SCHED_OTHER));

@@ -144,6 +144,8 @@ TEST(XmlToPlan, ActivityTypesHaveTheirNeeds) {
     EXPECT_THAT(codesOf(activity("PeriodicActivity", priority + period)), IsEmpty());
     EXPECT_THAT(codesOf(activity("SlaveActivity", simple("Master", "string", "m"))), IsEmpty());
     EXPECT_THAT(codesOf(activity("SequentialActivity", "")), IsEmpty());
+    EXPECT_THAT(codesOf(activity("FileDescriptorActivity", "")), ElementsAre("DEP013"));
+    EXPECT_THAT(codesOf(activity("FileDescriptorActivity", priority + period)), IsEmpty());
     EXPECT_THAT(codesOf(activity("Acitvity", period)), ElementsAre("DEP012"));
     EXPECT_THAT(codesOf(activity("Activity", period + simple("Scheduler", "string", "FIFO"))), ElementsAre("DEP015"));
     EXPECT_THAT(codesOf(activity("Activity", period + simple("Prio", "short", "5"))), ElementsAre("DEP014"));
