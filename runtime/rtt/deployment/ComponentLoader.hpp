@@ -50,8 +50,9 @@ public:
 
     /**
      * Imports a package: a library file, an absolute directory, or a name that is looked up in the current directory
-     * and then in the path list (empty: getComponentPath()); the first directory that has it wins. An imported package
-     * or a known component type is not imported again.
+     * and then in the path list (empty: getComponentPath()); the first directory that has it wins. What is not there is
+     * looked for as a ROS package below ROS_PACKAGE_PATH: its `lib/orocos` is imported, after that of all packages on which
+     * it depends. An imported package or a known component type is not imported again.
      * @return false if nothing was found.
      * @throw std::runtime_error after all libraries have been tried, if one could not be loaded; the errors are logged.
      */

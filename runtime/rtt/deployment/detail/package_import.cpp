@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "package_import.hpp"
 
+#include "ros_packages.hpp"
+
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/plugin/detail/search_path.hpp>
@@ -81,10 +83,27 @@ void PackageImport::fromSearchPath(const std::string& name, const std::string& p
             log(Info) << "package '" << name << "' is in " << directories.front() << ", too: using that in "
                       << first.front() << endlog();
     }
-    if (first.empty())
-        errors_.push_back("no such package or directory in the search path: " + text);
-    else
+    if (!first.empty())
         importAll(name, first);
+    else if (!fromRos(name))
+        errors_.push_back("no such package or directory in the search path: " + text);
+}
+
+bool PackageImport::fromRos(const std::string& name) {
+    const std::vector<RosPackage> packages = rosPackagesFor(name);
+    for (const RosPackage& package : packages) {
+        if (table_.isImported(package.name)) continue;
+        const std::string libraries = package.directory + "/lib/orocos";
+        std::vector<std::string> directories = withTargetDirectory(libraries);
+        for (const std::string& directory : packageDirectories(libraries, package.name))
+            directories.push_back(directory);
+        // What a package depends on may have nothing to do with components; the package itself may be no more than a list.
+        if (std::any_of(directories.begin(), directories.end(), holdsLibraries))
+            importAll(package.name, directories);
+        else if (packages.size() == 1)
+            errors_.push_back("ROS package '" + name + "' has no components, typekits or plugins in " + libraries);
+    }
+    return !packages.empty();
 }
 
 void PackageImport::importAll(const std::string& what, const std::vector<std::string>& directories) {

@@ -16,7 +16,7 @@ class PackageImport {
 public:
     explicit PackageImport(ComponentTable& table) : table_(table) {}
 
-    /** A library file, an absolute directory, a package that is imported already or one on the search path. */
+    /** A library file, an absolute directory, a package that is imported already, one on the search path, or of ROS. */
     void package(const std::string& name, const std::string& pathList);
     /** Each directory and its target sub-directory. */
     void directories(const std::vector<std::string>& directories);
@@ -29,6 +29,8 @@ public:
 private:
     void libraryFile(const std::string& file);
     void fromSearchPath(const std::string& name, const std::string& pathList);
+    /** A ROS package, with those it depends on; false if there is none of the name. */
+    bool fromRos(const std::string& name);
     void importAll(const std::string& what, const std::vector<std::string>& directories);
     bool importDirectory(const std::string& directory);
 
