@@ -31,11 +31,8 @@ void dumpViews(const model::Package& package, const std::string& manifest, std::
 
 /// Reports OC012 for each file that is not as it would be written.
 void checkFiles(const emit::Outputs& files, const std::string& directory, diag::Sink& sink) {
-    for (const std::string& name : emit::compare(files, directory).changed) {
-        const fs::path file = fs::path(directory) / name;
-        const bool there = fs::exists(file);
-        sink.error({file.string(), 0, 0}, "OC012",
-                   there ? "the file is not what would be generated now" : "the file is missing")
+    for (const emit::Difference& one : emit::compare(files, directory, "orocreate-pkg")) {
+        sink.error({(fs::path(directory) / one.name).string(), one.line, 0}, "OC012", one.message)
             .hint("orocreate-pkg --generate without --check writes it");
     }
 }

@@ -151,7 +151,8 @@ bool writeOutputs(const emit::Outputs& outputs, const std::string& directory, bo
                   diag::Sink& sink) {
     emit::Written written;
     if (dryRun) {
-        written = emit::compare(outputs, directory);
+        for (const emit::Difference& one : emit::compare(outputs, directory, "orocreate-pkg"))
+            written.changed.push_back(one.name);
     } else if (!emit::write(outputs, directory, sink, &written)) {
         return false;
     }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -120,6 +121,21 @@ private:
     bool done_ = false;
 };
 
+/// The first line that differs, and what it is to be.
+Difference differenceOf(const std::string& found, const std::string& expected, const std::string& tool) {
+    std::istringstream one(found), other(expected);
+    std::string line, wanted;
+    for (unsigned number = 1;; ++number) {
+        const bool more = static_cast<bool>(std::getline(one, line));
+        const bool due = static_cast<bool>(std::getline(other, wanted));
+        if (more && due && line == wanted) continue;
+        if (more && due && line == wanted + "\r") return {"", number, "stale: lines end with CR LF, expected LF"};
+        if (more && due) return {"", number, "stale: " + tool + " now writes '" + wanted + "' here"};
+        if (due) return {"", number, "stale: the file ends before the line '" + wanted + "'"};
+        return {"", more ? number : 0, "stale: " + tool + " now writes fewer lines"};
+    }
+}
+
 }  // namespace
 
 bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, Written* written) {
@@ -139,10 +155,16 @@ bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, 
     return true;
 }
 
-Written compare(const Outputs& outputs, const fs::path& directory) {
-    Written result;
+std::vector<Difference> compare(const Outputs& outputs, const fs::path& directory, const std::string& tool) {
+    std::vector<Difference> result;
     for (const auto& [name, text] : outputs) {
-        (hasText(directory / name, text) ? result.unchanged : result.changed).push_back(name);
+        std::error_code ignored;
+        if (!fs::is_regular_file(directory / name, ignored)) {
+            result.push_back({name, 0, "missing: " + tool + " would write this file"});
+        } else if (const std::string found = textOf(directory / name); found != text) {
+            result.push_back(differenceOf(found, text, tool));
+            result.back().name = name;
+        }
     }
     return result;
 }

@@ -35,8 +35,15 @@ bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directo
 /// The bytes of a file; nothing if there is none.
 std::string textOf(const std::filesystem::path& file);
 
-/// What write() would do, without doing it.
-Written compare(const Outputs& outputs, const std::filesystem::path& directory);
+struct Difference {
+    std::string name;
+    unsigned line = 0;    ///< the first one that differs; 0 if the file is missing or too long
+    std::string message;  ///< "stale: typegen now writes 'x' here"
+};
+
+/// What write() would change, without doing it; `tool` is who would write.
+std::vector<Difference> compare(const Outputs& outputs, const std::filesystem::path& directory,
+                                const std::string& tool);
 
 /// One path per line, `directory` in front.
 void listOutputs(std::ostream& out, const Outputs& outputs, const std::filesystem::path& directory);

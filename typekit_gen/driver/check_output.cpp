@@ -3,7 +3,6 @@
 #include "check_output.hpp"
 
 #include <map>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -15,21 +14,6 @@ struct Fault {
     unsigned line = 0;
     std::string message;
 };
-
-/// The first line that differs, and what it is to be.
-Fault differenceOf(const std::string& found, const std::string& expected) {
-    std::istringstream one(found), other(expected);
-    std::string line, wanted;
-    for (unsigned number = 1;; ++number) {
-        const bool more = static_cast<bool>(std::getline(one, line));
-        const bool due = static_cast<bool>(std::getline(other, wanted));
-        if (more && due && line == wanted) continue;
-        if (more && due && line == wanted + "\r") return {number, "stale: lines end with CR LF, expected LF"};
-        if (more && due) return {number, "stale: typegen now writes '" + wanted + "' here"};
-        if (due) return {number, "stale: the file ends before the line '" + wanted + "'"};
-        return {more ? number : 0, "stale: typegen now writes fewer lines"};
-    }
-}
 
 bool isOfTypegen(const fs::path& file) {
     const std::string extension = file.extension().string();
@@ -55,15 +39,8 @@ std::map<fs::path, Fault> superfluous(const emit::Outputs& outputs, const fs::pa
 
 bool checkOutput(const emit::Outputs& outputs, const fs::path& folder, const std::string& refresh, diag::Sink& sink) {
     std::map<fs::path, Fault> faults = superfluous(outputs, folder);
-    for (const auto& [name, text] : outputs) {
-        const fs::path file = folder / name;
-        std::error_code ignored;
-        if (!fs::is_regular_file(file, ignored)) {
-            faults[file] = {0, "missing: typegen would write this file"};
-        } else if (const std::string found = emit::textOf(file); found != text) {
-            faults[file] = differenceOf(found, text);
-        }
-    }
+    for (const emit::Difference& one : emit::compare(outputs, folder, "typegen"))
+        faults[folder / one.name] = {one.line, one.message};
     diag::Diagnostic* last = nullptr;
     for (const auto& [file, fault] : faults) last = &sink.error({file.string(), fault.line, 0}, "TK067", fault.message);
     if (last != nullptr) last->hint(refresh);
