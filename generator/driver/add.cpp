@@ -3,13 +3,13 @@
 #include <driver/add.hpp>
 
 #include <filesystem>
-#include <optional>
 #include <ostream>
 #include <regex>
 
 #include <nlohmann/json.hpp>
 
 #include <check/check.hpp>
+#include <driver/build_file.hpp>
 #include <driver/kinds.hpp>
 #include <driver/package_files.hpp>
 #include <merge/text_places.hpp>
@@ -24,50 +24,6 @@ namespace oroforge::driver {
 namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
-const char* const kBuildFile = "CMakeLists.txt";
-
-/// The text with each comment and quoted text blanked out, so that what is found in it is a command.
-std::string withoutComments(const std::string& cmake) {
-    std::string text = cmake;
-    char inside = 0;  // '#' in a comment, '"' in a quoted text
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = cmake[i];
-        if (inside == 0 && (c == '#' || c == '"')) {
-            inside = c;
-        } else if ((inside == '#' && c == '\n') || (inside == '"' && c == '"' && cmake[i - 1] != '\\')) {
-            inside = 0;
-        }
-        if (inside == '#') text[i] = ' ';
-    }
-    return text;
-}
-
-struct Command {
-    std::size_t begin = 0;  ///< of its line
-    std::size_t close = 0;  ///< of its closing parenthesis
-    std::string first;      ///< its first argument
-};
-
-std::optional<Command> findCommand(const std::string& cmake, const std::string& name) {
-    const std::string text = withoutComments(cmake);
-    const std::regex pattern("(^|\\n)([ \\t]*)" + name + "[ \\t]*\\([ \\t\\r\\n]*([^ \\t\\r\\n)]*)", std::regex::icase);
-    std::smatch match;
-    if (!std::regex_search(text, match, pattern)) return std::nullopt;
-    Command command;
-    command.begin = static_cast<std::size_t>(match.position(2));
-    command.close = text.find(')', static_cast<std::size_t>(match.position(3)));
-    command.first = match[3];
-    if (command.close == std::string::npos) return std::nullopt;
-    return command;
-}
-
-/// Headers stand before the first of the words that have a meaning of their own, as DEPENDS.
-std::size_t endOfHeaders(const std::string& cmake, const Command& call) {
-    const std::string arguments = withoutComments(cmake).substr(call.begin, call.close - call.begin);
-    std::smatch keyword;
-    if (!std::regex_search(arguments, keyword, std::regex("[ \\t\\r\\n]+[A-Z_]+(?=[ \\t\\r\\n]|$)"))) return call.close;
-    return call.begin + static_cast<std::size_t>(keyword.position());
-}
 
 /// What is written: files that must not be there yet, and the build file.
 struct Additions {
@@ -81,7 +37,7 @@ std::string withTargets(const std::string& cmake, const Additions& additions, di
     std::string targets = additions.targets;
     if (!additions.header.empty()) {
         if (const auto call = findCommand(text, "orocos_typegen_headers")) {
-            text.insert(endOfHeaders(text, *call), " " + additions.header);
+            text.insert(endOfNames(text, *call), " " + additions.header);
         } else {
             targets = "\norocos_typegen_headers(" + additions.header + ")\n";
         }

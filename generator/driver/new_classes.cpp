@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <driver/build_file.hpp>
 #include <driver/package_files.hpp>
 #include <view/cpp_text.hpp>
 
@@ -13,31 +14,9 @@ namespace oroforge::driver {
 
 namespace {
 
-const char* const kBuildFile = "CMakeLists.txt";
-
 bool isFound(const model::UserCode& code, const std::string& name) {
     return std::any_of(code.classes.begin(), code.classes.end(),
                        [&](const model::UserClass& one) { return one.name == name && !one.file.empty(); });
-}
-
-/// Behind the word that names a source of another component: in a line of its own, or beside it.
-bool addBehind(std::string& cmake, const std::string& known, const std::string& fresh) {
-    for (std::size_t at = cmake.find(known); at != std::string::npos; at = cmake.find(known, at + 1)) {
-        const std::size_t end = at + known.size();
-        const std::string before = at == 0 ? " " : cmake.substr(at - 1, 1);
-        const std::string behind = end == cmake.size() ? " " : cmake.substr(end, 1);
-        if (std::string(" \t\n(").find(before) == std::string::npos) continue;
-        if (std::string(" \t\r\n)").find(behind) == std::string::npos) continue;
-        const std::size_t line = at == 0 ? 0 : cmake.rfind('\n', at - 1) + 1;
-        const std::string indent = cmake.substr(line, at - line);
-        if (indent.find('#') != std::string::npos) continue;
-        const bool alone = indent.find_first_not_of(" \t") == std::string::npos &&
-                           std::string("\r\n").find(behind) != std::string::npos;
-        const std::string lineEnd = behind == "\r" ? "\r\n" : "\n";
-        cmake.insert(end, (alone ? lineEnd + indent : " ") + fresh);
-        return true;
-    }
-    return false;
 }
 
 void addToBuild(const NewClasses& input, const merge::WantedClass& wanted, emit::Outputs& outputs, merge::Plan& plan,

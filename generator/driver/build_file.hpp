@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Finds places in a CMakeLists.txt that users write: what stands in comments and quotes is none of it.
+#ifndef OROFORGE_GENERATOR_DRIVER_BUILD_FILE_HPP
+#define OROFORGE_GENERATOR_DRIVER_BUILD_FILE_HPP
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace oroforge::driver {
+
+inline constexpr const char* kBuildFile = "CMakeLists.txt";
+
+struct Command {
+    std::size_t begin = 0;  ///< of its line
+    std::size_t close = 0;  ///< of its closing parenthesis
+    std::string first;      ///< its first argument
+};
+
+std::optional<Command> findCommand(const std::string& cmake, const std::string& name);
+
+/// Where names of files end among the arguments: before the first of the words that have a meaning of their own, as DEPENDS.
+std::size_t endOfNames(const std::string& cmake, const Command& call);
+
+/// Puts `fresh` behind the argument `known` of some command: in a line of its own, or beside it, as that stands. False if
+/// there is no such argument.
+bool addBehind(std::string& cmake, const std::string& known, const std::string& fresh);
+
+}  // namespace oroforge::driver
+
+#endif
