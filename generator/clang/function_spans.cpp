@@ -234,8 +234,9 @@ void fillSpans(const clang::CXXMethodDecl& function, const clang::Decl& outer, c
 }
 
 model::CanonicalSignature canonicalSignature(const clang::FunctionDecl& function) {
-    // An 'override' that overrides nothing any more makes no type unknown; types that are take the place of int.
-    const bool onlyOverride = function.hasAttr<clang::OverrideAttr>() && !function.getReturnType()->isIntegerType();
+    // An 'override' that overrides nothing any more makes no type unknown; int takes the place of those that are.
+    const bool isInt = function.getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Int);
+    const bool onlyOverride = function.hasAttr<clang::OverrideAttr>() && !isInt;
     if ((function.isInvalidDecl() && !onlyOverride) || function.isVariadic()) return {};
     const clang::ASTContext& context = function.getASTContext();
     model::CanonicalSignature signature;

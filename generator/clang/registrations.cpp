@@ -52,9 +52,38 @@ std::string memberIn(const clang::Stmt* value) {
     return {};
 }
 
+const clang::Expr* plain(const clang::Expr* value) {
+    return value == nullptr ? nullptr : value->IgnoreUnlessSpelledInSource();
+}
+
+const clang::StringLiteral* literalOf(const clang::Expr* value) {
+    const auto* text = llvm::dyn_cast_or_null<clang::StringLiteral>(plain(value));
+    return text != nullptr && text->isOrdinary() ? text : nullptr;
+}
+
+/// Adds "gripper" for provides("gripper"). False if what the call is made on may be any service.
+bool readService(const clang::Expr* object, std::string& service) {
+    object = plain(object);
+    if (const auto* arrow = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(object))
+        return arrow->getOperator() == clang::OO_Arrow && readService(arrow->getArg(0), service);
+    if (object == nullptr || llvm::isa<clang::CXXThisExpr>(object)) return true;
+    const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(object);
+    const auto* callee = call == nullptr ? nullptr : llvm::dyn_cast<clang::MemberExpr>(plain(call->getCallee()));
+    if (callee == nullptr || !readService(callee->getBase(), service)) return false;
+    const std::string name = callee->getMemberDecl()->getNameAsString();
+    if (name == "ports" || name == "properties" || name == "attributes" || name == "operations") return true;
+    if (name != "provides") return false;
+    if (call->getNumArgs() == 0) return true;
+    const clang::StringLiteral* text = literalOf(call->getArg(0));
+    if (text == nullptr) return false;
+    service += (service.empty() ? "" : ".") + text->getString().str();
+    return true;
+}
+
 class Collector {
 public:
-    Collector(const clang::ASTContext& context, const PackagePlaces& places) : context_(context), places_(places) {}
+    Collector(const clang::ASTContext& context, const PackagePlaces& places, bool inConstructor)
+        : context_(context), places_(places), inConstructor_(inConstructor) {}
 
     void walk(const clang::Stmt* statement, int depth) {
         if (statement == nullptr || llvm::isa<clang::LambdaExpr>(statement)) return;
@@ -79,15 +108,62 @@ private:
         one.where = places_.locate(verb.where);
         one.statement = {places_.offset(expression.getBeginLoc()), places_.offset(end)};
         one.receiver = {one.statement.begin, places_.offset(verb.where)};
-        one.isNested = nested;
+        one.verbSpan = {one.receiver.end, places_.offset(behindWord(context_, verb.where))};
+        one.isNested = nested || !inConstructor_;
         if (call->getNumArgs() > 0) one.literal = firstString(call->getArg(0));
-        for (const clang::Expr* argument : call->arguments())
+        for (const clang::Expr* argument : call->arguments()) {
             if (one.member.empty()) one.member = memberIn(argument);
+            readThread(argument, one);
+        }
+        const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParenImpCasts());
+        one.knowsService = callee != nullptr && readService(callee->getBase(), one.service);
+        one.arguments = call->getNumArgs();
+        one.callEnd = places_.offset(behindWord(context_, call->getRParenLoc()));
+        one.textsKnown = readTexts(&expression, call, one);
         if (!one.file.empty()) found.push_back(std::move(one));
+    }
+
+    void readThread(const clang::Expr* argument, model::UserRegistration& into) const {
+        const auto* name = llvm::dyn_cast_or_null<clang::DeclRefExpr>(plain(argument));
+        if (name == nullptr || !llvm::isa<clang::EnumConstantDecl>(name->getDecl())) return;
+        const std::string word = name->getDecl()->getNameAsString();
+        if ((word != "OwnThread" && word != "ClientThread") || name->getLocation().isMacroID()) return;
+        into.thread = word;
+        into.threadSpan = {places_.offset(name->getLocation()),
+                           places_.offset(behindWord(context_, name->getLocation()))};
+    }
+
+    /// The calls of doc() and arg() around `call`. False if there is anything else.
+    bool readTexts(const clang::Expr* whole, const clang::CallExpr* call, model::UserRegistration& into) const {
+        whole = plain(whole);
+        if (whole == call) return true;
+        const auto* outer = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(whole);
+        const auto* callee = outer == nullptr ? nullptr : llvm::dyn_cast<clang::MemberExpr>(plain(outer->getCallee()));
+        if (callee == nullptr || callee->getOperatorLoc().isMacroID() || !readTexts(callee->getBase(), call, into))
+            return false;
+        const std::string name = callee->getMemberDecl()->getNameAsString();
+        const unsigned count = outer->getNumArgs();
+        model::UserText text;
+        if (name == "arg" && count == 2 && literalOf(outer->getArg(0)) != nullptr) {
+            text.argument = literalOf(outer->getArg(0))->getString().str();
+        } else if (name != "doc" || count != 1) {
+            return false;
+        }
+        text.call = {places_.offset(callee->getOperatorLoc()),
+                     places_.offset(behindWord(context_, outer->getRParenLoc()))};
+        const clang::StringLiteral* words = literalOf(outer->getArg(count - 1));
+        if (words == nullptr) return false;
+        text.words = words->getString().str();
+        if (!words->getBeginLoc().isMacroID() && !words->getEndLoc().isMacroID())
+            text.literal = {places_.offset(words->getBeginLoc()),
+                            places_.offset(behindWord(context_, words->getEndLoc()))};
+        into.texts.push_back(std::move(text));
+        return true;
     }
 
     const clang::ASTContext& context_;
     const PackagePlaces& places_;
+    const bool inConstructor_;
 };
 
 }  // namespace
@@ -103,10 +179,9 @@ std::string firstString(const clang::Stmt* value) {
     return {};
 }
 
-std::vector<model::UserRegistration> registrationsIn(const clang::CXXConstructorDecl& constructor,
-                                                     const PackagePlaces& places) {
-    Collector collector(constructor.getASTContext(), places);
-    collector.walk(constructor.getBody(), 0);
+std::vector<model::UserRegistration> registrationsIn(const clang::CXXMethodDecl& method, const PackagePlaces& places) {
+    Collector collector(method.getASTContext(), places, llvm::isa<clang::CXXConstructorDecl>(method));
+    collector.walk(method.getBody(), 0);
     return collector.found;
 }
 

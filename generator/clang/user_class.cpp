@@ -92,7 +92,6 @@ public:
         const clang::ASTContext& context = sema.getASTContext();
         const PackagePlaces places(context.getSourceManager(), run_);
         places_ = &places;
-        std::vector<const clang::FunctionDecl*> found;
         for (const clang::Decl* one : context.getTranslationUnitDecl()->decls()) walk(*one);
         places_ = nullptr;
     }
@@ -222,21 +221,25 @@ private:
             one.space = space->getQualifiedNameAsString();
         one.types = canonicalSignature(method);
         if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&method))
-            addMembers(*constructor, into);
+            addLiterals(*constructor, into);
+        addRegistrations(method, into);
         for (const model::UserFunction& known : into.functions)
             if (known.file == one.file && known.nameSpan == one.nameSpan && known.whole == one.whole) return;
         into.functions.push_back(std::move(one));
     }
 
-    void addMembers(const clang::CXXConstructorDecl& constructor, model::UserClass& into) {
+    void addLiterals(const clang::CXXConstructorDecl& constructor, model::UserClass& into) {
         for (const clang::CXXCtorInitializer* initializer : constructor.inits()) {
             if (!initializer->isMemberInitializer() || !initializer->isWritten()) continue;
             const std::string text = firstString(initializer->getInit());
-            if (!text.empty()) literals_[initializer->getMember()->getNameAsString()] = text;
+            if (!text.empty()) literals_[into.name + "::" + initializer->getMember()->getNameAsString()] = text;
         }
-        for (model::UserField& field : into.fields) giveLiteral(field);
-        if (!constructor.doesThisDeclarationHaveABody()) return;
-        for (model::UserRegistration& one : registrationsIn(constructor, *places_)) {
+        for (model::UserField& field : into.fields) giveLiteral(field, into);
+    }
+
+    void addRegistrations(const clang::CXXMethodDecl& method, model::UserClass& into) {
+        if (!method.doesThisDeclarationHaveABody()) return;
+        for (model::UserRegistration& one : registrationsIn(method, *places_)) {
             const auto same = [&](const model::UserRegistration& known) {
                 return known.file == one.file && known.statement == one.statement;
             };
@@ -245,8 +248,8 @@ private:
         }
     }
 
-    void giveLiteral(model::UserField& field) {
-        const auto found = literals_.find(field.name);
+    void giveLiteral(model::UserField& field, const model::UserClass& type) {
+        const auto found = literals_.find(type.name + "::" + field.name);
         if (found != literals_.end() && field.literal.empty()) field.literal = found->second;
     }
 
@@ -268,18 +271,18 @@ private:
             one.whole.begin = places_->offset(field.getBeginLoc());
             const clang::SourceLocation end = behindSemicolon(context, field.getLocation());
             one.whole.end = end.isValid() ? places_->offset(end) : one.whole.begin;
-            one.type = typeSpan(field, wrapper != nullptr);
+            one.type = typeSpan(field, wrapper != nullptr ? one.portClass : "", one.portWord);
         }
-        giveLiteral(one);
+        giveLiteral(one, into);
         into.fields.push_back(std::move(one));
     }
 
-    /// Of a port what stands between its '<' and '>'. Nothing where several names share a type.
-    model::Span typeSpan(const clang::FieldDecl& field, bool wrapped) const {
+    /// Of a port what stands between its '<' and '>', and the word before them. Nothing where several names share a type.
+    model::Span typeSpan(const clang::FieldDecl& field, const std::string& wrapper, model::Span& wrapperWord) const {
         clang::TypeLoc type = field.getTypeSourceInfo()->getTypeLoc();
         Words words(field.getASTContext(), field.getBeginLoc());
         clang::Token token;
-        model::Span all;
+        model::Span all, word;
         std::size_t open = 0, close = 0;
         bool severalNames = false;
         int depth = 0;
@@ -297,11 +300,13 @@ private:
                 close = at + token.getLength() - 1;
             }
             if (words.spelled(token) == "mutable" && all.empty()) continue;
+            if (depth == 0 && words.spelled(token) == wrapper) word = {at, at + token.getLength()};
             if (all.empty()) all.begin = at;
             all.end = at + token.getLength();
         }
         if (severalNames || !behindName || type.getBeginLoc().isMacroID()) return {};
-        if (!wrapped) return all;
+        if (wrapper.empty()) return all;
+        wrapperWord = word;
         return open != 0 && close > open && close + 1 == all.end ? model::Span{open, close} : model::Span{};
     }
 
@@ -311,7 +316,7 @@ private:
     const PackagePlaces* places_ = nullptr;
     std::size_t probes_ = 0;
     std::set<std::string> files_;
-    std::map<std::string, std::string> literals_;
+    std::map<std::string, std::string> literals_;  ///< by member, with its class
 };
 
 void tell(const SourceRun& run, const std::vector<CompileMessage>& messages, bool sawProbes, diag::Sink& sink) {

@@ -22,6 +22,21 @@ std::string textOr(const json& value, const char* key) {
     return value.contains(key) && value[key].is_string() ? value[key].get<std::string>() : std::string();
 }
 
+/// What a literal made by view::stringLiteral() says.
+std::string wordsOf(const std::string& literal) {
+    std::string words;
+    for (std::size_t at = 1; at + 1 < literal.size(); ++at) {
+        const bool escaped = literal[at] == '\\';
+        if (escaped) ++at;
+        words += !escaped ? literal[at] : literal[at] == 'n' ? '\n' : literal[at] == 't' ? '\t' : literal[at];
+    }
+    return words;
+}
+
+void addText(const std::string& literal, const std::string& argument, merge::WantedRegistration& into) {
+    if (!literal.empty()) into.texts.push_back({argument, wordsOf(literal), literal});
+}
+
 /// Lines between the first '{' and the last '}', one level of indentation taken off.
 std::vector<std::string> bodyIn(const std::string& definition) {
     std::vector<std::string> lines;
@@ -73,15 +88,14 @@ merge::WantedMethod operationMethod(const json& view, const std::string& classNa
     for (const json& line : view["comment"]) method.comment.push_back(line);
     const std::string result = textOr(view, "result");
     if (!result.empty()) method.body.push_back("return " + result + ";");
-    const std::string doc = textOr(view, "doc");
-    method.registration = "addOperation(\"" + method.operation + "\", &" + className + "::" + method.name +
-                          ", this, RTT::" + view["thread"].get<std::string>() + ")" +
-                          (doc.empty() ? "" : ".doc(" + doc + ")");
+    method.registration.how = view["thread"];
+    addText(textOr(view, "doc"), "", method.registration);
     for (const json& argument : view["args"]) {
         method.signature.arguments.push_back({argument["type"], argument["name"]});
-        method.registration +=
-            ".arg(\"" + argument["name"].get<std::string>() + "\", " + argument["doc"].get<std::string>() + ")";
+        addText(argument["doc"], argument["name"], method.registration);
     }
+    method.registrationText = "addOperation(\"" + method.operation + "\", &" + className + "::" + method.name +
+                              ", this, RTT::" + method.registration.how + ")";
     return method;
 }
 
@@ -97,11 +111,10 @@ merge::WantedMember memberFrom(const json& view, const char* kind, const diag::L
     member.portClass = textOr(view, "portClass");
     member.initialiser = textOr(view, "init");
     member.comment = textOr(view, "comment");
-    member.verb = textOr(view, "add");
-    if (member.verb.empty()) member.verb = "addProperty";
-    const std::string doc = textOr(view, "doc");
+    member.registration.how = textOr(view, "add");
+    if (member.registration.how.empty()) member.registration.how = "addProperty";
     // Attributes have no description in the runtime.
-    if (!doc.empty() && std::string(kind) != "attribute") member.doc = ".doc(" + doc + ")";
+    if (std::string(kind) != "attribute") addText(textOr(view, "doc"), "", member.registration);
     member.where = where;
     return member;
 }

@@ -63,9 +63,7 @@ public:
         if (!split()) return {"", "its arguments cannot be told apart"};
         checkRemoved();
         for (std::size_t j = 0; j != to_.size(); ++j) add(j);
-        if (!to_.empty()) {
-            addEnd();
-        }
+        if (!to_.empty()) addEnd();
         return {result_, fault_};
     }
 
@@ -159,9 +157,12 @@ private:
             result_ += behind + "," + before + words;
             return;
         }
-        result_ += ",";
         const bool comment = hasComment(behind);
-        if (comment) result_ += behind;
+        // A comment in front of a comma stays there; behind the last argument, its line ends first.
+        const bool hadComma = previous + 1 < static_cast<int>(pieces_.size());
+        if (comment && hadComma) result_ += behind;
+        result_ += ",";
+        if (comment && !hadComma) result_ += behind;
         const bool freshLine = comment && !result_.empty() && behind.find('\n') != std::string::npos;
         if (i >= 0 && hasComment(before)) {
             result_ += before + words;

@@ -124,12 +124,37 @@ std::string indentUnit(const std::string& text, const model::UserClass& type) {
     return "    ";
 }
 
+namespace {
+
+/// How far the first line of a body is moved in; nothing if none of those in question has lines.
+template <class Test>
+std::string bodyUnit(const std::string& text, const model::UserClass& type, const UserFunction* near, Test test) {
+    const auto hasLines = [&](const UserFunction& function) {
+        if (!test(function) || function.body.empty()) return false;
+        const std::size_t line = text.find('\n', function.body.begin);
+        if (line == std::string::npos || line >= function.body.end) return false;
+        const std::size_t word = text.find_first_not_of(" \t\r\n", line);
+        return word < function.body.end - 1 && text[word] != '#' &&
+               indentAt(text, word).size() > indentAt(text, function.whole.begin).size();
+    };
+    const UserFunction* sample = sampleOf(type, near, hasLines);
+    if (sample == nullptr) return {};
+    const std::size_t line = text.find('\n', sample->body.begin);
+    const std::string inner = indentAt(text, text.find_first_not_of(" \t\r\n", line));
+    return inner.substr(indentAt(text, sample->whole.begin).size());
+}
+
+}  // namespace
+
 MethodStyle declarationStyle(const std::string& text, const model::UserClass& type, const UserFunction* near) {
     MethodStyle style;
     style.lineEnd = lineEndOf(text);
     style.unit = indentUnit(text, type);
     const bool hasLine = near != nullptr && isFirstInLine(text, near->whole.begin);
     style.indent = indentAt(text, hasLine ? near->whole.begin : type.whole.begin) + (hasLine ? "" : style.unit);
+    const auto here = [&](const UserFunction& function) { return function.file == type.file && function.inClass; };
+    const std::string unit = bodyUnit(text, type, near, here);
+    if (!unit.empty()) style.unit = unit;
     style.docMark = docMark(text, type);
     const auto plain = [](const UserFunction& function) { return function.inClass && isPlain(function); };
     if (const UserFunction* sample = sampleOf(type, near, plain)) takeSpaces(text, *sample, style);
@@ -159,23 +184,20 @@ MethodStyle definitionStyle(const std::string& text, const model::UserClass& typ
     };
     if (const UserFunction* sample = sampleOf(type, near, plain)) takeSpaces(text, *sample, style);
     takeBrace(text, type, file, style);
-    // The first line of a body tells how far it is moved in.
-    const auto hasLines = [&](const UserFunction& function) {
-        if (function.file != file || function.inClass || function.body.empty()) return false;
-        const std::size_t line = text.find('\n', function.body.begin);
-        if (line == std::string::npos || line >= function.body.end) return false;
-        const std::size_t word = text.find_first_not_of(" \t\r\n", line);
-        return word < function.body.end - 1 && text[word] != '#' &&
-               indentAt(text, word).size() > indentAt(text, function.whole.begin).size();
-    };
-    if (const UserFunction* sample = sampleOf(type, near, hasLines)) {
-        const std::size_t line = text.find('\n', sample->body.begin);
-        const std::string inner = indentAt(text, text.find_first_not_of(" \t\r\n", line));
-        style.unit = inner.substr(indentAt(text, sample->whole.begin).size());
+    const auto here = [&](const UserFunction& function) { return function.file == file && !function.inClass; };
+    const std::string unit = bodyUnit(text, type, near, here);
+    if (!unit.empty()) {
+        style.unit = unit;
     } else if (type.file == file) {
         style.unit = indentUnit(text, type);
     }
     return style;
+}
+
+std::string inBlockComment(std::string line) {
+    for (std::size_t at = line.find("*/"); at != std::string::npos; at = line.find("*/", at + 3))
+        line.insert(at + 1, " ");
+    return line;
 }
 
 std::vector<std::string> commentText(const MethodStyle& style, const std::vector<std::string>& lines) {
@@ -185,14 +207,9 @@ std::vector<std::string> commentText(const MethodStyle& style, const std::vector
         for (const std::string& line : lines) result.push_back(style.docMark + (line.empty() ? "" : " " + line));
         return result;
     }
-    const auto safe = [](std::string line) {
-        for (std::size_t at = line.find("*/"); at != std::string::npos; at = line.find("*/", at + 3))
-            line.insert(at + 1, " ");
-        return line;
-    };
-    if (lines.size() == 1) return {"/** " + safe(lines.front()) + " */"};
+    if (lines.size() == 1) return {"/** " + inBlockComment(lines.front()) + " */"};
     result.push_back("/**");
-    for (const std::string& line : lines) result.push_back(" *" + (line.empty() ? "" : " " + safe(line)));
+    for (const std::string& line : lines) result.push_back(" *" + (line.empty() ? "" : " " + inBlockComment(line)));
     result.push_back(" */");
     return result;
 }

@@ -40,7 +40,7 @@ std::string indentUnit(const std::string& text, const model::UserClass& type);
 /// "virtual bool finish(int sent) override" with its comment lines above, each line with its end.
 std::string declarationText(const MethodStyle& style, const WantedMethod& method, bool overrides);
 
-/// The whole definition. `space` is the namespace it stands in, `home` that of the class.
+/// The whole definition. `qualifier` stands before its name, as "Plant::".
 std::string definitionText(const MethodStyle& style, const WantedMethod& method, const std::string& qualifier,
                            bool trailingReturn);
 
@@ -49,6 +49,9 @@ std::string inlineText(const MethodStyle& style, const WantedMethod& method, boo
 
 /// Whether a type has names in it that are only known in the class's namespace `home`.
 bool needsNamespace(const std::string& type, const std::string& home);
+
+/// The line without what would end a comment of /* and */.
+std::string inBlockComment(std::string line);
 
 std::vector<std::string> commentText(const MethodStyle& style, const std::vector<std::string>& lines);
 

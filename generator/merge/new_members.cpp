@@ -91,13 +91,13 @@ std::string NewMembers::portPrefix() const {
 }
 
 std::string NewMembers::declare(const WantedMember& member) {
-    const std::string name = memberName(member);
+    std::string name = memberName(member);
+    const auto isTaken = [&](const UserField& field) { return field.name == name; };
+    while (std::any_of(type_.fields.begin(), type_.fields.end(), isTaken)) name += '_';
     const std::string& text = input_.code.texts.at(type_.file);
     const std::string lineEnd = lineEndOf(text);
     const std::string type =
         member.portClass.empty() ? member.declared : portPrefix() + member.portClass + "<" + member.type + ">";
-    const std::string comment = member.comment.empty() ? "" : "  ///< " + member.comment;
-    const std::string line = type + " " + name + member.initialiser + ";" + comment + lineEnd;
     const UserField* last = lastField(member.kind);
     if (last == nullptr && member.kind == "attribute") last = lastField("property");
     if (last == nullptr) {
@@ -108,6 +108,12 @@ std::string NewMembers::declare(const WantedMember& member) {
     }
     const Place place =
         last == nullptr ? Place{} : placeBehind({{last->file, last->whole, type_.body, nullptr}}, type_, input_.code);
+    // What stands behind it in the same line must not become a part of its comment.
+    const bool inLine = place.known && place.at < text.size() && place.at > 0 && text[place.at - 1] != '\n';
+    const std::string comment = member.comment.empty() ? ""
+                                : inLine               ? "  /**< " + inBlockComment(member.comment) + " */"
+                                                       : "  ///< " + member.comment;
+    const std::string line = type + " " + name + member.initialiser + ";" + comment + lineEnd;
     if (place.known) {
         declarations_[place.at] += indentAt(text, last->whole.begin) + line;
     } else {
@@ -131,7 +137,12 @@ std::string NewMembers::receiverLike(const UserRegistration* sample, bool sameKi
     return receiver.compare(0, 6, "this->") == 0 ? "this->" : "";
 }
 
-void NewMembers::registerBy(const std::string& kind, const std::string& path, const std::string& call) {
+void NewMembers::registerBy(const std::string& kind, const std::string& path, const std::string& bare,
+                            const std::vector<WantedText>& texts) {
+    std::string call = bare;
+    for (const WantedText& one : texts)
+        call +=
+            one.argument.empty() ? ".doc(" + one.literal + ")" : ".arg(\"" + one.argument + "\", " + one.literal + ")";
     const std::string& text = input_.code.texts.at(constructor_->file);
     const UserRegistration* sample = lastCall(type_, kind, constructor_->file);
     const bool sameKind = sample != nullptr;

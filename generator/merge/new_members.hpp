@@ -25,17 +25,13 @@ public:
 
     /// Declares it; returns the name of the data member.
     std::string declare(const WantedMember& member);
-    /// Adds "this->" + call + ";" to the constructor.
-    void registerBy(const std::string& kind, const std::string& path, const std::string& call);
+    /// Adds "this->" + call + ".doc(…);" to the constructor.
+    void registerBy(const std::string& kind, const std::string& path, const std::string& call,
+                    const std::vector<WantedText>& texts);
     /// Makes the edits.
     void finish();
 
 private:
-    struct Lines {
-        std::string text;
-        bool inEmptyBody = false;
-    };
-
     std::string memberName(const WantedMember& member) const;
     const model::UserField* lastField(const std::string& kind) const;
     std::string portPrefix() const;

@@ -22,8 +22,6 @@ public:
     void add(const WantedMethod& method);
 
 private:
-    using Test = bool (*)(const model::UserFunction&);
-
     std::vector<const model::UserFunction*> ranked(const WantedMethod& method, bool inClass) const;
     Place placeOf(const WantedMethod& method, bool inClass);
     void addAtEnd(const WantedMethod& method, bool overrides, bool isInline);

@@ -6,6 +6,7 @@
 
 #include <merge/new_members.hpp>
 #include <merge/plan.hpp>
+#include <merge/plan_registration.hpp>
 #include <merge/text_places.hpp>
 #include <model/cpp_type.hpp>
 
@@ -39,15 +40,26 @@ private:
         return nullptr;
     }
 
-    /// The call that registers that name: it has it as a text, or the data member it takes was given it.
-    const UserRegistration* callFor(const std::string& kind, const std::string& name) const {
+    /// One that no call has taken for something else.
+    const UserField* freeField(const std::string& name) const {
+        const bool taken = std::any_of(type_.registrations.begin(), type_.registrations.end(),
+                                       [&](const UserRegistration& one) { return one.member == name; });
+        return taken ? nullptr : fieldNamed(name);
+    }
+
+    /// The call that registers "gripper.force": it has the name as a text, or the data member it takes was given it.
+    const UserRegistration* callFor(const std::string& kind, const std::string& name, const std::string& shown) const {
+        const std::string service = shown.size() > name.size() ? shown.substr(0, shown.size() - name.size() - 1) : "";
+        const UserRegistration* ofAnyService = nullptr;
         for (const UserRegistration& one : type_.registrations) {
             if (!registers(one.verb, kind)) continue;
             const UserField* field = fieldNamed(one.member);
             const std::string known = !one.literal.empty() ? one.literal : field != nullptr ? field->literal : "";
-            if (known == name) return &one;
+            if (known != name) continue;
+            if (one.knowsService && one.service == service) return &one;
+            if (!one.knowsService) ofAnyService = &one;
         }
-        return nullptr;
+        return ofAnyService;
     }
 
     /// A call of that kind of which nobody knows what it registers.
@@ -75,54 +87,96 @@ private:
     }
 
     void keepRecord(const WantedMember& member, const std::string& name, bool kept) {
-        into_.record[wanted_.name].members[member.shown] = {member.kind, name, member.type, kept};
+        into_.record[wanted_.name].members[member.shown] = {
+            member.kind, name, member.type, kept, member.portClass, recordOf(member.registration)};
+    }
+
+    /// What of the kind stands in the code under another one: a property that became an attribute.
+    const UserRegistration* callOfOtherKind(const WantedMember& member) const {
+        for (const char* kind : {"port", "property", "attribute"}) {
+            const bool isWanted =
+                std::any_of(wanted_.members.begin(), wanted_.members.end(),
+                            [&](const WantedMember& one) { return one.kind == kind && one.shown == member.shown; });
+            if (isWanted) continue;
+            if (const UserRegistration* call = callFor(kind, member.name, member.shown)) return call;
+        }
+        return nullptr;
+    }
+
+    void refuseOtherKind(const WantedMember& member, const UserRegistration& call) {
+        sink_
+            .error(call.where, "OC032",
+                   "'" + member.shown + "' is registered by " + call.verb + "() here, and the manifest wants " +
+                       (member.kind == "attribute" ? "an " : "a ") + member.kind)
+            .note(member.where, "in the manifest here")
+            .hint("change it by hand; then there is nothing left to do");
     }
 
     void plan(const WantedMember& member) {
         const auto found = recorded_.members.find(member.shown);
         const RecordedMember* last = found == recorded_.members.end() ? nullptr : &found->second;
-        const UserRegistration* call = callFor(member.kind, member.name);
+        const UserRegistration* call = callFor(member.kind, member.name, member.shown);
         const UserField* field = call != nullptr ? fieldNamed(call->member) : nullptr;
         for (const std::string& name : {last != nullptr ? last->member : "", member.method + "_", member.method,
                                         "m_" + member.method, "_" + member.method})
-            if (field == nullptr && call == nullptr && !name.empty()) field = fieldNamed(name);
+            if (field == nullptr && call == nullptr && !name.empty()) field = freeField(name);
         const std::string fieldName = field != nullptr ? field->name : last != nullptr ? last->member : "";
-        const bool unchanged = last != nullptr && model::normalised(last->type) == model::normalised(member.type);
+        const bool unchanged = last != nullptr && model::normalised(last->type) == model::normalised(member.type) &&
+                               (last->portClass.empty() || last->portClass == member.portClass);
         const bool takeManifest = chosen(input_.choices.manifest, member.shown);
         if (chosen(input_.choices.code, member.shown) || (unchanged && last->kept && !takeManifest))
             return keepRecord(member, fieldName, true);
+        if (call == nullptr) {
+            if (const UserRegistration* other = callOfOtherKind(member)) return refuseOtherKind(member, *other);
+        }
+        if (call != nullptr && !planCall(member.registration, last != nullptr ? &last->registration : nullptr, *call,
+                                         member.kind, member.shown, member.where))
+            return;
         if (field != nullptr) return planDeclared(member, *field, call, last, unchanged, takeManifest);
         // What the call takes is nothing that a class declares: a variable of another, say.
         if (call != nullptr) return keepRecord(member, "", false);
         if (last != nullptr && unchanged && !takeManifest) return warnRemoved(member, last->member);
         if (!canAdd(member.kind, member.shown, member.where)) return;
         const std::string name = fresh_.declare(member);
-        fresh_.registerBy(member.kind, member.path,
-                          member.verb + "(\"" + member.name + "\", " + name + ")" + member.doc);
+        registerField(member, name);
         keepRecord(member, name, false);
+    }
+
+    bool planCall(const WantedRegistration& wanted, const std::optional<RecordedRegistration>* last,
+                  const UserRegistration& call, const std::string& kind, const std::string& shown,
+                  const diag::Location& where) {
+        const RecordedRegistration* recorded = last != nullptr && last->has_value() ? &**last : nullptr;
+        const Registered names{kind + " '" + shown + "'", shown, where, chosen(input_.choices.manifest, shown)};
+        return planRegistration(wanted, recorded, call, names, input_, into_, sink_);
+    }
+
+    void registerField(const WantedMember& member, const std::string& field) {
+        const WantedRegistration& how = member.registration;
+        fresh_.registerBy(member.kind, member.path, how.how + "(\"" + member.name + "\", " + field + ")", how.texts);
     }
 
     void planDeclared(const WantedMember& member, const UserField& field, const UserRegistration* call,
                       const RecordedMember* last, bool unchanged, bool takeManifest) {
-        const bool samePort =
-            field.portClass == member.portClass ||
-            (member.portClass.empty() && field.portClass != "InputPort" && field.portClass != "OutputPort");
+        const bool isPort = field.portClass == "InputPort" || field.portClass == "OutputPort";
+        const bool samePort = isPort ? field.portClass == member.portClass : member.portClass.empty();
         if (!samePort || !hasType(field, member.type)) {
-            const bool untouched = last != nullptr && samePort && !unchanged && hasType(field, last->type);
-            if (!untouched && !(takeManifest && samePort)) return conflict(member, field, last);
-            if (!changeType(member, field)) return;
+            const bool asRecorded = last != nullptr && hasType(field, last->type) &&
+                                    (samePort ? true : !last->portClass.empty() && last->portClass == field.portClass);
+            if (!(asRecorded && !unchanged) && !takeManifest) return conflict(member, field, last);
+            if (!changeType(member, field, samePort)) return;
         }
         if (call == nullptr && last == nullptr) {
             if (!canAdd(member.kind, member.shown, member.where)) return;
-            fresh_.registerBy(member.kind, member.path,
-                              member.verb + "(\"" + member.name + "\", " + field.name + ")" + member.doc);
+            registerField(member, field.name);
         }
         keepRecord(member, field.name, false);
     }
 
-    bool changeType(const WantedMember& member, const UserField& field) {
+    bool changeType(const WantedMember& member, const UserField& field, bool samePort) {
         const std::string& text = input_.code.texts.at(field.file);
-        if (field.type.empty() || hasComment(cut(text, field.type))) {
+        const bool portUnclear = !samePort && (member.portClass.empty() || field.portWord.empty());
+        const bool sameType = !portUnclear && hasType(field, member.type);
+        if (portUnclear || (!sameType && (field.type.empty() || hasComment(cut(text, field.type))))) {
             sink_
                 .error(field.where, "OC032",
                        "the type of '" + field.name + "' cannot become '" + member.type +
@@ -131,8 +185,11 @@ private:
                 .hint("change it by hand; then there is nothing left to do");
             return false;
         }
-        into_.edits.replace(field.file, field.type, member.portClass.empty() ? member.declared : member.type);
-        into_.changes.push_back(field.file + ": '" + field.name + "' is of type " + member.type);
+        const std::string type = member.portClass.empty() ? member.declared : member.type;
+        if (!samePort) into_.edits.replace(field.file, field.portWord, member.portClass);
+        if (!sameType) into_.edits.replace(field.file, field.type, type);
+        into_.changes.push_back(field.file + ": '" + field.name + "' is of type " +
+                                (member.portClass.empty() ? type : member.portClass + "<" + type + ">"));
         return true;
     }
 
@@ -141,10 +198,11 @@ private:
             return portClass.empty() ? type : portClass + "<" + type + ">";
         };
         const std::string here = withoutLayout(cut(input_.code.texts.at(field.file), field.whole));
-        auto& error = sink_.error(field.where, "OC031",
-                                  member.kind + " '" + member.shown + "' is '" + here + "' here and of type '" +
-                                      named(member.portClass, member.type) + "' in the manifest" +
-                                      (last == nullptr ? "" : "; it was once of type '" + last->type + "'"));
+        auto& error = sink_.error(
+            field.where, "OC031",
+            member.kind + " '" + member.shown + "' is '" + here + "' here and of type '" +
+                named(member.portClass, member.type) + "' in the manifest" +
+                (last == nullptr ? "" : "; it was once of type '" + named(last->portClass, last->type) + "'"));
         error.note(member.where, "in the manifest here")
             .hint("'--take-manifest " + member.shown + "' changes the type here, '--take-code " + member.shown +
                   "' leaves it as it is");
@@ -180,12 +238,23 @@ private:
     }
 
     void planOperation(const WantedMethod& method) {
-        if (callFor("operation", method.operation) != nullptr) return;
+        const auto last = recorded_.methods.find(method.name);
+        const auto keep = [&] {
+            const auto kept = into_.record[wanted_.name].methods.find(method.name);
+            if (kept != into_.record[wanted_.name].methods.end())
+                kept->second.registration = recordOf(method.registration);
+        };
+        if (chosen(input_.choices.code, method.shown)) return keep();
+        if (const UserRegistration* call = callFor("operation", method.operation, method.shown)) {
+            const auto* recorded = last == recorded_.methods.end() ? nullptr : &last->second.registration;
+            if (planCall(method.registration, recorded, *call, "operation", method.shown, method.where)) keep();
+            return;
+        }
+        keep();
         // Known from before: who took the call out did so on purpose.
-        if (recorded_.methods.count(method.name) != 0 && !chosen(input_.choices.manifest, method.shown)) return;
-        if (chosen(input_.choices.code, method.shown)) return;
+        if (last != recorded_.methods.end() && !chosen(input_.choices.manifest, method.shown)) return;
         if (!canAdd("operation", method.shown, method.where)) return;
-        fresh_.registerBy("operation", method.path, method.registration);
+        fresh_.registerBy("operation", method.path, method.registrationText, method.registration.texts);
     }
 
     const WantedClass& wanted_;

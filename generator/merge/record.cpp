@@ -16,19 +16,44 @@ constexpr int kFormat = 1;
 const char* const kAbout =
     "what orocreate-pkg last wrote into the classes of this package; orocreate-pkg --update needs it";
 
+json toJson(const RecordedRegistration& registration) {
+    json value{{"how", registration.how}};
+    for (const RecordedText& text : registration.texts) {
+        if (text.argument.empty()) {
+            value["doc"] = text.words;
+        } else {
+            value["arguments"].push_back({text.argument, text.words});
+        }
+    }
+    return value;
+}
+
 json toJson(const RecordedMethod& method) {
     json value{{"returns", method.signature.returns}, {"arguments", json::array()}};
     for (const model::TypedName& argument : method.signature.arguments)
         value["arguments"].push_back(argument.type + " " + argument.name);
     if (method.isHook) value["hook"] = true;
     if (method.kept) value["kept"] = true;
+    if (method.registration) value["registration"] = toJson(*method.registration);
     return value;
 }
 
 json toJson(const RecordedMember& member) {
     json value{{"kind", member.kind}, {"member", member.member}, {"type", member.type}};
     if (member.kept) value["kept"] = true;
+    if (!member.portClass.empty()) value["port"] = member.portClass;
+    if (member.registration) value["registration"] = toJson(*member.registration);
     return value;
+}
+
+std::optional<RecordedRegistration> registrationFrom(const json& owner) {
+    if (!owner.contains("registration")) return std::nullopt;
+    const json& value = owner["registration"];
+    RecordedRegistration registration{value.at("how").get<std::string>(), {}};
+    if (value.contains("doc")) registration.texts.push_back({"", value["doc"].get<std::string>()});
+    for (const json& one : value.value("arguments", json::array()))
+        registration.texts.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
+    return registration;
 }
 
 RecordedMethod methodFrom(const json& value) {
@@ -38,12 +63,14 @@ RecordedMethod methodFrom(const json& value) {
         method.signature.arguments.push_back(splitTyped(argument.get<std::string>()));
     method.isHook = value.value("hook", false);
     method.kept = value.value("kept", false);
+    method.registration = registrationFrom(value);
     return method;
 }
 
 RecordedMember memberFrom(const json& value) {
     return {value.at("kind").get<std::string>(), value.at("member").get<std::string>(),
-            value.at("type").get<std::string>(), value.value("kept", false)};
+            value.at("type").get<std::string>(), value.value("kept", false),
+            value.value("port", std::string()),  registrationFrom(value)};
 }
 
 }  // namespace

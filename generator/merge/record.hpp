@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <diag/sink.hpp>
 #include <model/user_code.hpp>
@@ -16,10 +17,26 @@ namespace oroforge::merge {
 /// Its name in a package; it belongs under version control.
 inline constexpr const char* kRecordFile = ".orocreate-pkg.json";
 
+struct RecordedText {
+    std::string argument;  ///< empty for doc()
+    std::string words;
+};
+
+inline bool operator==(const RecordedText& a, const RecordedText& b) {
+    return a.argument == b.argument && a.words == b.words;
+}
+
+/// Of classes that have no generated base.
+struct RecordedRegistration {
+    std::string how;  ///< "addEventPort"; of an operation "OwnThread"
+    std::vector<RecordedText> texts;
+};
+
 struct RecordedMethod {
     model::Signature signature;
     bool isHook = false;
     bool kept = false;  ///< the user decided for what stands in the code, whatever this signature is
+    std::optional<RecordedRegistration> registration = std::nullopt;
 };
 
 struct RecordedMember {
@@ -27,6 +44,8 @@ struct RecordedMember {
     std::string member;  ///< name of the data member
     std::string type;
     bool kept = false;
+    std::string portClass = {};  ///< "InputPort" or "OutputPort" of a port
+    std::optional<RecordedRegistration> registration = std::nullopt;
 };
 
 struct RecordedClass {

@@ -12,6 +12,19 @@
 
 namespace oroforge::merge {
 
+/// .doc("The level"), or .arg("hard", "All of it").
+struct WantedText {
+    std::string argument;  ///< empty for doc()
+    std::string words;
+    std::string literal;  ///< the words in C++
+};
+
+/// How something is made known by a class that has no generated base.
+struct WantedRegistration {
+    std::string how;  ///< "addEventPort"; of an operation "OwnThread"
+    std::vector<WantedText> texts;
+};
+
 struct WantedMethod {
     std::string name;
     std::string shown;  ///< in the manifest: "finish", "gripper.open", "startHook"
@@ -21,7 +34,8 @@ struct WantedMethod {
     std::vector<std::string> body;     ///< lines of a first definition, not indented
     std::string path;                  ///< provides("gripper")-> for those of a service
     std::string operation;             ///< its name in the interface
-    std::string registration;          ///< addOperation("finish", …).doc("…"), for classes that do it themselves
+    WantedRegistration registration;
+    std::string registrationText;  ///< addOperation("finish", …).doc("…")
     diag::Location where;
 };
 
@@ -37,8 +51,7 @@ struct WantedMember {
     std::string declared;     ///< the type in C++ with its qualifier: "const double"
     std::string initialiser;  ///< " = 1.5", "{}" or nothing
     std::string comment;      ///< in one line; may be empty
-    std::string verb;         ///< "addPort"
-    std::string doc;          ///< .doc("…") or nothing
+    WantedRegistration registration;
     diag::Location where;
 };
 

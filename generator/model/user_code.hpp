@@ -100,21 +100,39 @@ struct UserField {
     diag::Location where;
     Span whole;             ///< up to and with the ';'
     Span type;              ///< empty if it cannot be replaced: several names, a macro, "int a[3]"
+    Span portWord;          ///< "InputPort" in its type; empty if it cannot be replaced
     std::string canonical;  ///< type as the compiler sees it
     std::string portClass;  ///< "InputPort" or "OutputPort"; empty if it is no port
     std::string literal;    ///< first string in its initialiser, in the class or in a constructor
 };
 
-/// A call such as this->addPort("level", level_) in a constructor.
+/// .doc("The level") or .arg("hard", "All of it") behind a registration.
+struct UserText {
+    std::string argument;  ///< "hard"; empty for .doc()
+    std::string words;     ///< "All of it"
+    Span call;             ///< from the '.' to the ')'
+    Span literal;          ///< with its quotes; empty if it is no plain text
+};
+
+/// A call such as this->addPort("level", level_) in a method.
 struct UserRegistration {
     std::string verb;     ///< "addPort"
     std::string literal;  ///< first argument, if it is a string
     std::string member;   ///< the data member among the arguments
+    std::string service;  ///< "gripper.motion" of provides("gripper")->provides("motion")
+    std::string thread;   ///< "OwnThread" of an operation that says so
     std::string file;
     diag::Location where;
-    Span statement;         ///< up to and with the ';'
-    Span receiver;          ///< what stands before the verb: "this->", "ports()->" or nothing
-    bool isNested = false;  ///< in a block inside of the constructor: runs under a condition, or several times
+    Span statement;  ///< up to and with the ';'
+    Span receiver;   ///< what stands before the verb: "this->", "ports()->" or nothing
+    Span verbSpan;
+    Span threadSpan;
+    std::size_t arguments = 0;    ///< how many there are
+    std::size_t callEnd = 0;      ///< behind the ')' of the call itself
+    std::vector<UserText> texts;  ///< as they follow each other
+    bool textsKnown = false;      ///< there is nothing but calls of doc() and arg() behind it
+    bool knowsService = true;     ///< false if it may be any, as of a variable
+    bool isNested = false;        ///< not directly in a constructor: runs under a condition, or several times
 };
 
 /// "public:" and its like.

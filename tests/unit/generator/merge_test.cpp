@@ -68,6 +68,14 @@ TEST(ChangedArguments, PutACommaBeforeALineComment) {
     EXPECT_EQ(list.text, "int a, int b,  // last\nbool c");
 }
 
+TEST(ChangedArguments, LeaveACommentInFrontOfItsComma) {
+    const NewArguments list = rewritten("f(int a /*1st*/ , int b)", {{"int", "a"}, {"int", "b"}},
+                                        {{"int", "a"}, {"bool", "c"}, {"int", "b"}});
+
+    EXPECT_EQ(list.fault, "");
+    EXPECT_EQ(list.text, "int a /*1st*/ , bool c, int b");
+}
+
 TEST(ChangedArguments, DoNotLoseComments) {
     const Arguments from = {{"int", "a"}, {"int", "b"}};
 
@@ -116,7 +124,8 @@ TEST(Moved, FollowsWhatWasInserted) {
 TEST(Record, SurvivesItsText) {
     Record record;
     record["a::B"].methods["finish"] = {{"const std::string&", {{"unsigned int", "n"}}}, false, true};
-    record["a::B"].members["level"] = {"port", "level_", "double", false};
+    record["a::B"].members["level"] = {"port", "level_", "double", false, "InputPort", {{"addPort", {{"", "Words"}}}}};
+    record["a::B"].methods["finish"].registration = {{"OwnThread", {{"", "Ends"}, {"n", "How \"many\""}}}};
     diag::Sink sink;
     const auto read = parseRecord(toText(record), "r.json", sink);
 

@@ -1,0 +1,26 @@
+#include <rtt/RTT.hpp>
+
+namespace tank {
+
+class Pump : public RTT::TaskContext {
+    RTT::OutputPort<double> out_;
+
+public:
+    Pump(const std::string& name) : RTT::TaskContext(name), out_("pressure") { addPort(out_); }
+};
+
+class Plant : public RTT::TaskContext {
+public:
+    Plant(const std::string& name) : RTT::TaskContext(name), out_("level") { setUp(); }
+    void setUp() {
+        addPort(out_).doc("The level");
+        provides("gripper")->addProperty("force", force); addProperty("speed", speed);
+        RTT::Service::shared_ptr arm = provides("arm");
+        arm->addProperty("reach", reach);
+    }
+
+private:
+    RTT::OutputPort<double> out_; double force, speed; double reach; bool other = true;
+};
+
+}  // namespace tank
