@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 """orocreate-pkg --update on random pairs of a user edit and a manifest edit: no byte of the user is lost, the second run
-changes nothing, and what comes out compiles (a sample of it).
+changes nothing, and what comes out compiles (a sample of it). Classes have a generated base, or register all themselves.
 
 usage: round_trip.py OROCREATE_PKG COMPILER INCLUDES COUNT SAMPLE [FIRST_SEED]
 """
@@ -21,6 +21,12 @@ TYPES = ["int", "double", "bool", "std::string", "const std::string&", "std::vec
 RETURNS = ["void", "bool", "int", "std::string", "std::vector<double>"]
 HOOKS = ["configure", "start", "update", "stop", "cleanup", "error", "exception"]
 STUBS = pathlib.Path(__file__).resolve().parent / "stubs"
+
+
+class Changed:
+    """Names of what the update may touch in the files of the user."""
+    def __init__(self):
+        self.signatures, self.members, self.texts = set(), set(), set()
 
 
 class Manifest:
@@ -50,12 +56,14 @@ class Manifest:
         items.insert(place, (self.fresh("operation"), [self.rng.choice(RETURNS), arguments]))
         self.operations = dict(items)
 
-    def edit(self):
-        """Changes something; returns the names of operations whose signature changed."""
+    def edit(self, changed, keeps_results):
+        """Changes something, and notes what. With another result a body has to be changed by hand before it compiles."""
         names = list(self.operations)
         name = self.rng.choice(names) if names else None
         kind = self.rng.choice(["add", "remove", "type", "argument", "drop", "returns", "hook", "unhook", "component",
                                 "doc", "port", "property"])
+        if kind == "returns" and keeps_results:
+            kind = "type"
         if kind == "add" or (name is None and kind in ("remove", "type", "argument", "drop", "returns")):
             self.add_operation()
         elif kind == "remove":
@@ -69,10 +77,11 @@ class Manifest:
             else:
                 at = self.rng.randrange(len(arguments))
                 arguments[at] = (arguments[at][0], self.rng.choice(TYPES))
-            return {name}
+            changed.signatures.add(name)
+            changed.texts.add(name)
         elif kind == "returns":
             self.operations[name][0] = self.rng.choice(RETURNS)
-            return {name}
+            changed.signatures.add(name)
         elif kind == "hook":
             self.hooks.add(self.rng.choice(HOOKS))
         elif kind == "unhook" and self.hooks:
@@ -81,11 +90,13 @@ class Manifest:
             self.components.append(self.fresh("Part"))
         elif kind == "doc":
             self.doc = self.fresh("Other words ")
+            changed.texts.update(["level", *self.operations])
         elif kind == "port":
             self.port = self.rng.choice(["int", "double", "bool"])
+            changed.members.add("level")
         else:
             self.property = self.rng.choice(["int", "double", "bool"])
-        return set()
+            changed.members.add("gain")
 
     def text(self):
         def xml(text):
@@ -106,23 +117,76 @@ class Manifest:
         return "\n".join(lines + ["</package>", ""])
 
 
+def write_own_class(package, manifest):
+    """A class as people write it without a generated base, which is what the manifest says."""
+    results = {"void": "", "bool": "    return true;\n"}
+    calls, declared, defined = [], [], []
+    for name, (returns, arguments) in manifest.operations.items():
+        texts = "".join(f'.arg("{argument}", "")' for argument, _ in arguments)
+        calls.append(f'    addOperation("{name}", &Plant::{name}, this).doc("{manifest.doc}"){texts};')
+        declared.append(f"    {returns} {name}(" + ", ".join(f"{kind} {argument}" for argument, kind in arguments) + ");")
+        defined.append(f"{returns} Plant::{name}(" + ", ".join(f"{kind} /*{argument}*/" for argument, kind in arguments) +
+                       ") {\n" + results.get(returns, "    return {};\n") + "}\n")
+    hooks = []
+    for hook in sorted(manifest.hooks, key=HOOKS.index):
+        returns = "bool" if hook in ("configure", "start") else "void"
+        hooks.append(f"    {returns} {hook}Hook() override;")
+        defined.append(f"{returns} Plant::{hook}Hook() {{\n" + results[returns] + "}\n")
+    lines = ["#ifndef TANK_PLANT_HPP", "#define TANK_PLANT_HPP", "", "#include <string>", "#include <vector>", "",
+             "#include <rtt/RTT.hpp>", "", "namespace tank {", "", "class Plant : public RTT::TaskContext {", "public:",
+             "    explicit Plant(const std::string& name);", "    ~Plant() override;", "", *declared, "", "protected:", *hooks, "",
+             "private:", f"    RTT::OutputPort<{manifest.port}> level_;", f"    {manifest.property} gain_{{}};", "};", "",
+             "}  // namespace tank", "", "#endif", ""]
+    (package / "src").mkdir(parents=True)
+    (package / "src/Plant.hpp").write_text("\n".join(lines))
+    lines = ['#include "Plant.hpp"', "", "namespace tank {", "", "Plant::Plant(const std::string& name) : RTT::TaskContext(name) {",
+             f'    addPort("level", level_).doc("{manifest.doc}");', '    addProperty("gain", gain_);', *calls, "}", "",
+             "Plant::~Plant() { this->stop(); }", "", *defined, "}  // namespace tank", ""]
+    (package / "src/Plant.cpp").write_text("\n".join(lines))
+    (package / "tank.xml").write_text(manifest.text())
+
+
 def sources(package):
     return {str(path.relative_to(package)): path.read_bytes().decode()
             for path in sorted(package.glob("src/*")) if path.is_file()}
 
 
-def without_signatures(text, names):
-    """Lines of the text; what the manifest may change in it is blanked out."""
-    for name in names:
-        text = re.sub(r"[\w:<>&]+(?:[ \t]*\r?\n?[ \t]*)(Plant::)?" + name + r"(\s*)\([^)]*\)", r"\1" + name + "()", text)
-    return text.split("\n")
+USER_COMMENT = re.compile(r"/\*(?!arg\d+\*/).*?\*/|//[^\r\n]*", re.S)
 
 
-def is_kept(before, after, names):
-    rest = iter(without_signatures(after, names))
-    for line in without_signatures(before, names):
-        if not any(line == other for other in rest):
-            return line
+def without_entitled(text, changed):
+    """The text without what the update may change: type and arguments of an operation whose signature changed, but not the
+    user's comments between them; in classes that register themselves types of members, and doc() and arg() of calls."""
+    for name in changed.signatures:
+        def bare(match):
+            return "".join(match.group(2, 3, 4)) + "(" + "".join(USER_COMMENT.findall(match.group(5))) + ")"
+        text = re.sub(r"([\w:<>]+)(\s+)((?:Plant::)?" + name + r")(\s*)\(((?:[^()]|/\*.*?\*/)*)\)", bare, text)
+    for member in changed.members:
+        text = re.sub(r"(?:int|double|bool)(>?\s+" + member + r"_\b)", r"\1", text)
+    for name in changed.texts:
+        def silent(match):
+            return re.sub(r'\s*\.(?:doc|arg)\("[^)]*"\)', "", match.group(0))
+        text = re.sub(r'\badd\w+\s*\("' + name + r'"[^;]*;', silent, text)
+    return text
+
+
+def lost_or_mixed(before, after, changed):
+    """What is wrong: a line of the user, with every byte of it, that is not there any more; or something between the lines
+    that is no whole declaration or definition, as one that took the user's brace for its own."""
+    rest = iter(without_entitled(after, changed).splitlines(keepends=True))
+    added = ""
+    for line in without_entitled(before, changed).splitlines(keepends=True):
+        for other in rest:
+            if line == other or (not line.endswith("\n") and line == other.rstrip("\r\n")):
+                break
+            added += other
+        else:
+            return f"this line got lost: {line!r}"
+    added += "".join(rest)
+    code = re.sub(r"//[^\n]*|/\*.*?\*/", "", added, flags=re.S)
+    for opening, closing in ("{}", "()"):
+        if code.count(opening) != code.count(closing):
+            return f"what was added is torn:\n{added}"
     return None
 
 
@@ -146,46 +210,76 @@ def compile_all(package, program, compiler, includes):
             raise Failure(f"{source.name} does not compile:\n{errors}")
 
 
+def make_package(folder, manifest, program, own):
+    package = pathlib.Path(folder) / "tank"
+    if own:
+        write_own_class(package, manifest)
+        before = sources(package)
+        status, _, errors = run([program, "--update", "-I", str(STUBS)], package)
+        if status or sources(package) != before:
+            raise Failure(f"a class that is as its manifest says is not left alone: {errors}")
+        return package
+    (pathlib.Path(folder) / "tank.xml").write_text(manifest.text())
+    status, _, errors = run([program, "--from", "tank.xml"], folder)
+    if status:
+        raise Failure(errors)
+    return package
+
+
 def one_case(seed, program, compiler, includes, compiles):
     rng = random.Random(seed)
+    own = rng.random() < 0.4
     with tempfile.TemporaryDirectory(prefix="oro_update_") as folder:
         manifest = Manifest(rng)
-        (pathlib.Path(folder) / "tank.xml").write_text(manifest.text())
-        status, _, errors = run([program, "--from", "tank.xml"], folder)
-        if status:
-            raise Failure(errors)
-        package = pathlib.Path(folder) / "tank"
+        package = make_package(folder, manifest, program, own)
         edits = rng.sample(USER_EDITS, rng.randint(1, 4))
         for edit in sorted(edits, key=USER_EDITS.index):
             edit(package, rng)
         before = sources(package)
-        changed = set()
+        changed = Changed()
         for _ in range(rng.randint(1, 3)):
-            changed |= manifest.edit()
+            manifest.edit(changed, compiles)
         (package / "tank.xml").write_text(manifest.text())
-        told = f"user edits: {[edit.__name__ for edit in edits]}"
+        told = f"{'own registration, ' if own else ''}user edits: {[edit.__name__ for edit in edits]}"
         update = [program, "--update", "-I", str(STUBS)]
         status, _, errors = run(update, package)
-        if status:
-            raise Failure(f"{told}\n{errors}")
         after = sources(package)
+        if status:
+            # What the user wrote beside an argument that goes is for the user to decide about.
+            refused = "error: [OC032]" in errors and "a comment stands beside argument" in errors
+            if not refused or after != before:
+                raise Failure(f"{told}\n{errors}")
+            return
         for name, text in before.items():
-            lost = is_kept(text, after[name], changed)
-            if lost is not None:
-                raise Failure(f"{told}\n{name}: this line got lost: {lost!r}\n{after[name]}")
+            wrong = lost_or_mixed(text, after[name], changed)
+            if wrong:
+                raise Failure(f"{told}\n{name}: {wrong}\n{after[name]}")
             if "\r\n" in text and re.search(r"[^\r]\n", after[name]):
                 raise Failure(f"{told}\n{name}: line ends are mixed")
         status, out, errors = run(update, package)
         if status or "nothing to do" not in out or sources(package) != after:
             raise Failure(f"{told}\nthe second run: {out}{errors}")
-        missing = [name for name in manifest.operations if not re.search(r"\b" + name + r"\s*\(", "".join(after.values()))]
-        if missing:
-            raise Failure(f"{told}\nnot written: {missing}")
+        check_follows(package, manifest, "".join(after.values()), own, told)
         if compiles:
             # What was removed from the manifest stays, with an 'override' that does not compile any more.
             for path in package.glob("src/Plant.hpp"):
                 path.write_text(path.read_bytes().decode().replace(" override", ""))
             compile_all(package, program, compiler, includes)
+
+
+def check_follows(package, manifest, text, own, told):
+    missing = [name for name in manifest.operations if not re.search(r"\b" + name + r"\s*\(", text)]
+    if own:
+        for name, (_, arguments) in manifest.operations.items():
+            call = re.search(r'addOperation\s*\("' + name + r'"[^;]*;', text)
+            names = re.findall(r'\.arg\("(\w+)"', call.group(0)) if call else None
+            if names != [argument for argument, _ in arguments] or f'.doc("{manifest.doc}")' not in call.group(0):
+                missing.append(call.group(0) if call else f"the registration of {name}")
+        for kind, member in ((f"RTT::OutputPort<{manifest.port}>", "level_"), (manifest.property, "gain_")):
+            if not re.search(re.escape(kind) + r"\s+" + member, text):
+                missing.append(f"{kind} {member}")
+    if missing:
+        raise Failure(f"{told}\n{package.name}: not as the manifest has it: {missing}\n{text}")
 
 
 def main():

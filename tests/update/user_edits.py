@@ -79,6 +79,18 @@ def break_arguments(package, _):
         change(path, lambda text: re.sub(r"(arg\d+(?:\*/)?), ", r"\1,\n        ", text))
 
 
+def comment_arguments(package, rng):
+    def comment(text):
+        return re.sub(r"(, )(?=(?:const )?[\w:<>]+&? (?:/\*)?arg\d)",
+                      lambda m: rng.choice([", /* mine */ ", " /* mine */, ", ",  // mine\n        ", ", "]), text)
+    for path in package.glob("src/Plant*"):
+        change(path, comment)
+
+
+def break_calls(package, _):
+    change(source(package), lambda text: re.sub(r"\)\.(doc|arg)\(", r")\n        .\1(", text))
+
+
 def braces_below(package, _):
     for path in package.glob("src/Plant*.cpp"):
         change(path, lambda text: re.sub(r"\) \{\n", ")\n{\n", text))
@@ -101,4 +113,4 @@ def no_last_line_end(package, _):
 
 # In the order in which they are made: those that look for the scaffold's layout come first.
 USER_EDITS = [add_include, add_helper, comment_functions, fill_bodies, name_arguments, add_conditionals, move_definition,
-              space_before_brackets, break_arguments, braces_below, tabs, carriage_returns, no_last_line_end]
+              space_before_brackets, comment_arguments, break_arguments, break_calls, braces_below, tabs, carriage_returns, no_last_line_end]

@@ -8,12 +8,26 @@
 
 namespace RTT {
 
+enum ExecutionThread { OwnThread, ClientThread };
+
+struct Described {
+    Described& doc(const std::string& words);
+    Described& arg(const std::string& name, const std::string& words);
+};
+
 class TaskContext {
 public:
     explicit TaskContext(const std::string& name);
     virtual ~TaskContext();
     virtual bool configure();
     virtual bool stop();
+    template <class Port>
+    Described& addPort(const std::string& name, Port& port);
+    template <class T>
+    Described& addProperty(const std::string& name, T& value);
+    template <class Method, class Class>
+    Described& addOperation(const std::string& name, Method method, Class* object,
+                            ExecutionThread thread = ClientThread);
 
 protected:
     virtual bool configureHook();
