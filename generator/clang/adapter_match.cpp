@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "adapter_match.hpp"
 
+#include <set>
+
 #include <diag/nearest_match.hpp>
 
 #include "type_names.hpp"
@@ -37,8 +39,10 @@ std::vector<std::string> classesIn(const clang::DeclContext& scope) {
     return names;
 }
 
-/// The class or class template of that name; else null, and a warning unless the adapter came with typegen.
-const clang::NamedDecl* declarationOf(const adapters::Adapter& adapter, clang::ASTContext& context, diag::Sink& sink) {
+/// The class or class template of that name; else null, and a warning unless the adapter came with typegen: in
+/// `misspelt` if there is one of nearly that name, else in `absent`.
+const clang::NamedDecl* declarationOf(const adapters::Adapter& adapter, clang::ASTContext& context,
+                                      diag::Sink& misspelt, diag::Sink& absent) {
     const clang::DeclContext* scope = context.getTranslationUnitDecl();
     std::string rest = adapter.className;
     while (scope != nullptr) {
@@ -48,9 +52,9 @@ const clang::NamedDecl* declarationOf(const adapters::Adapter& adapter, clang::A
         if (found != nullptr && end == std::string::npos && !llvm::isa<clang::NamespaceDecl>(found)) return found;
         const clang::DeclContext* next = found != nullptr && end != std::string::npos ? scopeOf(found) : nullptr;
         if (next == nullptr && !adapter.isShipped) {
-            sink.warning(
-                    adapter.classWhere, "TK074",
-                    "no class '" + adapter.className + "' in the headers" + diag::didYouMean(part, classesIn(*scope)))
+            const std::string nearest = diag::didYouMean(part, classesIn(*scope));
+            (nearest.empty() ? absent : misspelt)
+                .warning(adapter.classWhere, "TK074", "no class '" + adapter.className + "' in the headers" + nearest)
                 .hint("the adapter is not used; include the header that defines the class");
         }
         scope = next;
@@ -142,12 +146,19 @@ AdapterFinder::AdapterFinder(const std::vector<adapters::Adapter>& all, const cl
                              diag::Sink& sink) {
     // Names are looked up in a table that may grow by it.
     auto& table = const_cast<clang::ASTContext&>(context);
+    diag::Sink absent;
+    std::set<std::string> used;
     for (const adapters::Adapter& adapter : all) {
-        const clang::NamedDecl* found = declarationOf(adapter, table, sink);
+        const clang::NamedDecl* found = declarationOf(adapter, table, sink, absent);
         if (found == nullptr) continue;
+        used.insert(adapter.classWhere.file);
         const clang::Decl* declaration = canonical(*found);
         if (canFit(adapter, declaration, sink)) entries_.push_back({&adapter, declaration});
     }
+    // Packages share files of adapters, and each has only some of the classes: a file of which none is there was given in
+    // vain.
+    for (const diag::Diagnostic& one : absent.all())
+        if (used.count(one.where.file) == 0) sink.add(one);
 }
 
 std::optional<AdapterMatch> AdapterFinder::find(const clang::CXXRecordDecl& type) const {

@@ -83,6 +83,19 @@ TEST(AdaptersRun, AnAdapterThatIsNotUsedIsAWarning) {
         << ran.err;
 }
 
+// Packages share a file, and each uses some of it.
+TEST(AdaptersRun, AnAdapterThatIsNotUsedIsNoWarningIfItsFileHasOthersThatAre) {
+    const TempDir dir;
+    const auto header = dir.write("t.hpp", kHeader).string();
+    const std::string other = "<struct class=\"other::Quaternion\"><member name=\"x\" get=\"y\"/></struct>";
+    const auto run = [&](const std::string& text) {
+        const auto xml = dir.write("a.xml", file(text)).string();
+        return typegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header}).err;
+    };
+    EXPECT_EQ(run(kPose + other), "");
+    EXPECT_NE(run(other).find("warning: [TK074] no class 'other::Quaternion' in the headers"), std::string::npos);
+}
+
 // A virtual destructor is often all; who writes an adapter says that the class is a value.
 TEST(AdaptersRun, AClassMayHaveVirtualFunctionsButNotAbstractOnes) {
     const TempDir dir;
