@@ -18,11 +18,24 @@ bool isHeader(const fs::path& file) {
     return known && file.filename().string().find("Typekit") == std::string::npos;
 }
 
+/// Hidden folders (.git) and build trees, whose headers are copies, or made of those that are read.
+bool isLeftOut(const fs::path& folder) {
+    std::error_code ignored;
+    return folder.filename().string()[0] == '.' || fs::exists(folder / "CMakeCache.txt", ignored);
+}
+
 std::vector<std::string> headersBelow(const fs::path& folder) {
     std::vector<std::string> found;
-    std::error_code ignored;
-    for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-        if (entry.is_regular_file(ignored) && isHeader(entry.path())) found.push_back(entry.path().generic_string());
+    std::error_code error;
+    const auto end = fs::recursive_directory_iterator();
+    auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
+    for (; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        if (it->is_directory(ignored)) {
+            if (isLeftOut(it->path())) it.disable_recursion_pending();
+        } else if (it->is_regular_file(ignored) && isHeader(it->path())) {
+            found.push_back(it->path().generic_string());
+        }
     }
     std::sort(found.begin(), found.end());
     return found;

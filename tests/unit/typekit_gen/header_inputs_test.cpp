@@ -53,6 +53,17 @@ TEST(ExpandInputs, SearchesFoldersSorted) {
     EXPECT_TRUE(sink.empty());
 }
 
+TEST(ExpandInputs, LeavesHiddenFoldersAndBuildTreesOut) {
+    const TempDir dir;
+    for (const char* name : {"a.h", ".git/b.h", "build/CMakeCache.txt", "build/types/c.h", "sub/.old/d.h", "sub/e.h"})
+        dir.write(name, "");
+    diag::Sink sink;
+    const std::string root = dir.path().string();
+    EXPECT_EQ(typekit::expandInputs({root}, sink), (std::vector<std::string>{root + "/a.h", root + "/sub/e.h"}));
+    EXPECT_EQ(typekit::expandInputs({root + "/build"}, sink), std::vector<std::string>{root + "/build/types/c.h"});
+    EXPECT_TRUE(sink.empty());
+}
+
 TEST(ExpandInputs, ReportsEveryInputThatIsMissing) {
     const TempDir dir;
     diag::Sink sink;
