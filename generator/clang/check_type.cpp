@@ -37,6 +37,8 @@ clang::SourceLocation placeOf(const clang::FunctionDecl* function, const clang::
 /// As `struct stat` and `stat()`: the name alone then means the function, also in generated code.
 bool sharesName(const clang::TagDecl& type) {
     if (type.getIdentifier() == nullptr) return false;
+    // Of <sys/time.h>. The variable is in <time.h>, which may not be among the headers, but is in all generated code.
+    if (type.getName() == "timezone" && type.getDeclContext()->getRedeclContext()->isTranslationUnit()) return true;
     for (const clang::NamedDecl* other : type.getDeclContext()->getRedeclContext()->lookup(type.getDeclName()))
         if (llvm::isa<clang::ValueDecl, clang::FunctionTemplateDecl>(other->getUnderlyingDecl())) return true;
     return false;

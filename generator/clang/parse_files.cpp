@@ -49,9 +49,8 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> filesOf(const Parse& parse) {
 }
 
 std::shared_ptr<clang::CompilerInvocation> invocationOf(const Parse& parse, clang::CreateInvocationOptions options) {
-    std::vector<const char*> words = {"orocreate-pkg",   "--driver-mode=g++", "-xc++",
-                                      "-std=c++17",      "-fsyntax-only",     "-w",
-                                      "-ferror-limit=0", "-resource-dir"};
+    std::vector<const char*> words = {"oroforge", "--driver-mode=g++", "-xc++",        "-std=c++17", "-fsyntax-only",
+                                      "-w",       "-ferror-limit=0",   "-resource-dir"};
     words.push_back(parse.resourceDir.c_str());
     for (const std::string& flag : parse.flags) words.push_back(flag.c_str());
     words.push_back(parse.mainFile.c_str());

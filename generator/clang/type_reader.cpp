@@ -14,7 +14,7 @@
 #include "fix_it.hpp"
 #include "header_needs.hpp"
 #include "hidden_fields.hpp"
-#include "lean_library.hpp"
+#include "parse_files.hpp"
 #include "side_notes.hpp"
 #include "sound_types.hpp"
 
@@ -29,25 +29,27 @@ struct Aside {
     bool usesMacro = false;  ///< … this tells
 };
 
-/// Works on the finished AST; Sema is still there, to ask for implicit constructors.
-class TypeConsumer : public clang::SemaConsumer {
+/// Watches how the headers are read, and works on the finished AST.
+class Reading {
 public:
-    TypeConsumer(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
-                 diag::Sink& sink, model::TypeModel& into, Aside& aside, clang::Preprocessor& preprocessor)
-        : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {
+    Reading(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
+            diag::Sink& sink, model::TypeModel& into, Aside& aside)
+        : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {}
+
+    void begin(clang::Preprocessor& preprocessor) {
         attributes_.watch(preprocessor);
         if (into_.headers.size() > 1) includes_.watch(preprocessor);
         preprocessor.setTokenWatcher([this](const clang::Token& token) {
             attributes_.take(token);
             if (into_.headers.size() > 1) includes_.take(token);
         });
-        watchForMacro(preprocessor, aside.usesMacro);
+        watchForMacro(preprocessor, aside_.usesMacro);
     }
-    void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
-    void ForgetSema() override { sema_ = nullptr; }
-    void HandleTagDeclDefinition(clang::TagDecl* type) override { dropComparisons(*type); }
-    void HandleTranslationUnit(clang::ASTContext& context) override {
-        HeaderCheck headers(sema_->getPreprocessor(), places_, sink_);
+
+    /// Sema is still there, to ask for implicit constructors.
+    void end(clang::Sema& sema) {
+        const clang::ASTContext& context = sema.getASTContext();
+        HeaderCheck headers(sema.getPreprocessor(), places_, sink_);
         for (const model::Header& header : headers_) headers.checkRead(header);
         const bool broken = context.getDiagnostics().hasErrorOccurred();
         diag::Sink found;
@@ -56,7 +58,7 @@ public:
         const bool isWhole = !broken && headers_.size() == request_.headers.size();
         const AdapterFinder adapters(request_.adapters, context, isWhole ? found : unused);
         const HeaderNeeds needs(headersToTell(), includes_, context);
-        TypeDescriber types(*sema_, places_, attributes_, adapters, needs, found, into_);
+        TypeDescriber types(sema, places_, attributes_, adapters, needs, found, into_);
         SoundTypes sound;
         const std::vector<Root> roots = findRoots(context, places_, adapters);
         for (const Root& root : roots) {
@@ -91,26 +93,6 @@ private:
     Aside& aside_;
     Attributes attributes_;
     IncludeWatch includes_;
-    clang::Sema* sema_ = nullptr;
-};
-
-class TypeAction : public clang::ASTFrontendAction {
-public:
-    TypeAction(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
-               diag::Sink& sink, model::TypeModel& into, Aside& aside)
-        : request_(request), headers_(headers), places_(places), sink_(sink), into_(into), aside_(aside) {}
-    std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
-        return std::make_unique<TypeConsumer>(request_, headers_, places_, sink_, into_, aside_,
-                                              compiler.getPreprocessor());
-    }
-
-private:
-    const ParseRequest& request_;
-    const std::vector<model::Header>& headers_;
-    const SourcePlaces& places_;
-    diag::Sink& sink_;
-    model::TypeModel& into_;
-    Aside& aside_;
 };
 
 /// Remembers every file that was opened, system headers too: a new compiler must regenerate.
@@ -119,39 +101,10 @@ public:
     bool needSystemDependencies() override { return true; }
 };
 
-std::vector<std::string> makeArguments(const ParseRequest& request, const std::string& resourceDir) {
-    std::vector<std::string> arguments = {"typegen",         "--driver-mode=g++", "-xc++",
-                                          "-std=c++17",      "-fsyntax-only",     "-w",
-                                          "-ferror-limit=0", "-resource-dir",     resourceDir,
-                                          "-D__orogen",      "-D__orogen2",       "-DOROCOS_TARGET=" + request.target};
-    arguments.insert(arguments.end(), request.flags.begin(), request.flags.end());
-    arguments.push_back(kMainFile);
-    return arguments;
-}
-
 std::string makeMainText(const std::vector<model::Header>& headers, const std::string& more) {
     std::string text;
     for (const model::Header& header : headers) text += "#include \"" + header.path + "\"\n";
     return text + more;
-}
-
-std::shared_ptr<clang::CompilerInvocation> makeInvocation(const ParseRequest& request, const std::string& resourceDir,
-                                                          const std::vector<model::Header>& headers,
-                                                          const std::string& more,
-                                                          clang::DiagnosticsEngine& diagnostics) {
-    const std::vector<std::string> arguments = makeArguments(request, resourceDir);
-    std::vector<const char*> words;
-    for (const std::string& argument : arguments) words.push_back(argument.c_str());
-    clang::CreateInvocationOptions options;
-    options.Diags = &diagnostics;
-    std::shared_ptr<clang::CompilerInvocation> invocation = clang::createInvocation(words, options);
-    if (!invocation) return nullptr;
-    invocation->getFrontendOpts().SkipFunctionBodies = true;
-    invocation->getFrontendOpts().DisableFree = false;   // one process may read many times, as the tests do
-    invocation->getDiagnosticOpts().ShowCarets = false;  // else it counts errors on stderr by itself
-    invocation->getPreprocessorOpts().addRemappedFile(
-        kMainFile, llvm::MemoryBuffer::getMemBufferCopy(makeMainText(headers, more)).release());
-    return invocation;
 }
 
 /// The compiler's errors go into `compileErrors`, those about types into `sink`. False if it could not start.
@@ -159,19 +112,24 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
           diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into, Aside& aside) {
     const SourcePlaces places(request.headers);
     DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : headers.back().path);
-    const auto diagnostics =
-        clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, &bridge, /*ShouldOwnClient=*/false);
-    clang::CompilerInstance compiler;
-    const auto invocation = makeInvocation(request, resourceDir, headers, aside.more, *diagnostics);
-    if (!invocation) return false;
-    const auto files = std::make_shared<FileCollector>();
-    compiler.setInvocation(invocation);
-    compiler.createDiagnostics(&bridge, /*ShouldOwnClient=*/false);
-    bridge.goOnAfterFatalErrors(compiler.getDiagnostics());
-    compiler.addDependencyCollector(files);
-    TypeAction action(request, headers, places, sink, into, aside);
-    const bool started = compiler.ExecuteAction(action);
-    for (const std::string& file : files->getDependencies()) {
+    FileCollector files;
+    Reading reading(request, headers, places, sink, into, aside);
+    Parse parse;
+    parse.mainFile = kMainFile;
+    parse.files[kMainFile] = makeMainText(headers, aside.more);
+    parse.flags = {"-D__orogen", "-D__orogen2", "-DOROCOS_TARGET=" + request.target};
+    parse.flags.insert(parse.flags.end(), request.flags.begin(), request.flags.end());
+    parse.resourceDir = resourceDir;
+    parse.messages = &bridge;
+    parse.skipsBody = [](clang::Decl&) { return true; };
+    parse.begin = [&](clang::CompilerInstance& compiler) {
+        bridge.goOnAfterFatalErrors(compiler.getDiagnostics());
+        files.attachToPreprocessor(compiler.getPreprocessor());
+        reading.begin(compiler.getPreprocessor());
+    };
+    parse.end = [&](clang::Sema& sema) { reading.end(sema); };
+    const bool started = parseFiles(parse);
+    for (const std::string& file : files.getDependencies()) {
         if (file != kMainFile) into.files.push_back(file);
     }
     return started || compileErrors.hadErrors();
@@ -247,17 +205,27 @@ std::string errorBehindHeaders(const ParseRequest& request, const std::string& r
     return compileErrors.hadErrors() ? compileErrors.all().front().message : "";
 }
 
+/// With words that make it; only the field that it is the type of has a name.
+bool isUnnamed(const model::Struct& type) { return !type.make.empty() && type.cpp.rfind("decltype(", 0) == 0; }
+
 /// That [[oro::make(…)]] gives a value of the type shows only where it is read as C++: here, not in what is generated.
 void checkMakers(const ParseRequest& request, const std::string& resourceDir, const model::TypeModel& model,
                  diag::Sink& sink) {
     std::string all;
-    for (const model::Struct& type : model.structs)
-        if (!type.make.empty())
+    for (const model::Struct& type : model.structs) {
+        if (isUnnamed(type)) {
+            sink.error(type.where, "TK040",
+                       "'" + type.make + "' has no name to call what it makes: the struct is unnamed")
+                .hint("give the struct a name");
+        } else if (!type.make.empty()) {
             all += "namespace oroforge_check_" + std::to_string(all.size()) + " {" + makerTest(type) + "}\n";
+        }
+    }
     // One reading will do, unless there is something to find: the words of one may spoil those of others.
     if (all.empty() || errorBehindHeaders(request, resourceDir, all).empty()) return;
     for (const model::Struct& type : model.structs) {
-        const std::string error = type.make.empty() ? "" : errorBehindHeaders(request, resourceDir, makerTest(type));
+        const std::string error =
+            type.make.empty() || isUnnamed(type) ? "" : errorBehindHeaders(request, resourceDir, makerTest(type));
         if (error.empty()) continue;
         const std::string why = error.find("__is_same") != std::string::npos ? "it is of another type" : error;
         sink.error(type.where, "TK040",

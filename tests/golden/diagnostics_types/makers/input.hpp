@@ -14,5 +14,8 @@ struct [[oro::make("Hidden(1)")]] Hidden {
 private:
     explicit Hidden(int n) : size(n) {}
 };
+struct Holder {
+    struct [[oro::make("{1}")]] { int size; } unnamed;
+};
 struct [[oro::make("Cut(")]] Cut { explicit Cut(int n) : size(n) {} int size; };
 }

@@ -18,3 +18,5 @@ struct Fine {
     part part_;
 };
 }
+// As in <sys/time.h>, without <time.h>, which has a variable of that name.
+struct timezone { int minutes; };
