@@ -36,13 +36,16 @@ add_library(oroforge_gen_clang STATIC
   ${CMAKE_CURRENT_LIST_DIR}/fix_it.cpp
   ${CMAKE_CURRENT_LIST_DIR}/function_spans.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_calls.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/follow_containers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_interface.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/follow_late.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_library.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_memory.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_objects.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_result.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_services.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_statements.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/follow_texts.cpp
   ${CMAKE_CURRENT_LIST_DIR}/follow_values.cpp
   ${CMAKE_CURRENT_LIST_DIR}/header_edit.cpp
   ${CMAKE_CURRENT_LIST_DIR}/header_needs.cpp
@@ -61,6 +64,7 @@ add_library(oroforge_gen_clang STATIC
   ${CMAKE_CURRENT_LIST_DIR}/toolchain_flags.cpp
   ${CMAKE_CURRENT_LIST_DIR}/type_names.cpp
   ${CMAKE_CURRENT_LIST_DIR}/type_reader.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/typekit_headers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/user_class.cpp)
 target_include_directories(oroforge_gen_clang SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
 target_include_directories(oroforge_gen_clang PUBLIC ${PROJECT_SOURCE_DIR}/generator)

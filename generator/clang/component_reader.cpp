@@ -99,6 +99,7 @@ public:
         for (const std::string& file : shown) listed.push_back({file, file});
         const SourcePlaces places(listed, kProgram);
         DiagnosticBridge bridge(places, reading.errors, files.back());
+        bridge.hintAtMissingFile(request_.missingHint);
         Parse parse;
         parse.mainFile = kMainFile;
         parse.files[kMainFile] = mainText(files);
@@ -139,9 +140,9 @@ private:
         return flags;
     }
 
-    static void describe(clang::Sema& sema, const SourcePlaces& places, Reading& reading) {
-        const FoundClasses found = findComponents(sema, places);
-        ComponentDescriber describer(sema, places, reading.remarks);
+    void describe(clang::Sema& sema, const SourcePlaces& places, Reading& reading) const {
+        const FoundClasses found = findComponents(sema, places, reading.remarks);
+        ComponentDescriber describer(sema, places, request_.root, reading.remarks);
         for (const FoundClass& one : found.components)
             reading.package.components.push_back(describer.component(*one.type));
         for (const FoundClass& one : found.services) reading.package.services.push_back(describer.service(one));
@@ -150,6 +151,8 @@ private:
                 places.locate(sema.getSourceManager(), one->getLocation()), "OC026",
                 "component '" + classNameOf(*one) + "' is left out: it is not registered, and others are");
         }
+        reading.package.plugins = found.plugins;
+        reading.package.typekitHeaders = describer.typekitHeaders();
         reading.incomplete = describer.incomplete();
     }
 
@@ -158,16 +161,18 @@ private:
 };
 
 void addNew(model::Package& into, model::Package from) {
-    const auto add = [](auto& all, auto&& more) {
+    const auto add = [](auto& all, auto&& more, const auto& nameOf) {
         for (auto& one : more) {
-            const bool known = std::any_of(all.begin(), all.end(), [&](const auto& other) {
-                return other.className.value == one.className.value;
-            });
+            const bool known = std::any_of(all.begin(), all.end(),
+                                           [&](const auto& other) { return nameOf(other).value == nameOf(one).value; });
             if (!known) all.push_back(std::move(one));
         }
     };
-    add(into.components, from.components);
-    add(into.services, from.services);
+    const auto className = [](const auto& one) { return one.className; };
+    add(into.components, from.components, className);
+    add(into.services, from.services, className);
+    add(into.plugins, from.plugins, [](const model::Plugin& one) { return one.name; });
+    add(into.typekitHeaders, from.typekitHeaders, [](const model::Text& one) { return one; });
 }
 
 /// Sources that cannot be one text (two functions of one name, two plugins) are read one by one.
@@ -215,11 +220,11 @@ std::optional<model::Package> readComponents(const ComponentFiles& request, diag
     for (const diag::Diagnostic& remark : reading.remarks.all()) sink.add(remark);
     for (const diag::Diagnostic& error : reading.errors.all()) sink.add(error);
     if (sink.hadErrors()) return std::nullopt;
-    if (reading.package.components.empty() && reading.package.services.empty()) {
+    if (reading.package.components.empty() && reading.package.services.empty() && reading.package.plugins.empty()) {
         sink.error(
             {request.files.front()}, "OC020",
             "no component class found, expected a class derived from RTT::TaskContext that is defined here, or a "
-            "service plugin");
+            "plugin");
         return std::nullopt;
     }
     return std::move(reading.package);

@@ -20,10 +20,12 @@ struct ComponentFiles {
     std::vector<std::string> flags;   ///< -I -isystem -D -U -include -std, each word one element
     std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
     std::string resourceDir;          ///< clang's own headers; empty = look for them
+    std::string root;                 ///< folder of the package
+    std::string missingHint;          ///< said of the first #include that is not found
 };
 
-/// Components and services of the files; sources that belong to headers are looked for. Nothing, and errors in the sink, if
-/// the files do not compile or hold no such class (OC020). What cannot be told from the source is a warning.
+/// Components, services and plugins of the files, and the headers that typegen makes a typekit of; sources that belong to
+/// headers are looked for. Nothing, and errors in the sink, if the files do not compile or hold nothing of that (OC020). What cannot be told from the source is a warning.
 std::optional<model::Package> readComponents(const ComponentFiles& request, diag::Sink& sink);
 
 }  // namespace oroforge::cxx

@@ -81,10 +81,11 @@ enum class ElementKind { Port, Property, Attribute, Operation, Caller };
 /// A port, property, attribute, operation or operation caller: an object of the user's, or one that an add…() made.
 struct Element {
     ElementKind kind = ElementKind::Port;
-    std::optional<std::string> name;  ///< nothing: not constant
-    std::string type;                 ///< C++
-    clang::QualType valueType;        ///< of properties and attributes
-    Place value;                      ///< where the value of a property or an attribute is
+    std::optional<std::string> name;    ///< nothing: not constant
+    std::string type;                   ///< C++
+    clang::QualType valueType;          ///< of properties and attributes
+    std::vector<clang::QualType> uses;  ///< all types that others see of it
+    Place value;                        ///< where the value of a property or an attribute is
     std::string doc;
     diag::Location where;
     bool output = false;  // ports
@@ -120,6 +121,7 @@ struct Followed {
     std::vector<model::Requirement> required;
     std::optional<model::Activity> activity;
     model::InitialState initial = model::InitialState::Stopped;
+    std::vector<clang::QualType> uses;  ///< types that others see
 };
 
 }  // namespace oroforge::cxx

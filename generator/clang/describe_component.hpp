@@ -12,16 +12,21 @@
 
 #include "component_state.hpp"
 #include "find_components.hpp"
+#include "typekit_headers.hpp"
 
 namespace oroforge::cxx {
 
 class ComponentDescriber {
 public:
-    ComponentDescriber(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks)
-        : sema_(sema), places_(places), remarks_(remarks) {}
+    /// `root`: folder of the package.
+    ComponentDescriber(clang::Sema& sema, const SourcePlaces& places, const std::string& root, diag::Sink& remarks)
+        : sema_(sema), places_(places), remarks_(remarks), typekit_(sema.getSourceManager(), places, root) {}
 
     model::Component component(const clang::CXXRecordDecl& type);
     model::ServicePlugin service(const FoundClass& found);
+
+    /// Of the types that others see of what was described.
+    std::vector<model::Text> typekitHeaders() const { return typekit_.headers(remarks_); }
 
     /// Files that declare functions whose definitions were missing.
     const std::set<std::string>& incomplete() const { return incomplete_; }
@@ -35,6 +40,7 @@ private:
     clang::Sema& sema_;
     const SourcePlaces& places_;
     diag::Sink& remarks_;
+    TypekitHeaders typekit_;
     std::set<std::string> incomplete_;
 };
 

@@ -37,6 +37,10 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     last_ = &sink_.error(where, "", text.str().str());
     last_->fixes = std::move(fixes);
     const unsigned what = info.getID();
+    if (what == clang::diag::err_pp_file_not_found && !missingHint_.empty()) {
+        last_->hint(missingHint_);
+        missingHint_.clear();
+    }
     if (what == clang::diag::err_header_import_not_header_unit || what == clang::diag::err_module_not_found)
         last_->hint("typegen reads headers, no modules: put the types into a header, and include that");
 }

@@ -29,6 +29,9 @@ public:
         engine.setFatalsAsError(true);
     }
 
+    /// Said once, of the first file that is not found.
+    void hintAtMissingFile(std::string hint) { missingHint_ = std::move(hint); }
+
 private:
     /// After a file that is not found the compiler itself would say no more; of the header in which it happened we do
     /// the same.
@@ -38,6 +41,7 @@ private:
     const SourcePlaces& places_;
     diag::Sink& sink_;
     std::string lastHeader_;
+    std::string missingHint_;
     clang::DiagnosticsEngine* engine_ = nullptr;
     clang::LangOptions language_;
     std::set<std::string> halted_;

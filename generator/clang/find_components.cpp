@@ -19,12 +19,24 @@ class BodyReader : public clang::RecursiveASTVisitor<BodyReader> {
 public:
     const clang::CXXRecordDecl* made = nullptr;
     std::string text;
+    bool global = false;  ///< it speaks of GlobalService
+    bool VisitTypeLoc(clang::TypeLoc type) { return take(type.getType()->getAsCXXRecordDecl()); }
+    bool VisitDeclRefExpr(clang::DeclRefExpr* one) {
+        const auto* method = dyn_cast<clang::CXXMethodDecl>(one->getDecl());
+        return method == nullptr || take(method->getParent());
+    }
     bool VisitCXXNewExpr(clang::CXXNewExpr* expression) {
         made = expression->getAllocatedType()->getAsCXXRecordDecl();
         return true;
     }
     bool VisitStringLiteral(clang::StringLiteral* literal) {
         text = literal->getString().str();
+        return true;
+    }
+
+private:
+    bool take(const clang::CXXRecordDecl* type) {
+        global = global || (type != nullptr && toolchainName(*type) == "GlobalService");
         return true;
     }
 };
@@ -49,8 +61,8 @@ bool canBeMade(const clang::CXXRecordDecl& type) {
 
 class Finder {
 public:
-    Finder(clang::Sema& sema, const SourcePlaces& places)
-        : sema_(sema), places_(places), sources_(&sema.getSourceManager()) {}
+    Finder(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks)
+        : sema_(sema), places_(places), sources_(&sema.getSourceManager()), remarks_(remarks) {}
 
     FoundClasses find() {
         walk(*sema_.getASTContext().getTranslationUnitDecl());
@@ -65,8 +77,7 @@ public:
                 found.unregistered.push_back(type);
             }
         }
-        if (service_ != nullptr && isDerivedFrom(*service_, "Service"))
-            found.services.push_back({service_, pluginName_});
+        takePlugin(found);
         return found;
     }
 
@@ -85,7 +96,12 @@ private:
     void takeClass(const clang::CXXRecordDecl& type) {
         if (!type.isThisDeclarationADefinition() || type.isImplicit()) return;
         walk(type);
-        const bool listed = places_.isListed(*sources_, type.getLocation());
+        const bool listed =
+            places_.isListed(*sources_, type.getLocation()) ||
+            std::any_of(type.ctor_begin(), type.ctor_end(), [&](const clang::CXXConstructorDecl* one) {
+                const clang::FunctionDecl* definition = nullptr;
+                return one->hasBody(definition) && places_.isListed(*sources_, definition->getLocation());
+            });
         if (listed && canBeMade(type) && isDerivedFrom(type, "TaskContext")) defined_.push_back(&type);
     }
 
@@ -110,14 +126,39 @@ private:
             return;
         if (function.getName() == "createService") service_ = read(function).made;
         if (function.getName() == "getRTTPluginName") pluginName_ = read(function).text;
+        if (function.getName() == "loadRTTPlugin" && places_.isListed(*sources_, function.getLocation()))
+            load_ = &function;
+    }
+
+    void takePlugin(FoundClasses& found) {
+        const bool isService = service_ != nullptr && isDerivedFrom(*service_, "Service");
+        if (isService) found.services.push_back({service_, pluginName_});
+        if (load_ == nullptr) return;
+        const diag::Location where = places_.locate(*sources_, load_->getLocation());
+        if (isService) {
+            if (read(*load_).global)
+                remarks_.warning(where, "OC025",
+                                 "this service is one for the whole process; that of a manifest is made for each "
+                                 "component that loads it");
+        } else if (load_->getLocation().isMacroID()) {
+            remarks_.warning(
+                where, "OC025",
+                "a manifest has no words for what this plugin brings: a typekit or a transport written by hand");
+        } else if (pluginName_.empty()) {
+            remarks_.warning(where, "OC021", "the name of this plugin is not constant");
+        } else {
+            found.plugins.push_back({{pluginName_, where}, "", where});
+        }
     }
 
     clang::Sema& sema_;
     const SourcePlaces& places_;
     const clang::SourceManager* sources_;
+    diag::Sink& remarks_;
     std::vector<const clang::CXXRecordDecl*> defined_;
     std::vector<const clang::CXXRecordDecl*> registered_;
     const clang::CXXRecordDecl* service_ = nullptr;
+    const clang::FunctionDecl* load_ = nullptr;
     std::string pluginName_;
 };
 
@@ -135,7 +176,9 @@ bool takesOneText(const clang::CXXConstructorDecl& constructor) {
 
 }  // namespace
 
-FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places) { return Finder(sema, places).find(); }
+FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks) {
+    return Finder(sema, places, remarks).find();
+}
 
 bool isDerivedFrom(const clang::CXXRecordDecl& type, const char* name) {
     if (toolchainName(type) == name) return true;

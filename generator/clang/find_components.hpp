@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <diag/sink.hpp>
+#include <model/package.hpp>
+
 #include "source_places.hpp"
 
 namespace oroforge::cxx {
@@ -19,12 +22,14 @@ struct FoundClass {
 struct FoundClasses {
     std::vector<FoundClass> components;
     std::vector<FoundClass> services;
+    std::vector<model::Plugin> plugins;
     std::vector<const clang::CXXRecordDecl*> unregistered;  ///< components left out, because others are registered
 };
 
 /// In the order of their definitions. Registered classes (ORO_CREATE_COMPONENT, ORO_LIST_COMPONENT_TYPE) if there are any,
-/// else all components that are defined in the listed files and can be made; services if they are plugins.
-FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places);
+/// else all components that can be made and whose class or constructor is defined in the listed files; services if they are plugins. Plugins of
+/// kinds that a manifest has no words for are remarks.
+FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks);
 
 /// Whether it is RTT::TaskContext, RTT::Service … or derived from it.
 bool isDerivedFrom(const clang::CXXRecordDecl& type, const char* name);

@@ -6,6 +6,9 @@
 ///     follow_values.cpp       expressions and constants
 ///     follow_memory.cpp       what variables hold
 ///     follow_calls.cpp        the user's functions, and the few of the standard library that names are made with
+///     follow_texts.cpp        strings and streams
+///     follow_containers.cpp   vectors and the like, and iterators
+///     follow_late.cpp         functions that the constructor does not call
 ///     follow_objects.cpp      constructors: of the component, of helpers, of base classes
 ///     follow_library.cpp      constructors of RTT's classes: ports, properties, activities …
 ///     follow_interface.cpp    what the functions of RTT add to the interface
@@ -25,6 +28,7 @@
 #include <diag/sink.hpp>
 
 #include "component_state.hpp"
+#include "parse_files.hpp"
 #include "source_places.hpp"
 
 namespace oroforge::cxx {
@@ -36,11 +40,9 @@ class Follower {
 public:
     Follower(clang::ASTContext& context, const SourcePlaces& places, diag::Sink& remarks);
 
-    /// Makes an object of the class with its constructor `ctor`, whose parameters are not known.
+    /// Makes an object of the class with this constructor, whose parameters are not known.
     Followed follow(const clang::CXXConstructorDecl& constructor);
 
-    /// The calls that were met.
-    const std::set<const clang::CallExpr*>& met() const { return met_; }
     /// Constructors that would have to be known, but only their declarations are.
     const std::set<const clang::FunctionDecl*>& unseen() const { return unseen_; }
 
@@ -91,6 +93,25 @@ private:
     Value call(const clang::CallExpr& expression);
     Value operatorCall(const clang::CXXOperatorCallExpr& expression);
     Value memberCall(const clang::CXXMemberCallExpr& expression);
+    // --- texts, containers and iterators
+    std::optional<Value> textOperator(const clang::CXXOperatorCallExpr& expression);
+    std::optional<Value> textCall(const clang::CXXMemberCallExpr& expression, const std::string& name,
+                                  const Value& object);
+    /// Into a stream; false if it is none whose text is known.
+    bool stream(const Place& into, const clang::Expr& what);
+    bool isStream(const Place& place) const { return memory_.count(place + "#text") != 0; }
+    std::optional<Value> iteratorOperator(const clang::CXXOperatorCallExpr& expression);
+    std::optional<Value> containerCall(const clang::CXXMemberCallExpr& expression, const std::string& name,
+                                       const Value& object);
+    void constructContainer(const Place& at, const Values& arguments);
+    void append(const clang::CXXMemberCallExpr& expression, const Place& to, bool constructs);
+    Value eachOf(const clang::CallExpr& expression);
+    /// std::begin(), std::end()
+    Value endOf(const clang::CallExpr& expression, const std::string& name);
+    Value asText(const clang::Expr& expression);
+    std::optional<long long> sizeOf(const Place& container) const;
+    /// Of pointers and iterators: what they point to.
+    Value pointed(const clang::Expr* expression);
     std::optional<Value> standardCall(const clang::CallExpr& expression, const clang::FunctionDecl& function);
     Value callUser(const clang::CallExpr& expression, const clang::FunctionDecl& function, const Place& self,
                    unsigned firstArgument = 0);
@@ -118,6 +139,7 @@ private:
     void constructActivity(const Place& at, const std::string& name, const clang::CXXConstructorDecl* constructor,
                            const Values& arguments, clang::SourceLocation where);
     Value make(clang::QualType type, const Values& arguments, clang::SourceLocation where);
+    void makeAt(const Place& at, clang::QualType type, const Values& arguments, clang::SourceLocation where);
     /// The C++ of a value that is made of constants alone; unknown if it is not.
     Value constantObject(clang::QualType type, const clang::Expr& init) const;
     Place fresh(const char* what) { return std::string(what) + " " + std::to_string(++made_); }
@@ -135,6 +157,7 @@ private:
     std::optional<Value> elementCall(const clang::CallExpr& expression, const std::string& name, const Place& object);
     std::optional<Value> serviceCall(const clang::CallExpr& expression, const std::string& name, const Place& object);
     Value callHook(const std::string& name);
+    Value addRequester(const clang::CallExpr& expression);
     std::optional<Value> activityCall(const clang::CallExpr& expression, const std::string& name, const Place& object);
     bool named(const clang::CallExpr& expression) const;
     void describeFunction(Element& element, const clang::FunctionDecl* function, clang::QualType signature) const;
@@ -150,6 +173,12 @@ private:
     void add(const clang::CallExpr& expression, const std::string& what, const Place& place, Scope& scope);
     void noteActivity(const clang::CallExpr& expression, std::optional<model::Activity> activity);
     model::Policy policyAt(const Value& value, bool& known) const;
+
+    // --- what is not called
+    /// Tells what it would add.
+    void followLate(const clang::CXXRecordDecl& made);
+    bool isInvoked(const clang::FunctionDecl& lambda) const;
+    void invokeLate(const clang::FunctionDecl& function, const Place& self, const std::string& why);
 
     // --- what came out
     void result(const Scope& scope, model::Interface& into);
@@ -169,6 +198,7 @@ private:
     clang::ASTContext& context_;
     const SourcePlaces& places_;
     diag::Sink& remarks_;
+    diag::Sink unused_;
     std::map<Place, Value> memory_;
     std::map<Place, Element> elements_;
     std::map<Place, Scope*> scopes_;
@@ -178,21 +208,38 @@ private:
     std::vector<std::unique_ptr<Scope>> allScopes_;
     std::vector<std::unique_ptr<Requester>> allRequesters_;
     std::vector<Frame> frames_;
-    std::set<const clang::CallExpr*> met_;
+    std::set<const clang::FunctionDecl*> invoked_;
+    std::vector<std::pair<const clang::FunctionDecl*, Place>> lambdas_;  ///< and the objects they were made in
+    std::string late_;  ///< why what is followed does not happen while the component is made; empty: it does
     std::set<const clang::FunctionDecl*> unseen_;
     std::vector<std::string> undecided_;  ///< why, the innermost last
     std::optional<model::Activity> activity_;
     model::InitialState initial_ = model::InitialState::Stopped;
     const clang::CXXRecordDecl* dynamic_ = nullptr;  ///< the class whose constructor runs: virtual calls go there
+    std::vector<clang::QualType> uses_;
     unsigned made_ = 0;
     unsigned steps_ = 0;
 };
 
 /// Name of a class of RTT, or "": TaskContext, InputPort …
 std::string toolchainName(const clang::CXXRecordDecl& record);
-/// std::shared_ptr, boost::intrusive_ptr …
+/// Calls visit(class) for the class and for those of the user's that it is derived from, bases last.
+template <class Visit>
+void eachOwn(const clang::CXXRecordDecl& type, const Visit& visit) {
+    if (isLibrary(type)) return;
+    visit(type);
+    for (const clang::CXXBaseSpecifier& base : type.bases()) {
+        const auto* record = base.getType()->getAsCXXRecordDecl();
+        if (record != nullptr && record->hasDefinition()) eachOwn(*record->getDefinition(), visit);
+    }
+}
+/// std::shared_ptr, boost::intrusive_ptr … and iterators: their value is the place that they point to.
 bool isPointerLike(clang::QualType type);
 bool isStdString(clang::QualType type);
+/// std::vector, std::deque, std::list: elements in the order in which they were put there.
+bool isSequence(clang::QualType type);
+/// std::ostringstream, std::stringstream.
+bool isTextStream(clang::QualType type);
 
 }  // namespace oroforge::cxx
 

@@ -65,6 +65,7 @@ void Follower::bind(const clang::FunctionDecl& function, const Values& arguments
 
 Value Follower::invoke(const clang::FunctionDecl& function, const Values& arguments, const Place& self, bool lambda) {
     if (isTooDeep(function.getLocation())) return {};
+    invoked_.insert(&function);
     Frame frame;
     frame.self = self;
     frame.lambda = lambda;
@@ -123,7 +124,6 @@ Value Follower::unknownCall(const clang::CallExpr& expression, const clang::Func
 }
 
 Value Follower::call(const clang::CallExpr& expression) {
-    met_.insert(&expression);
     if (const auto* one = dyn_cast<clang::CXXOperatorCallExpr>(&expression)) return operatorCall(*one);
     if (const auto* one = dyn_cast<clang::CXXMemberCallExpr>(&expression)) return memberCall(*one);
     const clang::FunctionDecl* function = expression.getDirectCallee();
@@ -155,8 +155,12 @@ std::optional<Value> Follower::standardCall(const clang::CallExpr& expression, c
             return Value();
         return Value::ofPlace(pair.text + (arguments->get(0).getAsIntegral() == 0 ? ".first" : ".second"));
     }
-    static const std::array same = {
-        "move", "forward", "ref", "cref", "addressof", "as_const", "begin", "data", "static_pointer_cast"};
+    static const std::array same = {"move",      "forward",  "ref",  "cref",
+                                    "addressof", "as_const", "data", "static_pointer_cast"};
+    static const std::array ends = {"begin", "cbegin", "end", "cend"};
+    if (isOneOf(name, ends) && expression.getNumArgs() == 1) return endOf(expression, name);
+    if (name == "for_each" && expression.getNumArgs() == 3) return eachOf(expression);
+    if (name == "lexical_cast" && isStdString(expression.getType())) return asText(*expression.getArg(0));
     if (name == "to_string" && expression.getNumArgs() == 1) {
         const Value value = converted(eval(expression.getArg(0)), expression.getArg(0)->getType());
         if (value.is(Kind::Number)) {
@@ -180,9 +184,10 @@ Value Follower::operatorCall(const clang::CXXOperatorCallExpr& expression) {
     const clang::Expr* second = expression.getNumArgs() > 1 ? expression.getArg(1) : nullptr;
     const auto* function = expression.getDirectCallee();
     if ((kind == clang::OO_Arrow || kind == clang::OO_Star) && second == nullptr && isPointerLike(first->getType())) {
-        const Value target = load(eval(first));
+        const Value target = pointed(first);
         return target.is(Kind::Place) ? target : Value();
     }
+    if (const auto value = iteratorOperator(expression)) return *value;
     if (kind == clang::OO_Call) {
         const Value callee = load(eval(first));
         const clang::FunctionDecl* called = callee.is(Kind::Function) ? callee.function : nullptr;
@@ -194,30 +199,11 @@ Value Follower::operatorCall(const clang::CXXOperatorCallExpr& expression) {
         const Value base = eval(first), index = content(second);
         if (base.is(Kind::Place) && index.is(Kind::Number))
             return Value::ofPlace(base.text + "[" + std::to_string(index.number) + "]");
+        // Of a map; with a quote, as no index has one.
+        if (base.is(Kind::Place) && index.is(Kind::Text)) return Value::ofPlace(base.text + "[\"" + index.text + "]");
         return {};
     }
-    const bool texts = isStdString(first->getType()) || (second != nullptr && isStdString(second->getType()));
-    if (texts && second != nullptr) {
-        const Value target = eval(first);
-        const Value left = load(target), right = load(eval(second));
-        const auto wordOf = [](const Value& value) -> std::optional<std::string> {
-            if (value.is(Kind::Text)) return value.text;
-            if (value.is(Kind::Number)) return std::string(1, static_cast<char>(value.number));
-            return std::nullopt;
-        };
-        const auto a = wordOf(left), b = wordOf(right);
-        const bool known = a && b;
-        if (kind == clang::OO_Plus) return known ? Value::ofText(*a + *b) : Value();
-        if (kind == clang::OO_EqualEqual) return known ? Value::ofBoolean(*a == *b) : Value();
-        if (kind == clang::OO_ExclaimEqual) return known ? Value::ofBoolean(*a != *b) : Value();
-        if (kind == clang::OO_PlusEqual || kind == clang::OO_Equal) {
-            const bool adds = kind == clang::OO_PlusEqual;
-            Value next;
-            if (adds ? known : b.has_value()) next = Value::ofText((adds ? *a : "") + *b);
-            if (target.is(Kind::Place)) assign(target.text, next);
-            return target;
-        }
-    }
+    if (const auto value = textOperator(expression)) return *value;
     if (kind == clang::OO_Equal && second != nullptr) {
         const Value target = eval(first), source = eval(second);
         if (!target.is(Kind::Place)) return {};
@@ -234,8 +220,12 @@ Value Follower::operatorCall(const clang::CXXOperatorCallExpr& expression) {
         }
         return target;
     }
-    // Streams: whatever goes into them is not part of any interface.
-    if (kind == clang::OO_LessLess) return eval(first);
+    if (kind == clang::OO_LessLess && second != nullptr) {
+        const Value target = eval(first);
+        // Whatever goes into other streams is not part of any interface.
+        if (target.is(Kind::Place)) stream(target.text, *second);
+        return target;
+    }
     if (const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function)) {
         const Value object = eval(first);
         if (object.is(Kind::Place) && !isLibrary(*method)) return callUser(expression, *method, object.text, 1);
@@ -252,12 +242,8 @@ Value Follower::memberCall(const clang::CXXMemberCallExpr& expression) {
     const std::string name = method->getNameAsString();
     const Value object = eval(on);
     const clang::QualType type = on->getType()->isPointerType() ? on->getType()->getPointeeType() : on->getType();
-    if (isStdString(type)) {
-        const Value text = load(object);
-        if ((name == "c_str" || name == "data" || name == "str") && text.is(Kind::Text)) return text;
-        if (name == "empty" && text.is(Kind::Text)) return Value::ofBoolean(text.text.empty());
-        if (name == "size" && text.is(Kind::Text)) return Value::ofNumber(static_cast<long long>(text.text.size()));
-    }
+    if (const auto value = textCall(expression, name, object)) return *value;
+    if (const auto value = containerCall(expression, name, object)) return *value;
     if (isPointerLike(type)) {
         if (name == "get") return load(object);
         if (name == "reset" && object.is(Kind::Place)) {
@@ -284,7 +270,7 @@ Value Follower::memberCall(const clang::CXXMemberCallExpr& expression) {
     }
     const auto* callee = dyn_cast<clang::MemberExpr>(expression.getCallee()->IgnoreParens());
     const bool qualified = callee != nullptr && callee->hasQualifier();
-    const Place self = object.is(Kind::Place) ? object.text : Place("unknown");
+    const Place self = object.is(Kind::Place) ? object.text : fresh("unknown");
     const clang::CXXMethodDecl& called = qualified ? *method : overriderOf(*method, self);
     if (definitionOf(called) == nullptr && self == kRoot && !called.isPureVirtual()) {
         unseen_.insert(&called);

@@ -67,7 +67,8 @@ bool Follower::named(const clang::CallExpr& expression) const {
 
 bool Follower::certain(const clang::CallExpr& expression, const std::string& what) {
     if (undecided_.empty()) return true;
-    remark(expression.getExprLoc(), "OC022", what + " is added " + undecided_.back());
+    remarks_.warning(locate(expression.getExprLoc()), "OC022",
+                     what + " is added " + (late_.empty() ? undecided_.back() : late_));
     return false;
 }
 
@@ -97,6 +98,9 @@ void Follower::add(const clang::CallExpr& expression, const std::string& what, c
     const bool isNamed = named(expression);
     const auto name = isNamed ? textOf(expression.getArg(0)) : element != nullptr ? element->name : std::nullopt;
     const std::string shown = what + (name ? " '" + *name + "'" : "");
+    const bool isThere = name && std::any_of(scope.elements.begin(), scope.elements.end(),
+                                             [&](const Place& other) { return elements_[other].name == name; });
+    if (!late_.empty() && isThere) return;
     if (!certain(expression, shown)) return;
     if (element == nullptr) {
         remark(expression.getExprLoc(), "OC021",
@@ -140,6 +144,7 @@ Value Follower::addProperty(const clang::CallExpr& expression, Scope& scope) {
         made.kind = ElementKind::Property;
         made.valueType = variable->getType().getUnqualifiedType();
         made.type = cppTypeText(made.valueType, context_);
+        made.uses = {made.valueType};
         made.value = value.is(Kind::Place) ? value.text : fresh("object");
         if (!value.is(Kind::Place)) memory_[made.value] = Value();
         elements_[place] = made;
@@ -164,6 +169,7 @@ Value Follower::addAttribute(const clang::CallExpr& expression, bool constant, S
         made.constant = constant;
         made.valueType = variable->getType().getUnqualifiedType();
         made.type = cppTypeText(made.valueType, context_);
+        made.uses = {made.valueType};
         made.value = value.is(Kind::Place) ? value.text : fresh("object");
         if (!value.is(Kind::Place)) memory_[made.value] = value;
         elements_[place] = made;
@@ -182,6 +188,8 @@ void Follower::describeFunction(Element& element, const clang::FunctionDecl* fun
     const bool isDeduced = result->getContainedAutoType() != nullptr;
     element.result = cppTypeText(isDeduced ? type->getReturnType() : result, context_);
     element.arguments.clear();
+    element.uses = {type->getReturnType()};
+    element.uses.insert(element.uses.end(), type->param_type_begin(), type->param_type_end());
     for (unsigned i = 0; i != type->getNumParams(); ++i) {
         model::Argument argument;
         argument.name.value = "arg" + std::to_string(i + 1);
@@ -281,10 +289,12 @@ Value Follower::interfaceCall(const clang::CallExpr& expression, const clang::CX
     if (const auto value = serviceCall(expression, name, object)) return *value;
     if (const auto value = activityCall(expression, name, object)) return *value;
     // A variable for a service that the source does not tell. Of a call that gives one it was said already.
-    if (object.empty() && beginsWith(name, "add") && !isGivenByCall(expression) &&
+    if (scopeAt(object) == nullptr && beginsWith(name, "add") && !isGivenByCall(expression) &&
         (owner == "Service" || owner == "ConfigurationInterface" || owner == "DataFlowInterface" ||
          owner == "ServiceRequester"))
         remark(expression.getExprLoc(), "OC021", "where '" + name + "' adds this is not constant");
+    if (owner == "PropertyBag" && beginsWith(object, kRoot) && (beginsWith(name, "add") || name == "ownProperty"))
+        remark(expression.getExprLoc(), "OC025", "what a property holds that is a bag is not told");
     for (const Value& value : argumentsOf(expression, 0)) {
         // What is passed by pointer or reference stays with RTT: ports that are connected, variables that are read.
         if (value.is(Kind::Place) && beginsWith(name, "read")) forget(value.text);

@@ -48,7 +48,9 @@ bool isPointerLike(clang::QualType type) {
     if (record == nullptr) return false;
     const llvm::StringRef name = record->getName();
     return name == "shared_ptr" || name == "unique_ptr" || name == "intrusive_ptr" || name == "scoped_ptr" ||
-           name == "__shared_ptr_access" || name == "__shared_ptr";
+           name == "__shared_ptr_access" || name == "__shared_ptr" ||
+           ((isStandard(*record) || outermostNamespace(*record) == "__gnu_cxx") && name.starts_with("_") &&
+            name.ends_with("iterator"));
 }
 
 bool isStdString(clang::QualType type) {
@@ -104,6 +106,7 @@ void Follower::constructElement(const Place& at, const std::string& name, clang:
     }
     element.type = cppTypeText(of.getUnqualifiedType(), context_);
     element.valueType = of;
+    element.uses = {of};
     element.output = name == "OutputPort";
     element.constant = name == "Constant";
     if (name == "InputPort" && arguments.size() > 1) {

@@ -48,7 +48,12 @@ void Follower::forget(const Place& place) {
 /// The objects that it is a part of are not any more what they were made as.
 void Follower::noteChange(const Place& place) {
     for (std::size_t i = 1; i < place.size(); ++i) {
-        if (place[i] == '.' || place[i] == '[') memory_[place.substr(0, i) + "#changed"] = Value::ofBoolean(true);
+        if (place[i] != '.' && place[i] != '[') continue;
+        const Place whole = place.substr(0, i);
+        memory_[whole + "#changed"] = Value::ofBoolean(true);
+        // Of a text one character.
+        if (const auto text = memory_.find(whole); text != memory_.end() && text->second.is(Kind::Text))
+            text->second = Value();
     }
 }
 

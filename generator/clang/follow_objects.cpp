@@ -136,7 +136,12 @@ void Follower::construct(const Place& at, clang::QualType type, const clang::CXX
         store(at + ".second", arguments[1]);
         return;
     }
+    if (isTextStream(type)) {
+        const bool hasText = !arguments.empty() && isStdString(constructor.getParamDecl(0)->getType());
+        memory_[at + "#text"] = hasText ? Value() : Value::ofText("");
+    }
     if (isLibrary(constructor) && !isStandard(*constructor.getParent(), "array")) {
+        if (isSequence(type)) constructContainer(at, arguments);
         if (!arguments.empty()) memory_[at] = constantObject(type, expression);
         // Containers that were made of a list are known to have that many elements.
         if (!arguments.empty() && arguments[0].is(Kind::Place) && memory_.count(arguments[0].text + "#size") != 0) {
@@ -214,14 +219,20 @@ Value Follower::make(clang::QualType type, const Values& arguments, clang::Sourc
     const auto* record = type.isNull() ? nullptr : type->getAsCXXRecordDecl();
     if (record == nullptr || !record->hasDefinition()) return {};
     const Place at = fresh("new");
+    makeAt(at, type, arguments, where);
+    return Value::ofPlace(at);
+}
+
+void Follower::makeAt(const Place& at, clang::QualType type, const Values& arguments, clang::SourceLocation where) {
+    const auto* record = type->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition()) return;
     const clang::CXXConstructorDecl* fitting = nullptr;
     for (const clang::CXXConstructorDecl* one : record->getDefinition()->ctors()) {
         const bool fits = arguments.size() >= one->getMinRequiredArguments() && arguments.size() <= one->getNumParams();
         if (fits && !one->isCopyOrMoveConstructor() && fitting == nullptr) fitting = one;
     }
-    if (constructKnown(at, type, fitting, arguments, where)) return Value::ofPlace(at);
+    if (constructKnown(at, type, fitting, arguments, where)) return;
     if (fitting != nullptr && !isLibrary(*fitting)) construct(at, *fitting, arguments);
-    return Value::ofPlace(at);
 }
 
 Value Follower::constantObject(clang::QualType type, const clang::Expr& init) const {

@@ -36,7 +36,8 @@ diag::Location Follower::locate(clang::SourceLocation at) const {
 }
 
 diag::Diagnostic& Follower::remark(clang::SourceLocation at, const char* code, const std::string& message) {
-    return remarks_.warning(locate(at), code, message);
+    // Of what happens later only what it adds matters.
+    return (late_.empty() ? remarks_ : unused_).warning(locate(at), code, message);
 }
 
 /// A class that computes for long, or for ever, is not worth it.
@@ -68,7 +69,6 @@ Followed Follower::follow(const clang::CXXConstructorDecl& constructor) {
         arguments.push_back(hasDefault ? eval(parameter->getDefaultArg()) : Value());
     }
     construct(kRoot, constructor, arguments);
-    frames_.pop_back();
     Followed made;
     made.activity = activity_;
     made.initial = initial_;
@@ -82,10 +82,16 @@ Followed Follower::follow(const clang::CXXConstructorDecl& constructor) {
         model::Requirement required;
         required.name = textAt(requester->name, requester->where);
         required.where = requester->where;
-        for (const Place& caller : requester->callers) required.operations.push_back(operationOf(elements_[caller]));
+        for (const Place& caller : requester->callers) {
+            const Element& element = elements_[caller];
+            required.operations.push_back(operationOf(element));
+            uses_.insert(uses_.end(), element.uses.begin(), element.uses.end());
+        }
         made.required.push_back(std::move(required));
     }
     byName(made.required);
+    made.uses = uses_;
+    followLate(*constructor.getParent());
     return made;
 }
 
@@ -117,6 +123,7 @@ model::Operation Follower::operationOf(const Element& element) const {
 }
 
 void Follower::resultOf(Element& element, model::Interface& into) {
+    uses_.insert(uses_.end(), element.uses.begin(), element.uses.end());
     const model::Text name = textAt(*element.name, element.where), type = textAt(element.type, element.where);
     if (element.kind == ElementKind::Port) {
         model::Port port;

@@ -107,6 +107,19 @@ Place Follower::requesterNamed(const std::string& name, const clang::Expr& at) {
     return place;
 }
 
+Value Follower::addRequester(const clang::CallExpr& expression) {
+    const Value value = eval(expression.getArg(0));
+    auto found = requesters_.find(value.text);
+    if (found == requesters_.end()) found = requesters_.find(load(value).text);
+    if (!certain(expression, "required service")) return {};
+    if (found == requesters_.end() || found->second->name.empty()) {
+        remark(expression.getExprLoc(), "OC021", "which required service this is cannot be told");
+        return {};
+    }
+    requesters_["requester " + found->second->name] = found->second;
+    return Value::ofBoolean(true);
+}
+
 /// A component that configures or starts itself calls its own hook.
 Value Follower::callHook(const std::string& name) {
     for (const clang::CXXRecordDecl* type = dynamic_; type != nullptr;) {
@@ -143,10 +156,18 @@ std::optional<Value> Follower::serviceCall(const clang::CallExpr& expression, co
                    "the service '" + *wanted + "' is required within another one, which a manifest cannot tell");
             return Value();
         }
-        if (!certain(expression, "the required service '" + *wanted + "'")) return Value();
+        const bool isKnown = requesters_.count("requester " + *wanted) != 0;
+        if (!isKnown && !certain(expression, "the required service '" + *wanted + "'")) return Value();
         return Value::ofPlace(requesterNamed(*wanted, expression));
     }
+    if (isRequester && name == "addServiceRequester" && count == 1) return addRequester(expression);
     if (scope == nullptr) return std::nullopt;
+    if ((name == "loadService" || name == "getProvider") && count == 1) {
+        const auto wanted = textOf(expression.getArg(0));
+        remark(expression.getExprLoc(), "OC025",
+               "what the service " + (wanted ? "'" + *wanted + "' " : "") + "brings that is loaded here is not told");
+        return Value();
+    }
     if (object == kRoot && (name == "configure" || name == "start") && count == 0) return callHook(name + "Hook");
     if (name == "ports" || name == "operations" || name == "attributes" || name == "properties" ||
         (name == "provides" && count == 0) || name == "shared_from_this")
@@ -158,7 +179,9 @@ std::optional<Value> Follower::serviceCall(const clang::CallExpr& expression, co
             return Value();
         }
         if (*wanted == "this") return Value::ofPlace(object);
-        if (!certain(expression, "the service '" + *wanted + "'")) return Value();
+        const bool isKnown = std::any_of(scope->services.begin(), scope->services.end(),
+                                         [&](const Scope* one) { return one->name == *wanted; });
+        if (!isKnown && !certain(expression, "the service '" + *wanted + "'")) return Value();
         return Value::ofPlace(serviceNamed(*scope, *wanted, expression));
     }
     if (name == "doc" && count == 1) {
@@ -173,8 +196,13 @@ std::optional<Value> Follower::serviceCall(const clang::CallExpr& expression, co
         for (std::size_t i = 0; i != scope->elements.size() && wanted; ++i) {
             const Place place = scope->elements[i];
             if (elements_[place].name != wanted) continue;
-            if (removes && certain(expression, "what takes '" + *wanted + "' away again"))
-                scope->elements.erase(scope->elements.begin() + static_cast<std::ptrdiff_t>(i));
+            if (removes && !undecided_.empty()) {
+                if (late_.empty())
+                    remark(expression.getExprLoc(), "OC022",
+                           "'" + *wanted + "' is taken away again " + undecided_.back());
+                return Value();
+            }
+            if (removes) scope->elements.erase(scope->elements.begin() + static_cast<std::ptrdiff_t>(i));
             return finds ? Value::ofPlace(place) : Value();
         }
         return Value();

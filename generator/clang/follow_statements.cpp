@@ -173,8 +173,7 @@ Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
     // Lists in braces say how long they are, and so do containers that were made of one.
     // Not so those that have an order of their own.
     const bool sorts = record != nullptr && (record->getName().contains("map") || record->getName().contains("set"));
-    if (!sorts && range.is(Value::Kind::Place) && memory_.count(range.text + "#size") != 0)
-        size = static_cast<std::uint64_t>(memory_[range.text + "#size"].number);
+    if (const auto known = sorts ? std::nullopt : sizeOf(range.text)) size = static_cast<std::uint64_t>(*known);
     if (!range.is(Value::Kind::Place) || !size || *size > kMostRounds) {
         runUndecided(statement.getBody(), "in a loop over elements that are not constant", true);
         return Flow::Next;

@@ -122,6 +122,7 @@ Value Follower::evalPlain(const clang::Expr* expression) {
     if (const auto* one = dyn_cast<clang::LambdaExpr>(expression)) {
         Value value = Value::ofText("", Kind::Function);
         value.function = one->getCallOperator();
+        lambdas_.emplace_back(value.function, frames_.back().self);
         return value;
     }
     if (const auto* one = dyn_cast<clang::CXXNewExpr>(expression)) {

@@ -21,18 +21,18 @@ namespace oroforge::driver {
 namespace {
 
 /// The folder of the package: that of the file, without what packages call the folders within.
-std::string folderName(const std::string& file) {
+fs::path packageFolder(const std::string& file) {
     fs::path folder = fs::absolute(file).lexically_normal().parent_path();
     for (fs::path above = folder; above.has_relative_path(); above = above.parent_path()) {
         if (above.filename() == "include") folder = above;
     }
     while (folder.filename() == "src" || folder.filename() == "include") folder = folder.parent_path();
-    return folder.filename().string();
+    return folder;
 }
 
 std::string packageName(const Options& options, diag::Sink& sink) {
     const bool isGiven = !options.package.empty();
-    const std::string name = isGiven ? options.package : folderName(options.words.front());
+    const std::string name = isGiven ? options.package : packageFolder(options.words.front()).filename().string();
     const std::string fault = check::packageNameFault(name);
     if (!fault.empty()) {
         sink.error({"orocreate-pkg"}, "OC002", "package name '" + name + "' " + fault)
@@ -75,8 +75,12 @@ void checkAsRemarks(const model::Package& package, diag::Sink& sink) {
 cxx::ComponentFiles filesOf(const Options& options, diag::Sink& sink) {
     cxx::ComponentFiles files;
     files.files = options.words;
+    files.root = packageFolder(options.words.front()).string();
     files.flags = options.flags;
     if (const char* target = std::getenv("OROCOS_TARGET"); target != nullptr && *target != '\0') files.target = target;
+    files.missingHint = options.database.empty()
+                            ? "if the build of the package makes this file, build first and give its folder: -p build"
+                            : "if the build of the package makes this file, build first";
     if (options.database.empty()) return files;
     const auto database = flags::readCompileDatabase(options.database, options.databaseEntry, files.files, sink);
     if (!database) return files;

@@ -1,0 +1,2 @@
+#include "plant.hpp"
+#include <plant/types.hpp>

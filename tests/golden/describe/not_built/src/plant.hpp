@@ -1,0 +1,7 @@
+#pragma once
+#include <plant/PlantBase.hpp>
+
+class Plant : public PlantBase {
+public:
+    explicit Plant(const std::string& name) : PlantBase(name) {}
+};
