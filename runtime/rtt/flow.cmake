@@ -17,6 +17,7 @@ foreach(source
     internal/ConnectionManager.cpp
     internal/PortEndpoint.cpp
     internal/PortOperations.cpp
+    internal/PortSources.cpp
     internal/DeferredCalls.cpp
     internal/Reclaimer.cpp
     internal/detail/waiting.cpp

@@ -9,6 +9,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/base/DataSourceBase.cpp
   rtt/base/PropertyBase.cpp
   rtt/internal/DataSources.cpp
+  rtt/internal/ValuePlace.cpp
   rtt/internal/detail/property_paths.cpp
   rtt/internal/detail/property_update.cpp
   rtt/types/ErasedFunction.cpp
@@ -23,6 +24,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/TypeInfoRepository.cpp
   rtt/types/TypekitRepository.cpp
   rtt/types/factories.cpp
+  rtt/types/fundamental_arrays.cpp
   rtt/types/type_values.cpp
   rtt/types/composition.cpp
   rtt/types/detail/adapted_table.cpp

@@ -117,6 +117,8 @@ public:
     virtual const void* getRawConstPointer();
     /** True if both addresses stay the same as long as this source exists. */
     bool hasFixedAddress() const noexcept { return fixedAddress_; }
+    /** From now on copy() makes a new variable each time instead of returning this one. Only variables do so. */
+    void copiesAnew() noexcept { copiedAnew_ = true; }
     /** For copy(): notes what this source was copied to. */
     void noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned, DataSourceBase* made) const;
 
@@ -126,12 +128,15 @@ protected:
     /** For constructors of sources that store their value, or refer to one that does not move. */
     void addressIsFixed() noexcept { fixedAddress_ = true; }
 
+    bool isCopiedAnew() const noexcept { return copiedAnew_; }
+
     /** For copy(): what this source was copied to before; null if it was not. */
     DataSourceBase* knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
 
 private:
     mutable std::atomic<int> refs_;
     bool fixedAddress_ = false;
+    bool copiedAnew_ = false;
 };
 
 RTT_API std::ostream& operator<<(std::ostream& os, const DataSourceBase::shared_ptr& source);

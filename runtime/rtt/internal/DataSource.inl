@@ -44,7 +44,7 @@ void* AssignableDataSource<T>::getRawPointer() {
 
 template <typename T>
 bool AssignableDataSource<T>::assignValue(const void* value) {
-    if (!value || !std::is_copy_assignable<value_t>::value) return false;
+    if (!value || !this->isAssignable()) return false;
     this->set(*static_cast<const value_t*>(value));
     return true;
 }

@@ -5,9 +5,7 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
-#include "ElementDataSource.hpp"
 #include "FusedFunctorDataSource.hpp"
-#include "PartDataSource.hpp"
 #include <algorithm>
 
 namespace RTT {
@@ -85,55 +83,6 @@ std::vector<base::DataSourceBase::shared_ptr> checkedArguments(
 }
 
 }  // namespace detail
-
-ElementPlace::ElementPlace(base::DataSourceBase* parent_, base::DataSourceBase* index_, const types::SequenceOps* ops_)
-    : parent(parent_), index(index_), ops(ops_) {}
-
-bool ElementPlace::evaluate() const { return parent->evaluate() && index->evaluate(); }
-
-std::size_t ElementPlace::position() const {
-    const void* value = index->getRawConstPointer();
-    if (*index->getTypeId() == typeid(unsigned int)) return *static_cast<const unsigned int*>(value);
-    // A negative index becomes one beyond any end.
-    return static_cast<std::size_t>(static_cast<long long>(*static_cast<const int*>(value)));
-}
-
-bool ElementPlace::load(void* element) const {
-    const void* container = parent->getRawConstPointer();
-    const std::size_t at = position();
-    if (!container || at >= ops->size(container)) return false;
-    ops->load(container, at, element);
-    return true;
-}
-
-bool ElementPlace::store(const void* element) const {
-    void* container = parent->getRawPointer();
-    const std::size_t at = position();
-    if (!container || !ops->store || at >= ops->size(container)) return false;
-    ops->store(container, at, element);
-    parent->updated();
-    return true;
-}
-
-bool ElementPlace::isAssignable() const { return (ops->at || ops->store) && parent->isAssignable(); }
-
-void* ElementPlace::address(bool forWriting) const {
-    if (!ops->at) return nullptr;
-    void* container = forWriting ? parent->getRawPointer() : const_cast<void*>(parent->getRawConstPointer());
-    const std::size_t at = position();
-    return container && at < ops->size(container) ? ops->at(container, at) : nullptr;
-}
-
-PartPlace::PartPlace(void* at, base::DataSourceBase* parent_)
-    : parent(parent_),
-      at_(at),
-      offset_(static_cast<const char*>(at) - static_cast<const char*>(parent->getRawPointer())) {}
-
-void* PartPlace::addressIn(base::DataSourceBase& copyOfParent) const {
-    return static_cast<char*>(copyOfParent.getRawPointer()) + offset_;
-}
-
-void* PartPlace::moved() const { return addressIn(*parent); }
 
 }  // namespace internal
 }  // namespace RTT

@@ -16,7 +16,8 @@ typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 /** For constructors that copy a value once, where those that take one copy and move it. */
 struct CopyTag {};
 
-/** A variable: holds its value itself. copy() returns the same variable, clone() a new one. */
+/** A variable: holds its value itself. copy() returns the same variable, clone() a new one. After copiesAnew() copy(), too,
+    returns a new one, as the local variables of programs need it. */
 template <typename T>
 class ValueDataSource : public AssignableDataSource<T> {
 public:
@@ -41,37 +42,30 @@ public:
     void set(param_t value) override { types::assignValue(mdata, value); }
     reference_t set() override { return mdata; }
 
-    [[gnu::cold]] ValueDataSource<T>* clone() const override { return make(mdata); }
+    [[gnu::cold]] ValueDataSource<T>* clone() const override {
+        auto* const made = make(mdata);
+        if (this->isCopiedAnew()) made->copiesAnew();
+        return made;
+    }
     [[gnu::cold]] ValueDataSource<T>* copy(CopyMap& cloned) const override {
         if (auto* known = this->knownCopy(cloned)) return static_cast<ValueDataSource<T>*>(known);
-        auto* self = const_cast<ValueDataSource<T>*>(this);
-        this->noteCopy(cloned, self);
-        return self;
+        auto* const made = this->isCopiedAnew() ? clone() : const_cast<ValueDataSource<T>*>(this);
+        this->noteCopy(cloned, made);
+        return made;
     }
 
 protected:
     T mdata;
 };
 
-/** A variable whose copy in a copied expression is a new variable: local variables of programs. */
+/** A variable whose copy in a copied expression is a new variable. BoundT is a ValueDataSource. */
 template <typename BoundT>
 class UnboundDataSource : public BoundT {
 public:
     typedef typename BoundT::result_t T;
-    using BoundT::BoundT;
 
-    [[gnu::cold]] UnboundDataSource<BoundT>* clone() const override { return fresh(); }
-    [[gnu::cold]] UnboundDataSource<BoundT>* copy(CopyMap& cloned) const override {
-        if (auto* known = this->knownCopy(cloned)) return static_cast<UnboundDataSource<BoundT>*>(known);
-        auto* made = fresh();
-        this->noteCopy(cloned, made);
-        return made;
-    }
-
-private:
-    [[gnu::cold, gnu::noinline]] UnboundDataSource<BoundT>* fresh() const {
-        return new UnboundDataSource<BoundT>(this->rvalue(), CopyTag());
-    }
+    UnboundDataSource() { this->copiesAnew(); }
+    explicit UnboundDataSource(T value) : BoundT(types::movedFrom(value)) { this->copiesAnew(); }
 };
 
 /** A value fixed at construction. */

@@ -5,36 +5,9 @@
 #include <rtt/Service.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
-#include <rtt/internal/Reclaimer.hpp>
 
 namespace RTT {
 namespace internal {
-
-PortLink::PortLink(const base::PortInterface& port)
-    : endpoint_(port.getEndpoint()), input_(dynamic_cast<const base::InputPortInterface*>(&port) != nullptr) {}
-PortLink::PortLink(const PortLink&) = default;
-PortLink::~PortLink() = default;
-
-// Within the Guard the port's destructor waits for us.
-FlowStatus PortLink::read(void* sample) const {
-    const Reclaimer::Guard guard;
-    auto* const port = static_cast<base::InputPortInterface*>(endpoint_->getPort());
-    return port ? port->readSample(sample, true) : NoData;
-}
-
-WriteStatus PortLink::write(const void* sample) const {
-    const Reclaimer::Guard guard;
-    auto* const port = static_cast<base::OutputPortInterface*>(endpoint_->getPort());
-    return port ? port->writeSample(sample) : NotConnected;
-}
-
-bool PortLink::last(void* sample) const {
-    const Reclaimer::Guard guard;
-    auto* const port = static_cast<base::OutputPortInterface*>(endpoint_->getPort());
-    return port && port->copyLastWritten(sample);
-}
-
-bool PortLink::fetch(void* sample) const { return input_ ? read(sample) != NoData : last(sample); }
 
 PortCallee::~PortCallee() = default;
 

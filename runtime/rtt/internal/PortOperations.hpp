@@ -81,7 +81,7 @@ private:
 template <class T>
 struct PortTables {
     static base::DataSourceBase* makeLast(GenericCall&& call) {
-        return new PortSource<T>(PortCallee::linkOf(call.caller()), true);
+        return makePortSource<T>(PortCallee::linkOf(call.caller()), true);
     }
     static constexpr ValueType readTypes[] = {valueType<FlowStatus>(), valueType<T&>()};
     static constexpr ValueType writeTypes[] = {valueType<WriteStatus>(), valueType<const T&>()};

@@ -6,9 +6,8 @@
 
 #include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/base/PortInterface.hpp>
-#include <rtt/internal/DataSource.hpp>
-
-#include <map>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/PlacedDataSource.hpp>
 
 namespace RTT {
 namespace internal {
@@ -37,42 +36,37 @@ private:
 };
 
 /** The value that was read, or last written. When the port is gone, or has none, the one before stays. */
-template <typename T>
-class PortSource final : public DataSource<T> {
+class RTT_API PortPlace final : public ValuePlace {
 public:
-    typedef typename DataSource<T>::result_t result_t;
-    typedef typename DataSource<T>::const_reference_t const_reference_t;
+    /** `value` is a new variable of the port's type, which `reset` gives its first value again. With `orDefault` that stands
+        for a value that there is not, and evaluate() is always true; else it is false. */
+    PortPlace(const PortLink& link, base::DataSourceBase* value, void (*reset)(void*), bool orDefault);
 
-    /** With `orDefault` a default value stands for one that there is not, and evaluate() is always true. */
-    explicit PortSource(const PortLink& link, bool orDefault = false) : link_(link), or_default_(orDefault), value_() {}
-
-    [[gnu::cold, gnu::noinline]] static PortSource<T>* make(const base::PortInterface& port) {
-        return new PortSource<T>(PortLink(port));
-    }
-
-    /** False if the port has no value, or is gone. */
-    bool evaluate() const override {
-        if (link_.fetch(&value_)) return true;
-        if (or_default_) types::resetValue(value_);
-        return or_default_;
-    }
-    result_t get() const override {
-        this->evaluate();
-        return PortSource::value();
-    }
-    result_t value() const override { return types::copyOf<T>(value_); }
-    const_reference_t rvalue() const override { return value_; }
-
-    [[gnu::cold]] PortSource* clone() const override { return new PortSource(link_, or_default_); }
-    [[gnu::cold]] PortSource* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const override {
-        return const_cast<PortSource*>(this);
-    }
+    bool evaluate() const override;
+    void* value() const override;
+    void* get() const override;
+    void* forChange() override;
+    void* raw() override;
+    void assign(const void* value) override;
+    void updated() override;
+    bool isAssignable() const override;
+    bool isFixed() const override;
+    bool isPart() const override;
+    ValuePlace* clone() const override;
+    ValuePlace* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const override;
 
 private:
     const PortLink link_;
+    void* const at_;
+    void (*const reset_)(void*);
     const bool or_default_;
-    mutable T value_;
 };
+
+/** A new source of the port's values. */
+template <typename T>
+[[gnu::cold, gnu::noinline]] base::DataSourceBase* makePortSource(const PortLink& link, bool orDefault) {
+    return new PlacedDataSource<T>(new PortPlace(link, ValueDataSource<T>::make(), &types::resetValueAt<T>, orDefault));
+}
 
 }  // namespace internal
 }  // namespace RTT

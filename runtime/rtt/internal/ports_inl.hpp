@@ -26,7 +26,7 @@ base::PortInterface* InputPort<T>::antiClone() const {
 
 template <typename T>
 base::DataSourceBase* InputPort<T>::getDataSource() {
-    return internal::PortSource<T>::make(*this);
+    return internal::makePortSource<T>(internal::PortLink(*this), false);
 }
 
 template <typename T>
@@ -61,7 +61,7 @@ base::PortInterface* OutputPort<T>::antiClone() const {
 
 template <typename T>
 base::DataSourceBase* OutputPort<T>::getDataSource() const {
-    return internal::PortSource<T>::make(*this);
+    return internal::makePortSource<T>(internal::PortLink(*this), false);
 }
 
 template <typename T>

@@ -5,7 +5,6 @@
 #include <rtt/Logger.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/ElementDataSource.hpp>
 #include "Operators.hpp"
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"

@@ -57,10 +57,13 @@ namespace detail {
 
 template <class T>
 struct Ops {
-    static void construct(void* at) { ::new (at) T(); }
-    static void copyConstruct(void* at, const void* from) { ::new (at) T(copyOf<T>(*static_cast<const T*>(from))); }
+    // Not on the data path: cold, so that the compiler calls what it has elsewhere.
+    [[gnu::cold]] static void construct(void* at) { ::new (at) T(); }
+    [[gnu::cold]] static void copyConstruct(void* at, const void* from) {
+        ::new (at) T(copyOf<T>(*static_cast<const T*>(from)));
+    }
     static void assign(void* to, const void* from) { assignValue(*static_cast<T*>(to), *static_cast<const T*>(from)); }
-    static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
+    [[gnu::cold]] static void destroy(void* at) noexcept { static_cast<T*>(at)->~T(); }
     static std::size_t extent(const void* sample) { return SampleExtent<T>::of(*static_cast<const T*>(sample)); }
     static constexpr bool trivial = std::is_trivially_copyable<T>::value && std::is_trivially_destructible<T>::value;
 

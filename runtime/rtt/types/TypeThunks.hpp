@@ -10,7 +10,6 @@
 #include <rtt/Property.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/ElementDataSource.hpp>
 #include <rtt/internal/PartDataSource.hpp>
 #include "TypeOps.hpp"
 #include "TypeThunkTable.hpp"
@@ -27,6 +26,11 @@ struct Thunks {
     using Source = base::DataSourceBase;
     using Assignable = internal::AssignableDataSource<T>;
 
+    /** `source` if what shares its value may change it. */
+    [[gnu::cold]] static Assignable* assignable(Source* source) {
+        auto* const same = Assignable::narrow(source);
+        return same && (!std::is_copy_assignable<T>::value || same->isAssignable()) ? same : nullptr;
+    }
     /** A new variable with the value of `from`; null if `from` is of another type. */
     [[gnu::cold]] static internal::ValueDataSource<T>* valueOf(Source* from) {
         auto* made = internal::ValueDataSource<T>::make();
@@ -40,30 +44,34 @@ struct Thunks {
     [[gnu::cold]] static Source* reference(void* at) {
         return new internal::ReferenceDataSource<T>(*static_cast<T*>(at));
     }
+    [[gnu::cold, gnu::noinline]] static Source* placed(internal::ValuePlace* place) {
+        return new internal::PlacedDataSource<T>(place);
+    }
     [[gnu::cold]] static Source* part(void* at, std::size_t, Source* parent) {
-        return internal::PartDataSource<T>::make(*static_cast<T*>(at), parent);
+        return placed(new internal::PartPlace(at, parent, typeOps<T>()));
     }
     [[gnu::cold]] static Source* element(Source* parent, Source* index, const SequenceOps* ops) {
-        return new internal::ElementDataSource<T>(parent, index, ops);
+        return placed(new internal::ElementPlace(parent, index, ops, value(), &resetValueAt<T>));
     }
     [[gnu::cold]] static Source* actionAlias(base::ActionInterface* action, Source* source) {
-        auto* same = internal::DataSource<T>::narrow(source);
-        return same ? new internal::ActionAliasDataSource<T>(action, same) : nullptr;
+        return internal::DataSource<T>::narrow(source) ? placed(new internal::ActionPlace(action, source)) : nullptr;
     }
     [[gnu::cold]] static base::AttributeBase* constant(const std::string& name, Source* source) {
         const auto* const value = static_cast<const T*>(valueOfType(source, typeid(T)));
-        return value ? new Constant<T>(name, internal::ConstantDataSource<T>::make(*value)) : nullptr;
+        return value ? new Alias(name, internal::ConstantDataSource<T>::make(*value)) : nullptr;
     }
     [[gnu::cold]] static base::AttributeBase* variable(const std::string& name, int) {
-        return new Attribute<T>(name, new internal::UnboundDataSource<internal::ValueDataSource<T>>());
+        auto* const local = internal::ValueDataSource<T>::make();
+        local->copiesAnew();
+        return new Attribute<T>(name, local);
     }
     [[gnu::cold]] static base::AttributeBase* attribute(const std::string& name, Source* source) {
-        auto* same = source ? Assignable::narrow(source) : internal::ValueDataSource<T>::make();
+        auto* same = source ? assignable(source) : internal::ValueDataSource<T>::make();
         return same ? new Attribute<T>(name, same) : nullptr;
     }
     [[gnu::cold]] static base::PropertyBase* property(const std::string& name, const std::string& description,
                                                       Source* source) {
-        Assignable* value = Assignable::narrow(source);
+        Assignable* value = assignable(source);
         if (!value) value = valueOf(source);
         return value ? new Property<T>(name, description, value) : nullptr;
     }

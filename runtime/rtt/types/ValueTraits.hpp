@@ -37,7 +37,9 @@ template <class T>
 }
 template <class T>
 [[gnu::cold, gnu::noinline]] void resetApart(T& value) {
-    value = ValueTraits<T>::make();
+    // Not by moving, which would be one more function of T.
+    const T first = ValueTraits<T>::make();
+    assignApart(value, first);
 }
 }  // namespace detail
 
@@ -64,6 +66,12 @@ void resetValue(T& value) {
         detail::resetApart(value);
     else
         (void)value;
+}
+
+/** The same for code that does not know T. */
+template <class T>
+[[gnu::cold]] void resetValueAt(void* value) {
+    resetValue(*static_cast<T*>(value));
 }
 
 /** `value` as a function returns it. */
