@@ -43,6 +43,26 @@ TypeInfoGenerator* makeArrayType(const char* name) {
     return detail::newArrayGenerator(name, arrayOps<E>(), typeOps<carray<E>>(), typeThunks<carray<E>>());
 }
 
+// The runtime has those of the fundamental types, so that not each typekit with such a member makes them again.
+#define ORO_FUNDAMENTAL_TYPES(USE) \
+    USE(bool)                      \
+    USE(char)                      \
+    USE(signed char)               \
+    USE(unsigned char)             \
+    USE(short)                     \
+    USE(unsigned short)            \
+    USE(int)                       \
+    USE(unsigned int)              \
+    USE(long)                      \
+    USE(unsigned long)             \
+    USE(long long)                 \
+    USE(unsigned long long)        \
+    USE(float)                     \
+    USE(double)
+#define ORO_MADE_BY_RUNTIME(E) extern template TypeInfoGenerator* makeArrayType<E>(const char* name);
+ORO_FUNDAMENTAL_TYPES(ORO_MADE_BY_RUNTIME)
+#undef ORO_MADE_BY_RUNTIME
+
 }  // namespace types
 }  // namespace RTT
 
