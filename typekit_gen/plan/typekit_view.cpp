@@ -190,14 +190,17 @@ Buckets fillBuckets(const model::TypeModel& model) {
     }
     for (const model::Alias& alias : model.aliases)
         buckets.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
+    // Ports and properties of a container are rare unless the user gave it a name.
+    std::set<std::string> named;
+    for (const model::Alias& alias : model.aliases) named.insert(alias.of);
     for (const TypeUse& use : model.library) {
+        if (isOfUserType(use) && named.count(use.name)) buckets.addInstance(use.name, use.cpp);
         buckets.add("library", use.name, libraryView(use));
         buckets.addHeader(use.name, libraryHeader(use.kind));
         if (use.kind == TypeKind::Map && buckets.entries.insert(entryName(use)).second) {
             buckets.add("library", entryName(use), entryView(use));
             buckets.addHeader(entryName(use), "rtt/types/KeyValue.hpp");
         }
-        if (isOfUserType(use)) buckets.addInstance(use.name, use.cpp);
     }
     for (const TypeUse& use : model.arrays) {
         const std::string name = use.name + "[]";

@@ -47,16 +47,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::library::Angle
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::library::Angle>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::library::Angle>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::library::Angle>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::library::Angle>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -80,17 +70,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::library::Angle>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::optional<::library::Angle>>;
-template class RTT::internal::AssignableDataSource<std::optional<::library::Angle>>;
-template class RTT::OutputPort<std::optional<::library::Angle>>;
-template class RTT::InputPort<std::optional<::library::Angle>>;
-template class RTT::Property<std::optional<::library::Angle>>;
-template class RTT::Attribute<std::optional<::library::Angle>>;
-template class RTT::internal::ValueDataSource<std::optional<::library::Angle>>;
-template class RTT::internal::ConstantDataSource<std::optional<::library::Angle>>;
-template class RTT::internal::ReferenceDataSource<std::optional<::library::Angle>>;
-template class RTT::base::ChannelElement<std::optional<::library::Angle>>;
 
 namespace oroforge_typekit_adapters {
 

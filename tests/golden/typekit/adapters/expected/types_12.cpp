@@ -47,16 +47,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::library::Squar
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::library::Square>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::library::Square>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::library::Square>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::InputPort<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::Property<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::Attribute<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::map<std::string, ::library::Square>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -68,17 +58,6 @@ namespace types {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::map<std::string, ::library::Square>>;
-template class RTT::internal::AssignableDataSource<std::map<std::string, ::library::Square>>;
-template class RTT::OutputPort<std::map<std::string, ::library::Square>>;
-template class RTT::InputPort<std::map<std::string, ::library::Square>>;
-template class RTT::Property<std::map<std::string, ::library::Square>>;
-template class RTT::Attribute<std::map<std::string, ::library::Square>>;
-template class RTT::internal::ValueDataSource<std::map<std::string, ::library::Square>>;
-template class RTT::internal::ConstantDataSource<std::map<std::string, ::library::Square>>;
-template class RTT::internal::ReferenceDataSource<std::map<std::string, ::library::Square>>;
-template class RTT::base::ChannelElement<std::map<std::string, ::library::Square>>;
 
 namespace oroforge_typekit_adapters {
 

@@ -67,16 +67,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::library::Ring<
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::library::Pose>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -129,16 +119,6 @@ template class RTT::internal::ValueDataSource<::library::Ring<::std::basic_strin
 template class RTT::internal::ConstantDataSource<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
 template class RTT::internal::ReferenceDataSource<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
 template class RTT::base::ChannelElement<::library::Ring<::std::basic_string<char, ::std::char_traits<char>, ::std::allocator<char>>, 2>>;
-template class RTT::internal::DataSource<std::vector<::library::Pose>>;
-template class RTT::internal::AssignableDataSource<std::vector<::library::Pose>>;
-template class RTT::OutputPort<std::vector<::library::Pose>>;
-template class RTT::InputPort<std::vector<::library::Pose>>;
-template class RTT::Property<std::vector<::library::Pose>>;
-template class RTT::Attribute<std::vector<::library::Pose>>;
-template class RTT::internal::ValueDataSource<std::vector<::library::Pose>>;
-template class RTT::internal::ConstantDataSource<std::vector<::library::Pose>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::library::Pose>>;
-template class RTT::base::ChannelElement<std::vector<::library::Pose>>;
 
 namespace oroforge_typekit_adapters {
 

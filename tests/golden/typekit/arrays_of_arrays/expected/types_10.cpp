@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::arrays_of_arra
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::arrays_of_arrays::Cell>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::arrays_of_arrays::Cell>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::arrays_of_arrays::Cell>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::InputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::Property<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::Attribute<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::array<::arrays_of_arrays::Cell, 2>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -79,17 +69,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::arrays_of_arrays::Cell>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::internal::AssignableDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::OutputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::InputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::Property<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::Attribute<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::internal::ValueDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::internal::ConstantDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::internal::ReferenceDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-template class RTT::base::ChannelElement<std::array<::arrays_of_arrays::Cell, 2>>;
 
 namespace oroforge_typekit_arrays_of_arrays {
 

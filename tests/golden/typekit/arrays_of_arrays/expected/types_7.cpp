@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::arrays_of_arra
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::arrays_of_arrays::Mode>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::arrays_of_arrays::Mode>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::arrays_of_arrays::Mode>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::arrays_of_arrays::Mode>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -91,16 +81,6 @@ template class RTT::internal::ValueDataSource<::arrays_of_arrays::Mode>;
 template class RTT::internal::ConstantDataSource<::arrays_of_arrays::Mode>;
 template class RTT::internal::ReferenceDataSource<::arrays_of_arrays::Mode>;
 template class RTT::base::ChannelElement<::arrays_of_arrays::Mode>;
-template class RTT::internal::DataSource<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::internal::AssignableDataSource<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::OutputPort<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::InputPort<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::Property<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::Attribute<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::internal::ValueDataSource<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::internal::ConstantDataSource<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::arrays_of_arrays::Mode>>;
-template class RTT::base::ChannelElement<std::vector<::arrays_of_arrays::Mode>>;
 
 namespace oroforge_typekit_arrays_of_arrays {
 

@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::boost::array<i
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::boost::array<int, 3>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::boost::array<int, 3>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::boost::array<int, 3>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::boost::array<int, 3>>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -67,17 +57,6 @@ namespace types {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::vector<::boost::array<int, 3>>>;
-template class RTT::internal::AssignableDataSource<std::vector<::boost::array<int, 3>>>;
-template class RTT::OutputPort<std::vector<::boost::array<int, 3>>>;
-template class RTT::InputPort<std::vector<::boost::array<int, 3>>>;
-template class RTT::Property<std::vector<::boost::array<int, 3>>>;
-template class RTT::Attribute<std::vector<::boost::array<int, 3>>>;
-template class RTT::internal::ValueDataSource<std::vector<::boost::array<int, 3>>>;
-template class RTT::internal::ConstantDataSource<std::vector<::boost::array<int, 3>>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::boost::array<int, 3>>>;
-template class RTT::base::ChannelElement<std::vector<::boost::array<int, 3>>>;
 
 namespace oroforge_typekit_boost_array {
 

@@ -49,16 +49,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Po
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::list<::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -82,17 +72,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Point>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::list<::containers::Point>>;
-template class RTT::internal::AssignableDataSource<std::list<::containers::Point>>;
-template class RTT::OutputPort<std::list<::containers::Point>>;
-template class RTT::InputPort<std::list<::containers::Point>>;
-template class RTT::Property<std::list<::containers::Point>>;
-template class RTT::Attribute<std::list<::containers::Point>>;
-template class RTT::internal::ValueDataSource<std::list<::containers::Point>>;
-template class RTT::internal::ConstantDataSource<std::list<::containers::Point>>;
-template class RTT::internal::ReferenceDataSource<std::list<::containers::Point>>;
-template class RTT::base::ChannelElement<std::list<::containers::Point>>;
 
 namespace oroforge_typekit_containers {
 

@@ -57,26 +57,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Po
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::variant<int, std::string, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::variant<int, std::string, ::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -151,16 +131,6 @@ template class RTT::internal::ValueDataSource<::containers::Choices>;
 template class RTT::internal::ConstantDataSource<::containers::Choices>;
 template class RTT::internal::ReferenceDataSource<::containers::Choices>;
 template class RTT::base::ChannelElement<::containers::Choices>;
-template class RTT::internal::DataSource<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::internal::AssignableDataSource<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::OutputPort<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::InputPort<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::Property<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::Attribute<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::internal::ValueDataSource<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::internal::ConstantDataSource<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::internal::ReferenceDataSource<std::variant<int, std::string, ::containers::Point>>;
-template class RTT::base::ChannelElement<std::variant<int, std::string, ::containers::Point>>;
 
 namespace oroforge_typekit_containers {
 

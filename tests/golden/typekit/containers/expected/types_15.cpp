@@ -57,16 +57,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Se
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Sequences>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Sequences>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Sequences>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::list<::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::list<::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

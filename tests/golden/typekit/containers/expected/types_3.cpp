@@ -56,16 +56,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Po
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::pair<int, ::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

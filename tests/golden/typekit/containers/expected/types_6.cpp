@@ -48,26 +48,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Po
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::pair<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::pair<int, ::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -91,27 +71,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Point>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::optional<::containers::Point>>;
-template class RTT::internal::AssignableDataSource<std::optional<::containers::Point>>;
-template class RTT::OutputPort<std::optional<::containers::Point>>;
-template class RTT::InputPort<std::optional<::containers::Point>>;
-template class RTT::Property<std::optional<::containers::Point>>;
-template class RTT::Attribute<std::optional<::containers::Point>>;
-template class RTT::internal::ValueDataSource<std::optional<::containers::Point>>;
-template class RTT::internal::ConstantDataSource<std::optional<::containers::Point>>;
-template class RTT::internal::ReferenceDataSource<std::optional<::containers::Point>>;
-template class RTT::base::ChannelElement<std::optional<::containers::Point>>;
-template class RTT::internal::DataSource<std::pair<int, ::containers::Point>>;
-template class RTT::internal::AssignableDataSource<std::pair<int, ::containers::Point>>;
-template class RTT::OutputPort<std::pair<int, ::containers::Point>>;
-template class RTT::InputPort<std::pair<int, ::containers::Point>>;
-template class RTT::Property<std::pair<int, ::containers::Point>>;
-template class RTT::Attribute<std::pair<int, ::containers::Point>>;
-template class RTT::internal::ValueDataSource<std::pair<int, ::containers::Point>>;
-template class RTT::internal::ConstantDataSource<std::pair<int, ::containers::Point>>;
-template class RTT::internal::ReferenceDataSource<std::pair<int, ::containers::Point>>;
-template class RTT::base::ChannelElement<std::pair<int, ::containers::Point>>;
 
 namespace oroforge_typekit_containers {
 

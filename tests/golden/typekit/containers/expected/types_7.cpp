@@ -66,16 +66,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Ti
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Times>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Times>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Times>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::map<int, ::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

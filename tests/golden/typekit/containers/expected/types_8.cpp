@@ -47,16 +47,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::containers::Po
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::containers::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::containers::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::map<int, ::containers::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::map<int, ::containers::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -80,17 +70,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::containers::Point>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::map<int, ::containers::Point>>;
-template class RTT::internal::AssignableDataSource<std::map<int, ::containers::Point>>;
-template class RTT::OutputPort<std::map<int, ::containers::Point>>;
-template class RTT::InputPort<std::map<int, ::containers::Point>>;
-template class RTT::Property<std::map<int, ::containers::Point>>;
-template class RTT::Attribute<std::map<int, ::containers::Point>>;
-template class RTT::internal::ValueDataSource<std::map<int, ::containers::Point>>;
-template class RTT::internal::ConstantDataSource<std::map<int, ::containers::Point>>;
-template class RTT::internal::ReferenceDataSource<std::map<int, ::containers::Point>>;
-template class RTT::base::ChannelElement<std::map<int, ::containers::Point>>;
 
 namespace oroforge_typekit_containers {
 

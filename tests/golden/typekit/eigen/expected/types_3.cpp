@@ -69,16 +69,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::Eigen::Matrix<
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -116,16 +106,6 @@ template class RTT::internal::ValueDataSource<::Eigen::Matrix<double, 3, 1, 0, 3
 template class RTT::internal::ConstantDataSource<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
 template class RTT::internal::ReferenceDataSource<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
 template class RTT::base::ChannelElement<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>;
-template class RTT::internal::DataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::internal::AssignableDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::OutputPort<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::InputPort<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::Property<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::Attribute<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::internal::ValueDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::internal::ConstantDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
-template class RTT::base::ChannelElement<std::vector<::Eigen::Matrix<double, 3, 1, 0, 3, 1>>>;
 
 namespace oroforge_typekit_eigen {
 

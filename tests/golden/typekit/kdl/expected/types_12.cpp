@@ -106,26 +106,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::KDL::JntArray>
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::KDL::JntArray>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::KDL::JntArray>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::KDL::JntArray>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::KDL::Vector>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::KDL::Vector>;
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::KDL::Vector>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::KDL::Vector>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::KDL::Vector>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::KDL::Vector>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::KDL::Vector>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -80,17 +70,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::KDL::Vector>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::vector<::KDL::Vector>>;
-template class RTT::internal::AssignableDataSource<std::vector<::KDL::Vector>>;
-template class RTT::OutputPort<std::vector<::KDL::Vector>>;
-template class RTT::InputPort<std::vector<::KDL::Vector>>;
-template class RTT::Property<std::vector<::KDL::Vector>>;
-template class RTT::Attribute<std::vector<::KDL::Vector>>;
-template class RTT::internal::ValueDataSource<std::vector<::KDL::Vector>>;
-template class RTT::internal::ConstantDataSource<std::vector<::KDL::Vector>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::KDL::Vector>>;
-template class RTT::base::ChannelElement<std::vector<::KDL::Vector>>;
 
 namespace oroforge_typekit_kdl {
 

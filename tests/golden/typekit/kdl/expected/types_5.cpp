@@ -78,16 +78,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::KDL::Jacobian>
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::KDL::Jacobian>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::KDL::Jacobian>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::KDL::Jacobian>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::KDL::Frame>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::KDL::Frame>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -169,16 +159,6 @@ template class RTT::internal::ValueDataSource<::KDL::Jacobian>;
 template class RTT::internal::ConstantDataSource<::KDL::Jacobian>;
 template class RTT::internal::ReferenceDataSource<::KDL::Jacobian>;
 template class RTT::base::ChannelElement<::KDL::Jacobian>;
-template class RTT::internal::DataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::AssignableDataSource<std::vector<::KDL::Frame>>;
-template class RTT::OutputPort<std::vector<::KDL::Frame>>;
-template class RTT::InputPort<std::vector<::KDL::Frame>>;
-template class RTT::Property<std::vector<::KDL::Frame>>;
-template class RTT::Attribute<std::vector<::KDL::Frame>>;
-template class RTT::internal::ValueDataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::ConstantDataSource<std::vector<::KDL::Frame>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::KDL::Frame>>;
-template class RTT::base::ChannelElement<std::vector<::KDL::Frame>>;
 
 namespace oroforge_typekit_kdl {
 

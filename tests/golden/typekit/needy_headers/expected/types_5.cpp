@@ -57,16 +57,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::needy::Point>;
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::needy::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::needy::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::needy::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::needy::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::needy::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

@@ -48,16 +48,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::other_forms::P
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::other_forms::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::other_forms::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::other_forms::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::other_forms::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -81,17 +71,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::other_forms::Point>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::AssignableDataSource<std::optional<::other_forms::Point>>;
-template class RTT::OutputPort<std::optional<::other_forms::Point>>;
-template class RTT::InputPort<std::optional<::other_forms::Point>>;
-template class RTT::Property<std::optional<::other_forms::Point>>;
-template class RTT::Attribute<std::optional<::other_forms::Point>>;
-template class RTT::internal::ValueDataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::ConstantDataSource<std::optional<::other_forms::Point>>;
-template class RTT::internal::ReferenceDataSource<std::optional<::other_forms::Point>>;
-template class RTT::base::ChannelElement<std::optional<::other_forms::Point>>;
 
 namespace oroforge_typekit_other_forms {
 

@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::plain_classes:
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::plain_classes::Node>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::plain_classes::Node>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::plain_classes::Node>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::plain_classes::Node>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -79,17 +69,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::plain_classes::Node>) {
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::vector<::plain_classes::Node>>;
-template class RTT::internal::AssignableDataSource<std::vector<::plain_classes::Node>>;
-template class RTT::OutputPort<std::vector<::plain_classes::Node>>;
-template class RTT::InputPort<std::vector<::plain_classes::Node>>;
-template class RTT::Property<std::vector<::plain_classes::Node>>;
-template class RTT::Attribute<std::vector<::plain_classes::Node>>;
-template class RTT::internal::ValueDataSource<std::vector<::plain_classes::Node>>;
-template class RTT::internal::ConstantDataSource<std::vector<::plain_classes::Node>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::plain_classes::Node>>;
-template class RTT::base::ChannelElement<std::vector<::plain_classes::Node>>;
 
 namespace oroforge_typekit_plain_classes {
 

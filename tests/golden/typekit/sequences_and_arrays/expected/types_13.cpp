@@ -56,16 +56,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::sequences_and_
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::sequences_and_arrays::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::sequences_and_arrays::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::sequences_and_arrays::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::sequences_and_
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::sequences_and_arrays::Point>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::sequences_and_arrays::Point>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::sequences_and_arrays::Point>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -79,17 +69,6 @@ RTT_HIDE inline const Schema& describeType(TypeTag<::sequences_and_arrays::Point
 #pragma GCC diagnostic pop
 
 // The macro offsetof would take the comma of a template instance for its own.
-
-template class RTT::internal::DataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::AssignableDataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::OutputPort<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::InputPort<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::Property<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::Attribute<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::ValueDataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::ConstantDataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::sequences_and_arrays::Point>>;
-template class RTT::base::ChannelElement<std::vector<::sequences_and_arrays::Point>>;
 
 namespace oroforge_typekit_sequences_and_arrays {
 

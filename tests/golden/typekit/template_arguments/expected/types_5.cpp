@@ -46,16 +46,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_argum
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -91,16 +81,6 @@ template class RTT::internal::ValueDataSource<::template_arguments::Along<::temp
 template class RTT::internal::ConstantDataSource<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
 template class RTT::internal::ReferenceDataSource<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
 template class RTT::base::ChannelElement<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>;
-template class RTT::internal::DataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::internal::AssignableDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::OutputPort<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::InputPort<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::Property<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::Attribute<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::internal::ValueDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::internal::ConstantDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
-template class RTT::base::ChannelElement<std::vector<::template_arguments::Along<::template_arguments::Axis::z, ::template_arguments::Precision::low>::Kind>>;
 
 namespace oroforge_typekit_template_arguments {
 

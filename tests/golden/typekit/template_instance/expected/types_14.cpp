@@ -66,16 +66,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::template_insta
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::template_instance::Vec<float, 2>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::template_instance::Vec<float, 2>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::template_instance::Vec<float, 2>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::template_instance::Vec<float, 2>>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
@@ -138,16 +128,6 @@ template class RTT::internal::ValueDataSource<::template_instance::Pose>;
 template class RTT::internal::ConstantDataSource<::template_instance::Pose>;
 template class RTT::internal::ReferenceDataSource<::template_instance::Pose>;
 template class RTT::base::ChannelElement<::template_instance::Pose>;
-template class RTT::internal::DataSource<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::internal::AssignableDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::OutputPort<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::InputPort<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::Property<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::Attribute<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::internal::ValueDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::internal::ConstantDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::internal::ReferenceDataSource<std::vector<::template_instance::Vec<float, 2>>>;
-template class RTT::base::ChannelElement<std::vector<::template_instance::Vec<float, 2>>>;
 
 namespace oroforge_typekit_template_instance {
 

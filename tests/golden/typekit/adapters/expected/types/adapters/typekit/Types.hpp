@@ -132,36 +132,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::library::Ring<
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::library::Ring<::library::Pose, 0>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::library::Ring<::library::Pose, 0>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::library::Ring<::library::Pose, 0>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::InputPort<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::Property<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::Attribute<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::map<std::string, ::library::Square>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::library::Angle>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::library::Pose>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::library::Pose>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

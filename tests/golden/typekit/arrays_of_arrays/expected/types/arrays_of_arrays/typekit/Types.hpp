@@ -52,26 +52,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::arrays_of_arra
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::arrays_of_arrays::Mode>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::arrays_of_arrays::Mode>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::arrays_of_arrays::Mode>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::InputPort<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::Property<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::Attribute<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::array<::arrays_of_arrays::Cell, 2>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::arrays_of_arrays::Mode>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::arrays_of_arrays::Mode>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

@@ -72,16 +72,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::boost::array<i
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::boost::array<int, 3>>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::boost::array<int, 3>>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::boost::array<int, 3>>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::boost::array<int, 3>>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::boost::array<int, 3>>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

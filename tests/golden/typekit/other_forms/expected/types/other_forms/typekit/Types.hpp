@@ -93,16 +93,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::other_forms::T
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::other_forms::Texts>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::other_forms::Texts>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::other_forms::Texts>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::InputPort<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::Property<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::Attribute<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::optional<::other_forms::Point>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::optional<::other_forms::Point>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"

@@ -92,16 +92,6 @@ extern template class RTT_EXPORT RTT::internal::ValueDataSource<::plain_classes:
 extern template class RTT_EXPORT RTT::internal::ConstantDataSource<::plain_classes::Late>;
 extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<::plain_classes::Late>;
 extern template class RTT_EXPORT RTT::base::ChannelElement<::plain_classes::Late>;
-extern template class RTT_EXPORT RTT::internal::DataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::AssignableDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::OutputPort<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::InputPort<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::Property<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::Attribute<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ValueDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ConstantDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::internal::ReferenceDataSource<std::vector<::plain_classes::Node>>;
-extern template class RTT_EXPORT RTT::base::ChannelElement<std::vector<::plain_classes::Node>>;
 
 // What ports compare when they are connected, so that plugins built with different versions of a header do not meet.
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
