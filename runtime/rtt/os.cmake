@@ -39,5 +39,6 @@ target_sources(orocos-rtt PRIVATE
   rtt/os/detail/pool_registry.cpp
   rtt/os/detail/scheduling.cpp
   rtt/os/oro_malloc.cpp
+  rtt/os/real_time_wanted.cpp
   rtt/os/startstop.cpp
   rtt/os/threads.cpp)

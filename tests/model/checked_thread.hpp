@@ -26,6 +26,7 @@ int addThread(const char*, unsigned) { return 0; }
 void removeThread(int) {}
 void log(LogLevel, const char*, std::string_view) {}
 void beginRealTimeThread() {}
+void noteRealTimeWanted(const ThreadInterface&, bool) noexcept {}
 const char* schedulerName(int) noexcept { return ""; }
 bool applyScheduling(pthread_t, int, int, const std::string&) { return true; }
 bool applyAffinity(pid_t, unsigned, const std::string&) { return true; }

@@ -7,6 +7,7 @@
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_state.hpp>
 #include <rtt/os/real_time_thread.hpp>
+#include <rtt/os/real_time_wanted.hpp>
 
 #include <cstdio>
 #include <cstring>
@@ -42,6 +43,7 @@ Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity
     detail::log(detail::LogInfo, "Thread",
                 "creating thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
                     std::to_string(priority) + ", CPU mask " + std::to_string(cpuAffinity));
+    const bool realTime = scheduler == SCHED_FIFO || scheduler == SCHED_RR;
     detail::checkScheduler(scheduler, state_->name);
     detail::checkPriority(scheduler, priority, state_->name);
     const int error =
@@ -56,6 +58,7 @@ Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity
     state_->born.wait();  // from here on its id is known
     detail::applyAffinity(state_->task.pid, cpuAffinity, state_->name);
     enlist(state_->name.c_str(), getPid());
+    detail::noteRealTimeWanted(*this, realTime);
     detail::log(detail::LogInfo, "Thread",
                 "created thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
                     std::to_string(priority) + ", CPU mask " + std::to_string(Thread::getCpuAffinity()) + ", period " +
@@ -92,6 +95,7 @@ void Thread::terminate() {
         reportIfBusy();
         pthread_join(state_->task.thread, nullptr);
     }
+    detail::noteRealTimeWanted(*this, false);  // another thread may get the number
     delist();
 }
 
@@ -115,7 +119,11 @@ const RTOS_TASK* Thread::getTask() const { return &state_->task; }
 unsigned int Thread::getPid() const { return static_cast<unsigned>(state_->task.pid); }
 
 bool Thread::setScheduler(int scheduler) {
-    if (!detail::checkScheduler(scheduler, state_->name)) return false;
+    const bool realTime = scheduler == SCHED_FIFO || scheduler == SCHED_RR;
+    if (!detail::checkScheduler(scheduler, state_->name)) {
+        if (realTime) detail::noteRealTimeWanted(*this, true);
+        return false;
+    }
     std::lock_guard<std::mutex> lock(state_->scheduling);
     int priority = state_->priority;
     if (scheduler == ORO_SCHED_OTHER)
@@ -126,6 +134,7 @@ bool Thread::setScheduler(int scheduler) {
         return false;
     state_->scheduler = scheduler;
     state_->priority = priority;
+    detail::noteRealTimeWanted(*this, realTime);
     return true;
 }
 
