@@ -6,6 +6,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/HookInProgress.hpp>
 #include <rtt/internal/detail/engine_removal.hpp>
 
 #include <algorithm>
@@ -101,6 +102,7 @@ template <class Action>
 bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& action) {
     std::string why;
     try {
+        const internal::HookInProgress hook(task_, what);
         action();
         return true;
     } catch (const std::exception& e) {

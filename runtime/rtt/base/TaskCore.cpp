@@ -5,6 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
+#include <rtt/internal/HookInProgress.hpp>
 
 #include <exception>
 #include <unistd.h>
@@ -13,6 +14,7 @@ namespace RTT {
 namespace base {
 
 using internal::EngineGate;
+using internal::HookInProgress;
 
 std::uint64_t TaskCore::pack(const States& states) {
     return std::uint64_t(std::uint32_t(states.changer)) << 32 | std::uint32_t(states.target) << 8 |
@@ -128,7 +130,10 @@ bool TaskCore::configure() {
     const TaskState from = states().state;
     if (!change || (from != Stopped && from != PreOperational)) return false;
     aim(Stopped);
-    switch (callHook("configure()", from, [this] { return configureHook(); })) {
+    switch (callHook("configure()", from, [this] {
+        const HookInProgress hook(this, "configureHook()");
+        return configureHook();
+    })) {
         case Outcome::Accepted: return change.leave(from, Stopped);
         case Outcome::Refused: change.leave(from, PreOperational); return false;
         case Outcome::Threw: break;
@@ -141,7 +146,10 @@ bool TaskCore::cleanup() {
     if (!change || states().state != Stopped) return false;
     aim(PreOperational);
     cleaned_up_ = true;
-    const Outcome outcome = callHook("cleanup()", Stopped, [this] { return cleanupHook(), true; });
+    const Outcome outcome = callHook("cleanup()", Stopped, [this] {
+        const HookInProgress hook(this, "cleanupHook()");
+        return cleanupHook(), true;
+    });
     cleaned_up_ = false;
     return outcome == Outcome::Accepted && change.leave(Stopped, PreOperational);
 }
@@ -150,7 +158,10 @@ bool TaskCore::start() {
     Change change(*this);
     if (!change || states().state != Stopped) return false;
     aim(Running);
-    switch (callHook("start()", Stopped, [this] { return startHook(); })) {
+    switch (callHook("start()", Stopped, [this] {
+        const HookInProgress hook(this, "startHook()");
+        return startHook();
+    })) {
         case Outcome::Accepted:
             ++mStartCounter;
             // error() may have come at the last moment: then it runs all the same, in RunTimeError.
@@ -179,7 +190,10 @@ bool TaskCore::stop() {
     if (from < Running) return false;  // that step ended in Exception or FatalError
     aim(Stopped);                      // again: it may have called error() or recover()
     stopped_ = true;
-    const Outcome outcome = callHook("stop()", from, [this] { return stopHook(), true; });
+    const Outcome outcome = callHook("stop()", from, [this] {
+        const HookInProgress hook(this, "stopHook()");
+        return stopHook(), true;
+    });
     stopped_ = false;
     return outcome == Outcome::Accepted && (change.leave(Running, Stopped) || change.leave(RunTimeError, Stopped));
 }
@@ -218,8 +232,15 @@ void TaskCore::exception() {
         return;
     try {
         // A hook that threw is not called again because of that.
-        if (from >= Running && !stopped_) stopHook();
-        if (from >= Stopped && mInitialState == PreOperational && !cleaned_up_) cleanupHook();
+        if (from >= Running && !stopped_) {
+            const HookInProgress hook(this, "stopHook()");
+            stopHook();
+        }
+        if (from >= Stopped && mInitialState == PreOperational && !cleaned_up_) {
+            const HookInProgress hook(this, "cleanupHook()");
+            cleanupHook();
+        }
+        const HookInProgress hook(this, "exceptionHook()");
         exceptionHook();
         return;
     } catch (const std::exception& e) {

@@ -3,6 +3,7 @@
 #include "ComponentLoader.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/HookInProgress.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/plugin/detail/search_path.hpp>
@@ -30,6 +31,7 @@ std::mutex& instanceMutex() {
 /** Runs the user's constructor; its exceptions end here, as text. */
 TaskContext* construct(ComponentLoaderSignature create, const std::string& name, const std::string& type,
                        std::string& error) {
+    const internal::HookInProgress here(name.c_str(), "its constructor");
     try {
         if (TaskContext* component = create(name)) return component;
         error = "the factory of component type '" + type + "' returned nothing";
@@ -155,6 +157,7 @@ bool ComponentLoader::unloadComponent(TaskContext* tc) {
         return false;
     }
     const std::string name = tc->getName();
+    const internal::HookInProgress here(name.c_str(), "its destructor");
     try {
         delete tc;
     } catch (const std::exception& thrown) {
