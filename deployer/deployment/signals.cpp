@@ -16,6 +16,7 @@ namespace {
 volatile sig_atomic_t readEnd = -1;
 volatile sig_atomic_t writeEnd = -1;
 volatile sig_atomic_t pending = 0;
+volatile sig_atomic_t last = 0;
 
 void onSignal(int signal) {
     const int kept = errno;
@@ -26,6 +27,7 @@ void onSignal(int signal) {
         raise(signal);
     }
     pending = 1;
+    last = signal;
     errno = kept;
 }
 
@@ -67,6 +69,11 @@ bool SignalCatcher::caught() const {
 }
 
 int SignalCatcher::wait() {
+    // One that came before this catcher was there is in the pipe of the outer one, and stays there: it concerns both.
+    pollfd ends[] = {{pipe_[0], POLLIN, 0}, {outerPipe_[0], POLLIN, 0}};
+    while (poll(ends, 2, -1) < 0 && errno == EINTR) {
+    }
+    if (ends[1].revents & POLLIN) return last;
     unsigned char number = 0;
     while (read(pipe_[0], &number, 1) < 0 && errno == EINTR) {
     }

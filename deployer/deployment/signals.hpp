@@ -23,7 +23,8 @@ public:
 
     /** False if one of the signals cannot be caught. */
     bool ready() const { return ready_; }
-    /** Blocks until one of the signals has come since construction; returns its number. */
+    /** Blocks until one of the signals has come since construction, or one that an outer catcher has not waited for yet;
+        returns its number. */
     int wait();
     /** True if wait() would not block. */
     bool caught() const;

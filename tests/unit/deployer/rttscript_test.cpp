@@ -43,6 +43,19 @@ TEST_F(RttScript, AScriptThatWaitsEndsOnASignal) {
     EXPECT_THAT(outcome.out, HasSubstr("one: stopped\none: cleaned up\none: deleted\n"));
 }
 
+TEST_F(RttScript, ASignalThatComesBeforeTheScriptWaitsIsNotLost) {
+    directory_.write("app.ops", std::string(kOneComponent) +
+                                    "var int i = 0\n"
+                                    "while (i < 3000000) { set i = i + 1 }\n"
+                                    "waitForInterrupt()\n");
+    ChildProcess program(script({"-s", "app.ops"}));
+    EXPECT_TRUE(program.waitForOutput("one: started", std::chrono::seconds(20)));
+    program.send(SIGTERM);
+    const Outcome outcome = program.finish();
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("one: deleted\n"));
+}
+
 TEST_F(RttScript, FilesAfterAFailedOneAreNotTried) {
     directory_.write("wrong.ops", "no_such_thing()\n");
     directory_.write("app.ops", kOneComponent);
