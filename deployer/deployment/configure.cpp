@@ -100,8 +100,10 @@ void startOne(Record& record, diag::Sink& sink) {
     } catch (const std::exception& thrown) {
         error = std::string("start() threw: ") + thrown.what();
     }
-    if (record.instance->inException()) error = "start() threw, see the log";
-    if (!record.instance->isConfigured()) error = "it is not configured; set AutoConf to have that done";
+    if (record.instance->inException())
+        error = "start() threw, see the log";
+    else if (!record.instance->isConfigured())
+        error = "it is not configured; set AutoConf to have that done";
     sink.error(record.plan.name.where, "DEP051", "could not start component '" + record.name + "': " + error);
 }
 
