@@ -83,7 +83,14 @@ ChildProcess::ChildProcess(const Command& command) : deadline_(Clock::now() + co
     const std::vector<char*> argv = pointersTo(argumentTexts);
     const std::vector<char*> envp = pointersTo(environmentTexts);
     const std::string directory = command.directory.string();
-    const int input = inputFile(command.input);
+    int input = -1;
+    if (command.inputStaysOpen) {
+        const Pipe open;
+        input = open.read;
+        inFd_ = open.write;
+    } else {
+        input = inputFile(command.input);
+    }
     Pipe out;
     Pipe err;
     pid_ = ::fork();
@@ -110,8 +117,8 @@ ChildProcess::~ChildProcess() {
         ::kill(pid_, SIGKILL);
         reap();
     }
-    if (outFd_ >= 0) ::close(outFd_);
-    if (errFd_ >= 0) ::close(errFd_);
+    for (const int descriptor : {inFd_, outFd_, errFd_})
+        if (descriptor >= 0) ::close(descriptor);
 }
 
 void ChildProcess::send(int signal) const {

@@ -20,6 +20,7 @@ struct Command {
     std::filesystem::path directory;                 ///< where it runs; empty = here
     std::map<std::string, std::string> environment;  ///< added to, or replacing, what this process has
     std::string input;                               ///< its standard input
+    bool inputStaysOpen = false;                     ///< instead, empty, as long as the ChildProcess lives
     std::chrono::milliseconds timeout{60000};        ///< then it is killed
 };
 
@@ -53,6 +54,7 @@ private:
     void reap();
 
     pid_t pid_ = -1;
+    int inFd_ = -1;
     int outFd_ = -1;
     int errFd_ = -1;
     bool reaped_ = false;

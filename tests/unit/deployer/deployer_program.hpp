@@ -28,9 +28,16 @@ protected:
         return result;
     }
 
+    /** One that runs until it is ended: its console waits for input. */
+    oroforge::test::Command lasting(const std::vector<std::string>& arguments) const {
+        oroforge::test::Command result = command(arguments);
+        result.inputStaysOpen = true;
+        return result;
+    }
+
     /** Runs with these words until it says so, ends it with a signal, returns what it said. */
     oroforge::test::Outcome runUntil(const std::string& output, const std::vector<std::string>& words, int signal) {
-        oroforge::test::ChildProcess deployer(command(words));
+        oroforge::test::ChildProcess deployer(lasting(words));
         EXPECT_TRUE(deployer.waitForOutput(output, std::chrono::seconds(20)));
         deployer.send(signal);
         return deployer.finish();

@@ -91,7 +91,7 @@ TEST_F(DeployerProgram, LaterFilesUseComponentsOfEarlierOnes) {
                      "<struct name='Ports' type='PropertyBag'><simple name='numbers' "
                      "type='string'><value>wire</value></simple></struct>"
                      "<simple name='AutoStart' type='boolean'><value>1</value></simple></struct></properties>");
-    ChildProcess deployer(command({"-s", "app.xml", "more.xml"}));
+    ChildProcess deployer(lasting({"-s", "app.xml", "more.xml"}));
     EXPECT_TRUE(deployer.waitForOutput("second: ten numbers in a row", seconds(20)));
     deployer.send(SIGTERM);
     EXPECT_EQ(0, deployer.finish().status);
