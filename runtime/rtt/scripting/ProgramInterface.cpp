@@ -8,6 +8,7 @@ namespace scripting {
 ProgramInterface::~ProgramInterface() = default;
 
 std::string ProgramInterface::getText() const { return {}; }
+int ProgramInterface::getFirstLine() const { return 1; }
 std::string ProgramInterface::getError() const { return {}; }
 
 std::string ProgramInterface::getProgramStatusStr() const {

@@ -52,6 +52,8 @@ public:
     virtual int getLineNumber() const = 0;
     /** The text it was made of. */
     virtual std::string getText() const;
+    /** The line of its file that this text begins in, by which getLineNumber() counts; 1 if that is not known. */
+    virtual int getFirstLine() const;
     /** Why it failed, with the place; empty unless inError(). Any thread; allocates. */
     virtual std::string getError() const;
 

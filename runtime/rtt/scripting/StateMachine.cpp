@@ -192,6 +192,7 @@ void StateMachine::trace(bool on) { execution_->core.setTraced(on); }
 
 const std::string& StateMachine::getName() const { return execution_->model->name; }
 const std::string& StateMachine::getText() const { return execution_->model->text; }
+int StateMachine::getFirstLine() const { return static_cast<int>(execution_->model->firstLine); }
 int StateMachine::getLineNumber() const { return static_cast<int>(execution_->core.line()); }
 
 StateMachine::StateMachineStatus StateMachine::getStatus() const {

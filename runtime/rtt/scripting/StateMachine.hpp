@@ -96,6 +96,8 @@ public:
     const std::string& getName() const;
     /** Of the type, as in the script. */
     const std::string& getText() const;
+    /** The line of its file that this text begins in, by which getLineNumber() counts. */
+    int getFirstLine() const;
     /** Of the statement that comes next or failed, or the transition looked at last; 0 if inactive. */
     int getLineNumber() const;
     StateMachineStatus getStatus() const;

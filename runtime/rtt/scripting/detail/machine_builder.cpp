@@ -24,6 +24,7 @@ MachineBuilder::MachineBuilder(const ast::Instance& instance, const Context& con
     where_.file = type_.file->name;
     model_->name = (context.outer ? context.outer->model_->name + "." : "") + instance.name.text;
     model_->text = type_.text;
+    model_->firstLine = type_.at.line;
     model_->source = type_.file;
 }
 

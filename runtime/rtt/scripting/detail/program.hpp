@@ -44,6 +44,7 @@ public:
     ProgramStatus getStatus() const override;
     int getLineNumber() const override;
     std::string getText() const override { return text_.letters; }
+    int getFirstLine() const override { return text_.at.line != 0 ? static_cast<int>(text_.at.line) : 1; }
     std::string getError() const override;
 
 private:
