@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// deployer-<target>: deploys the files of the command line and runs them until a signal comes.
+// deployer-<target>: deploys the files of the command line, and runs them until its console is left or a signal comes.
 #include "program.hpp"
 
 #include "../deployment/signals.hpp"
 
+#include <ocl/DeploymentComponent.hpp>
+#include <ocl/TaskBrowser.hpp>
 #include <rtt/Logger.hpp>
 
 namespace {
 
-void stay(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options&, bool deployed) {
-    if (deployed) RTT::log(RTT::Info) << "ending on signal " << ending.wait() << RTT::endlog();
+/** With a terminal, also after a failure: somebody is there who can look into it. */
+void stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options& options,
+          bool deployed) {
+    if (!deployed && (options.daemon || !OCL::TaskBrowser::onTerminal())) return;
+    if (!options.daemon) {
+        OCL::TaskBrowser browser(&deployer);
+        browser.endOn(ending.descriptor());
+        browser.loop();
+        if (!ending.caught()) return;
+    }
+    RTT::log(RTT::Info) << "ending on signal " << ending.wait() << RTT::endlog();
 }
 
 }  // namespace
@@ -18,6 +29,8 @@ void stay(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher& ending, const O
 int main(int argc, char** argv) {
     const OCL::deploy::ProgramText text = {
         "Creates, connects, configures and starts the components that the files describe, and runs them until\n"
-        "SIGINT, SIGTERM or SIGHUP."};
+        "its console is left or SIGTERM, SIGHUP or SIGINT comes. The console is on the terminal; without one, "
+        "commands\n"
+        "are read from standard input, at whose end it is left. With --daemon there is none."};
     return OCL::deploy::runProgram(argc, argv, text, &stay);
 }

@@ -31,7 +31,10 @@ expect_resolved() { # install
 deploy_until() { # text option…
   local text=$1 status=0
   shift
-  (cd "$work" && exec stdbuf -oL deployer-gnulinux "$@" < /dev/null > deploy.out 2>&1) &
+  rm -f "$work/deploy.in"
+  mkfifo "$work/deploy.in"  # the deployer quits at the end of its input
+  rm -f "$work/deploy.out"  # the text of the last time would end this one before it can be interrupted
+  (cd "$work" && exec stdbuf -oL deployer-gnulinux "$@" <> deploy.in > deploy.out 2>&1) &
   local pid=$!
   for _ in $(seq 1 1200); do  # a minute: the machine may be busy
     grep -qF -- "$text" "$work/deploy.out" 2> /dev/null && break

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# The console, and the library of OCL::TaskBrowser.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
+
+add_library(orocos-ocl-taskbrowser SHARED
+  console/TaskBrowser.cpp
+  console/commands.cpp
+  console/completion.cpp
+  console/console.cpp
+  console/dot_commands.cpp
+  console/end_signals.cpp
+  console/help_text.cpp
+  console/history.cpp
+  console/interface_text.cpp
+  console/line_editor.cpp
+  console/line_source.cpp
+  console/listing.cpp
+  console/place.cpp
+  console/port_table.cpp
+  console/program_listing.cpp
+  console/screen.cpp
+  console/scripted.cpp
+  console/table.cpp
+  console/theme.cpp
+  console/value_table.cpp
+  console/value_text.cpp
+  console/watch.cpp)
+target_include_directories(orocos-ocl-taskbrowser PUBLIC
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+  $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/orocos>)
+target_link_libraries(orocos-ocl-taskbrowser
+  PUBLIC orocos-rtt
+  PRIVATE rtt-scripting $<BUILD_INTERFACE:oroforge_diag> $<BUILD_INTERFACE:PkgConfig::EDIT>)
+set_target_properties(orocos-ocl-taskbrowser PROPERTIES
+  OUTPUT_NAME orocos-ocl-taskbrowser-${OROCOS_TARGET} VERSION ${PROJECT_VERSION}
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+  INSTALL_RPATH "$ORIGIN;$ORIGIN/orocos/${OROCOS_TARGET}/plugins")
+target_link_libraries(deployer PRIVATE orocos-ocl-taskbrowser)

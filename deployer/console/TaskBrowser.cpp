@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <ocl/TaskBrowser.hpp>
+
+#include "console.hpp"
+#include "end_signals.hpp"
+#include "history.hpp"
+#include "line_editor.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace OCL {
+namespace {
+
+bool wantsColors() {
+    const char* const none = std::getenv("NO_COLOR");
+    const char* const terminal = std::getenv("TERM");
+    return TaskBrowser::onTerminal() && !(none && *none) && terminal && std::strcmp(terminal, "dumb") != 0;
+}
+
+RTT::TaskContext& checked(RTT::TaskContext* component) {
+    if (!component) throw std::invalid_argument("a TaskBrowser needs a component");
+    return *component;
+}
+
+}  // namespace
+
+struct TaskBrowser::Impl {
+    Impl(TaskBrowser& self, RTT::TaskContext& component)
+        : console(self, component, std::cout, std::cerr, onTerminal() ? "console" : "stdin") {}
+
+    console::Console console;
+    int endsOn = -1;
+};
+
+TaskBrowser::TaskBrowser(RTT::TaskContext* component)
+    : TaskContext("TaskBrowser"), impl_(new Impl(*this, checked(component))) {
+    if (onTerminal()) {
+        impl_->console.screen().width = &console::widthOfTerminal;
+        impl_->console.screen().cutsTables = true;
+    }
+    setColorTheme(wantsColors() ? darkbg : nocolors);
+}
+
+TaskBrowser::~TaskBrowser() = default;
+
+bool TaskBrowser::onTerminal() { return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO); }
+
+void TaskBrowser::endOn(int descriptor) { impl_->endsOn = descriptor; }
+
+void TaskBrowser::setColorTheme(ColorTheme theme) {
+    using console::Theme;
+    impl_->console.screen().theme = Theme(theme == nocolors ? Theme::NoColors
+                                          : theme == darkbg ? Theme::Dark
+                                                            : Theme::Light);
+}
+
+void TaskBrowser::evaluate(const std::string& line) {
+    impl_->console.execute(line);
+    impl_->console.finish();
+}
+
+void TaskBrowser::switchTaskContext(RTT::TaskContext* component) {
+    impl_->console.session().place.visit(checked(component));
+    impl_->console.session().goTo(false);
+}
+
+void TaskBrowser::loop() {
+    using console::LineSource;
+    console::Console& lines = impl_->console;
+    std::optional<console::EndSignals> signals;
+    if (impl_->endsOn < 0) signals.emplace();
+    const int endsOn = signals ? signals->descriptor() : impl_->endsOn;
+    std::unique_ptr<LineSource> source;
+    console::History history(onTerminal() ? console::historyFile() : "");
+    if (onTerminal()) {
+        source = std::make_unique<console::LineEditor>(
+            history, [&lines](const std::string& line) { return lines.complete(line); }, endsOn);
+        std::cout
+            << "\n  Type an expression, a piece of script or a command; 'help' tells more, 'ls' shows what is here.\n"
+               "  TAB completes, Ctrl-R searches what was typed before, Ctrl-D or 'quit' leaves.\n\n";
+    } else {
+        source = std::make_unique<console::InputLines>(STDIN_FILENO, endsOn);
+    }
+    std::string line;
+    while (!lines.quits()) {
+        const std::string prompt = lines.prompt();
+        const LineSource::Outcome outcome = lines.quits() ? LineSource::Outcome::End : source->read(prompt, line);
+        if (outcome == LineSource::Outcome::End) break;
+        if (outcome == LineSource::Outcome::Dropped)
+            lines.forget();
+        else
+            lines.execute(line);
+    }
+    if (onTerminal())
+        lines.forget();
+    else
+        lines.finish();
+}
+
+}  // namespace OCL

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "commands.hpp"
+
+#include "interface_text.hpp"
+#include "listing.hpp"
+#include "scripted.hpp"
+#include "table.hpp"
+
+#include <diag/nearest_match.hpp>
+#include <rtt/internal/GlobalService.hpp>
+
+#include <cstdlib>
+#include <ostream>
+
+namespace OCL::console {
+
+using oroforge::diag::didYouMean;
+
+void Session::goTo(bool watching) {
+    watch.reset();
+    forgetInput();
+    RTT::TaskContext* const component = place.component();
+    if (!watching || !component) return;
+    watch = std::make_unique<Watch>(self, *component);
+    for (const std::string& port : watch->missing())
+        screen.err << "port '" << port << "' of component '" << component->getName() << "' cannot be watched\n";
+}
+
+void complainOf(Session& session, const Input& input, std::size_t at, const Lookup& lookup) {
+    complain(session.screen, input, at + lookup.wrongAt,
+             "there is no peer or service '" + lookup.wrong + "'" + didYouMean(lookup.wrong, lookup.known));
+}
+
+namespace {
+
+void quit(Session& session, const Input&) { session.quits = true; }
+
+bool helpForCommand(Session& session, const std::string& word) {
+    for (const auto* const all : {&commands(), &dotCommands()})
+        for (const Command& command : *all)
+            if (word == command.word) {
+                session.screen.out << command.word << ' ' << command.arguments << "  " << command.help << '\n';
+                return true;
+            }
+    return false;
+}
+
+/** The last part of the path may be an operation, a port, a property or an attribute of what the others lead to. */
+bool helpForMember(Session& session, const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    const std::string name = dot == std::string::npos ? path : path.substr(dot + 1);
+    const Lookup owner = lookUp(*session.context(), dot == std::string::npos ? "" : path.substr(0, dot));
+    if (!owner.target.service) return false;
+    RTT::Service& service = *owner.target.service;
+    if (service.hasOperation(name)) {
+        describeOperation(session.screen, service, name, "");
+        return true;
+    }
+    if (describePort(session.screen, service, name, path) || describeValue(session.screen, service, name)) return true;
+    const auto global = RTT::internal::GlobalService::Instance();
+    if (dot != std::string::npos || !global->hasOperation(name)) return false;
+    describeOperation(session.screen, *global, name, "");
+    return true;
+}
+
+std::vector<std::string> memberNames(RTT::Service& service) {
+    std::vector<std::string> names = service.getOperationNames();
+    for (const auto& more : {service.getAttributeNames(), service.properties()->list(), service.getPortNames(),
+                             service.getProviderNames()})
+        names.insert(names.end(), more.begin(), more.end());
+    return names;
+}
+
+void help(Session& session, const Input& input) {
+    if (input.words.size() < 2) return writeHelp(session.screen);
+    const Word& word = input.words[1];
+    if (helpForCommand(session, word.text) || helpForMember(session, word.text)) return;
+    Lookup lookup = lookUp(*session.context(), word.text);
+    if (lookup.target.service) return describeInterface(session.screen, lookup.target);
+    const std::string before = word.text.substr(0, lookup.wrongAt ? lookup.wrongAt - 1 : 0);
+    const Lookup owner = lookUp(*session.context(), before);
+    if (owner.target.service)
+        for (const std::string& name : memberNames(*owner.target.service)) lookup.known.push_back(name);
+    for (const Command& command : commands()) lookup.known.push_back(command.word);
+    complain(session.screen, input, word.begin + lookup.wrongAt,
+             "there is nothing called '" + lookup.wrong + "' here" + didYouMean(lookup.wrong, lookup.known));
+}
+
+void ls(Session& session, const Input& input) {
+    const Word path = input.words.size() > 1 ? input.words[1] : Word{};
+    const Lookup lookup = lookUp(*session.context(), path.text);
+    if (!lookup.target.service) return complainOf(session, input, path.begin, lookup);
+    list(session.screen, lookup.target);
+}
+
+void peers(Session& session, const Input&) {
+    RTT::TaskContext& component = *session.context();
+    Table table({Style::Name, Style::Plain});
+    for (const std::string& name : component.getPeerList()) {
+        RTT::TaskContext* const peer = component.getPeer(name);
+        table.add({name, peer && peer->ready() ? std::string("[") + stateLetter(*peer) + "]" : "[X]"});
+    }
+    if (table.empty()) session.screen.out << "component '" << component.getName() << "' has no peers\n";
+    table.write(session.screen.out, session.screen.theme, "", 0);
+}
+
+void changePlace(Session& session, const Input& input) {
+    const Word path = input.words.size() > 1 ? input.words[1] : Word{};
+    const bool watching = session.watch != nullptr;
+    if (path.text == "..") {
+        if (!session.place.back())
+            return complain(session.screen, input, path.begin, "there was no visit before this one");
+        return session.goTo(watching);
+    }
+    RTT::TaskContext* const component = session.place.component();
+    const Lookup lookup = lookUp(*component, path.text);
+    if (!lookup.target.service) return complainOf(session, input, path.begin, lookup);
+    if (!lookup.target.component)
+        return complain(session.screen, input, path.begin,
+                        "'" + path.text + "' is a service, expected a component; 'ls " + path.text + "' shows it");
+    if (lookup.target.component == &session.self)
+        return complain(session.screen, input, path.begin, "the console itself cannot be visited; 'leave' shows it");
+    if (lookup.target.component == component && !path.text.empty()) {
+        session.screen.out << "already in " << component->getName() << '\n';
+        return;
+    }
+    // Its peers may have changed meanwhile.
+    if (!session.place.visit(path.text)) return complainOf(session, input, path.begin, lookup);
+    session.goTo(watching);
+}
+
+void enter(Session& session, const Input&) { session.goTo(false); }
+
+void leave(Session& session, const Input&) {
+    if (!session.watch) session.goTo(true);
+}
+
+std::string noScripted(Session& session, const std::string& name) {
+    return "component '" + session.context()->getName() + "' has no program or state machine '" + name + "'" +
+           didYouMean(name, scriptedNames(*session.context()));
+}
+
+bool isNumber(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+void listProgram(Session& session, const Input& input) {
+    const auto number = [&](std::size_t i) {
+        return i < input.words.size() ? std::atoi(input.words[i].text.c_str()) : 0;
+    };
+    RTT::TaskContext& component = *session.context();
+    if (input.words.size() < 2 || isNumber(input.words[1].text)) {
+        if (!session.listing.listMore(session.screen, component, number(1)))
+            complain(session.screen, input, input.words[0].begin,
+                     "nothing was listed before; expected the name of a program or state machine");
+        return;
+    }
+    if (input.words.size() > 2 && !isNumber(input.words[2].text))
+        return complain(session.screen, input, input.words[2].begin,
+                        "expected the number of a line, found '" + input.words[2].text + "'");
+    if (!session.listing.list(session.screen, component, input.words[1].text, number(2)))
+        complain(session.screen, input, input.words[1].begin, noScripted(session, input.words[1].text));
+}
+
+void trace(Session& session, const Input& input) {
+    if (input.words.size() < 2) return session.listing.traceAll(session.screen, *session.context());
+    if (!session.listing.trace(session.screen, *session.context(), input.words[1].text))
+        complain(session.screen, input, input.words[1].begin, noScripted(session, input.words[1].text));
+}
+
+void untrace(Session& session, const Input& input) {
+    if (input.words.size() < 2) return session.listing.untraceAll();
+    const std::string& name = input.words[1].text;
+    if (!session.listing.untrace(*session.context(), name))
+        complain(session.screen, input, input.words[1].begin, "'" + name + "' is not traced");
+}
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> all = {
+        {"ls", "[PATH]", "shows what a component or service has; without a path, the present one", Argument::Path, &ls},
+        {"cd", "[PATH]",
+         "goes to a peer; '..' is the component visited before; without a path, where the console began",
+         Argument::Component, &changePlace},
+        {"peers", "", "shows the peers and their states", Argument::None, &peers},
+        {"help", "[NAME]", "explains a command, or what a component, service, operation, port or value is",
+         Argument::Name, &help},
+        {"leave", "", "watches the component from outside: the console gets a port for each of its ports",
+         Argument::None, &leave},
+        {"enter", "", "goes back into the component that is watched", Argument::None, &enter},
+        {"list", "[NAME] [LINE]", "shows the text of a program or state machine and where it is", Argument::Scripted,
+         &listProgram},
+        {"trace", "[NAME]", "shows it again whenever it has come to another line; without a name, all of them",
+         Argument::Scripted, &trace},
+        {"untrace", "[NAME]", "ends that; without a name, for all of them", Argument::Scripted, &untrace},
+        {"quit", "", "leaves the console, as Ctrl-D does", Argument::None, &quit},
+    };
+    return all;
+}
+
+const Command* commandIn(const Input& input) {
+    if (input.words.empty()) return nullptr;
+    const std::string& word = input.words[0].text;
+    if (input.words.size() > 1) {
+        const char next = input.words[1].text[0];
+        if (next == '=' || next == '(' || next == '[') return nullptr;
+    }
+    for (const auto* const all : {&commands(), &dotCommands()})
+        for (const Command& command : *all)
+            if (word == command.word) return &command;
+    return nullptr;
+}
+
+}  // namespace OCL::console

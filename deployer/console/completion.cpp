@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "completion.hpp"
+
+#include "commands.hpp"
+#include "scripted.hpp"
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
+#include <rtt/types/GlobalsRepository.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+
+namespace OCL::console {
+namespace {
+
+typedef std::vector<std::string> Words;
+
+void add(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
+/** Those that begin with `typed`, which stands at `begin`. */
+Completion matching(Words words, const std::string& typed, std::size_t begin) {
+    words.erase(std::remove_if(words.begin(), words.end(),
+                               [&](const std::string& word) { return word.compare(0, typed.size(), typed) != 0; }),
+                words.end());
+    std::sort(words.begin(), words.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    return {begin, std::move(words)};
+}
+
+void addValues(Words& words, const RTT::ConfigurationInterface& values) {
+    add(words, values.getAttributeNames());
+    add(words, values.properties()->list());
+}
+
+Words membersOf(RTT::Service& service) {
+    Words words = service.getProviderNames();
+    add(words, service.getOperationNames());
+    add(words, service.getPortNames());
+    addValues(words, service);
+    return words;
+}
+
+/** What can stand where nothing is before it. */
+Words topLevel(RTT::TaskContext& context) {
+    Words words = membersOf(*context.provides());
+    add(words, context.getPeerList());
+    add(words, context.requires_()->getRequesterNames());
+    const auto global = RTT::internal::GlobalService::Instance();
+    add(words, global->getProviderNames());
+    add(words, global->getOperationNames());
+    if (context.provides()->hasService("scripting"))
+        add(words, context.provides()->getService("scripting")->getOperationNames());
+    addValues(words, *RTT::types::GlobalsRepository::Instance());
+    add(words, RTT::types::Types()->getDottedTypes());
+    return words;
+}
+
+RTT::base::DataSourceBase::shared_ptr valueIn(RTT::Service& service, const std::string& name) {
+    if (auto* const attribute = service.getValue(name)) return attribute->getDataSource();
+    if (auto* const property = service.getProperty(name)) return property->getDataSource();
+    return nullptr;
+}
+
+/** What a value, an operation or a type offers behind its name. */
+Words behindName(RTT::TaskContext& context, const std::string& path) {
+    const Lookup lookup = lookUp(context, path);
+    const std::string before = lookup.wrongAt ? path.substr(0, lookup.wrongAt - 1) : "";
+    const Target owner = lookUp(context, before).target;
+    if (!owner.service) return {};
+    if (owner.service->hasOperation(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
+    Words words;
+    for (std::string type : RTT::types::Types()->getDottedTypes())
+        if (type.compare(0, path.size() + 1, path + ".") == 0) words.push_back(type.substr(path.size() + 1));
+    auto value = valueIn(*owner.service, lookup.wrong);
+    const std::string rest = path.substr(lookup.wrongAt + lookup.wrong.size());
+    if (value && !rest.empty()) value = value->getMember(rest.substr(1));
+    if (!value) return words;
+    value->evaluate();
+    const auto* const bag = RTT::internal::DataSource<RTT::PropertyBag>::narrow(value.get());
+    add(words, bag ? bag->rvalue().list() : value->getMemberNames());
+    return words;
+}
+
+bool isOfPath(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '/'; }
+
+/** A dotted path at the end of the line; `words` gives what may follow a path. */
+template <class Members>
+Completion completePath(const std::string& line, Members membersBehind) {
+    std::size_t begin = line.size();
+    while (begin > 0 && isOfPath(line[begin - 1])) --begin;
+    const std::string typed = line.substr(begin);
+    const std::size_t dot = typed.rfind('.');
+    const std::size_t last = dot == std::string::npos ? 0 : dot + 1;
+    return matching(membersBehind(typed.substr(0, last ? last - 1 : 0)), typed.substr(last), begin + last);
+}
+
+Words expressionMembers(RTT::TaskContext& context, const std::string& path) {
+    if (path.empty()) return topLevel(context);
+    const Target target = lookUp(context, path).target;
+    if (!target.service) return behindName(context, path);
+    Words words = membersOf(*target.service);
+    if (target.component) add(words, target.component->getPeerList());
+    return words;
+}
+
+Words peersAndServices(RTT::TaskContext& context, const std::string& path, bool servicesToo) {
+    const Target target = lookUp(context, path).target;
+    Words words;
+    if (target.component) words = target.component->getPeerList();
+    if (target.service && servicesToo) add(words, target.service->getProviderNames());
+    return words;
+}
+
+Words portsBehind(RTT::TaskContext& context, const std::string& path) {
+    const Target target = lookUp(context, path).target;
+    Words words = peersAndServices(context, path, true);
+    if (target.service) add(words, target.service->getPortNames());
+    return words;
+}
+
+Completion completeFile(const std::string& typed, std::size_t begin) {
+    namespace fs = std::filesystem;
+    const std::size_t slash = typed.rfind('/');
+    const std::string directory = slash == std::string::npos ? "" : typed.substr(0, slash + 1);
+    Words words;
+    std::error_code ignored;
+    for (fs::directory_iterator at(directory.empty() ? "." : directory, ignored), end; at != end;
+         at.increment(ignored)) {
+        const std::string name = at->path().filename().string();
+        if (name[0] == '.' && typed.size() == directory.size()) continue;  // hidden ones are to be asked for
+        words.push_back(name + (at->is_directory(ignored) ? "/" : ""));
+    }
+    return matching(std::move(words), typed.substr(directory.size()), begin + directory.size());
+}
+
+Completion completeArgument(RTT::TaskContext& context, const std::string& line, Argument argument) {
+    const std::size_t begin = line.find_last_of(" \t") + 1;
+    const std::string typed = line.substr(begin);
+    const auto services = [&](bool too) {
+        return completePath(line, [&](const std::string& path) { return peersAndServices(context, path, too); });
+    };
+    switch (argument) {
+        case Argument::Component: return services(false);
+        case Argument::Path: return services(true);
+        case Argument::Name:
+            return completePath(line, [&](const std::string& path) { return expressionMembers(context, path); });
+        case Argument::Port:
+            return completePath(line, [&](const std::string& path) { return portsBehind(context, path); });
+        case Argument::Scripted: return matching(scriptedNames(context), typed, begin);
+        case Argument::Service: return matching(RTT::plugin::PluginLoader::Instance()->listServices(), typed, begin);
+        case Argument::File: return completeFile(typed, begin);
+        case Argument::None: break;
+    }
+    return {line.size(), {}};
+}
+
+/** Where the text begins that the line ends in; npos if it ends in none. */
+std::size_t openText(const std::string& line) {
+    std::size_t open = std::string::npos;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == '\\')
+            ++at;
+        else if (line[at] == '"')
+            open = open == std::string::npos ? at + 1 : std::string::npos;
+    }
+    return open;
+}
+
+}  // namespace
+
+std::string Completion::common() const {
+    if (words.empty()) return {};
+    const std::string &first = words.front(), &last = words.back();
+    std::size_t size = 0;
+    while (size < first.size() && size < last.size() && first[size] == last[size]) ++size;
+    return first.substr(0, size);
+}
+
+Completion completionOf(RTT::TaskContext& context, const std::string& line, bool commandsToo) {
+    const std::size_t text = openText(line);
+    if (text != std::string::npos) return completeFile(line.substr(text), text);
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t end = line.find_first_of(" \t", begin);
+    const bool first = end == std::string::npos;
+    if (commandsToo && !first)
+        if (const Command* const command = commandIn(Input("", 1, line.substr(0, end))))
+            return completeArgument(context, line, command->argument);
+    if (commandsToo && first && begin < line.size() && line[begin] == '.') {
+        Words words;
+        for (const Command& command : dotCommands()) words.push_back(command.word);
+        return matching(std::move(words), line.substr(begin), begin);
+    }
+    return completePath(line, [&](const std::string& path) {
+        Words words = expressionMembers(context, path);
+        if (commandsToo && first && path.empty())
+            for (const Command& command : commands()) words.push_back(command.word);
+        return words;
+    });
+}
+
+}  // namespace OCL::console

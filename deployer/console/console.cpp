@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "console.hpp"
+
+#include "commands.hpp"
+#include "interface_text.hpp"
+#include "table.hpp"
+#include "value_table.hpp"
+#include "value_text.hpp"
+
+#include <diag/nearest_match.hpp>
+#include <rtt/internal/DataSource.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <ostream>
+#include <utility>
+
+namespace OCL::console {
+namespace {
+
+bool isPath(const std::string& text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
+    }) && !std::isdigit(static_cast<unsigned char>(text[0]));
+}
+
+}  // namespace
+
+Console::Console(RTT::TaskContext& self, RTT::TaskContext& component, std::ostream& out, std::ostream& err,
+                 std::string inputName)
+    : session_{Screen{out, err, Theme()}, self, Place(component), std::move(inputName)} {}
+
+/** False if there is no component any more to look at. */
+bool Console::findContext() {
+    if (session_.place.component()) return true;
+    const std::string gone = session_.place.name();
+    const bool back = session_.place.back();
+    session_.goTo(false);
+    session_.screen.err << "component '" << gone << "' is gone"
+                        << (back ? "; back in '" + session_.place.name() + "'" : "") << '\n';
+    session_.quits = session_.quits || !back;
+    return back;
+}
+
+void Console::execute(const std::string& line) {
+    ++line_;
+    if (!findContext()) return;
+    if (begun_.empty())
+        run(Input(session_.inputName, line_, line));
+    else {
+        begun_ += '\n' + line;
+        if (!RTT::scripting::TypedInput::goesOn(begun_)) finish();
+    }
+    session_.screen.out.flush();
+}
+
+void Console::finish() {
+    if (begun_.empty() || !findContext()) return;
+    evaluate(std::exchange(begun_, ""), begun_line_);
+    session_.screen.out.flush();
+}
+
+void Console::forget() { begun_.clear(); }
+
+void Console::run(const Input& input) {
+    if (input.words.empty()) return;
+    Screen& screen = session_.screen;
+    try {
+        if (const Command* const command = commandIn(input)) return command->act(session_, input);
+        const std::string& first = input.words[0].text;
+        if (first[0] == '.' && first.size() > 1 && std::isalpha(static_cast<unsigned char>(first[1]))) {
+            std::vector<std::string> known;
+            for (const Command& command : dotCommands()) known.push_back(command.word);
+            return complain(screen, input, input.words[0].begin,
+                            "there is no command '" + first + "'" + oroforge::diag::didYouMean(first, known));
+        }
+    } catch (const std::exception& thrown) {
+        return complain(screen, input, input.words[0].begin, std::string("the command failed: ") + thrown.what());
+    }
+    if (session_.macro.recording()) return session_.macro.add(input.text);
+    if (input.words.size() == 1 && showNamed(input.words[0].text)) return;
+    if (RTT::scripting::TypedInput::goesOn(input.text)) {
+        begun_ = input.text;
+        begun_line_ = input.line;
+        return;
+    }
+    evaluate(input.text, input.line);
+}
+
+/** The name of a component, service, port or requester stands for its interface. */
+bool Console::showNamed(const std::string& name) {
+    if (!isPath(name)) return false;
+    RTT::TaskContext& context = *session_.context();
+    const Lookup lookup = lookUp(context, name);
+    const std::size_t dot = name.rfind('.');
+    const Lookup owner = lookUp(context, dot == std::string::npos ? "" : name.substr(0, dot));
+    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    const bool peer = lookup.target.component != nullptr;
+    if (!peer && owner.target.service && describePort(session_.screen, *owner.target.service, last, name)) return true;
+    if (lookup.target.service)
+        describeInterface(session_.screen, lookup.target);
+    else if (context.requires_()->requiresService(name))
+        describeRequester(session_.screen, *context.requires_(name));
+    else
+        return false;
+    return true;
+}
+
+void Console::evaluate(const std::string& text, unsigned line) {
+    if (!session_.typed || !session_.typed->alive())
+        session_.typed = std::make_unique<RTT::scripting::TypedInput>(*session_.context(), session_.inputName);
+    RTT::scripting::TypedInput::Answer answer;
+    try {
+        if (!session_.typed->execute(text, line, session_.screen.err, answer)) return;
+        const std::size_t end = text.find_last_not_of(" \t\n");
+        if (end == std::string::npos || text[end] != ';') show(answer);
+    } catch (const std::exception& thrown) {
+        complain(session_.screen, Input(session_.inputName, line, text), 0,
+                 std::string("that failed: ") + thrown.what());
+    }
+}
+
+void Console::show(const RTT::scripting::TypedInput::Answer& answer) {
+    typedef RTT::scripting::TypedInput::Answer Answer;
+    Screen& screen = session_.screen;
+    if (answer.kind == Answer::None) return;
+    if (answer.kind == Answer::Void) {
+        screen.out << " = (void)\n";
+        return;
+    }
+    const auto* const bag = RTT::internal::DataSource<RTT::PropertyBag>::narrow(answer.value.get());
+    if (bag && !bag->rvalue().empty()) {
+        screen.out << " =\n";
+        return writeProperties(screen, bag->rvalue(), "    ");
+    }
+    screen.out << " = " << screen.paint(Style::Value, valueText(answer.value, screen.hex)) << '\n';
+}
+
+std::string Console::prompt() {
+    if (!findContext() || !begun_.empty() || session_.macro.recording()) return "> ";
+    RTT::TaskContext& component = *session_.place.component();
+    session_.listing.update(session_.screen, component);
+    session_.screen.out.flush();
+    const char state = stateLetter(component);
+    const Style style = state == 'R'                                   ? Style::Good
+                        : state == 'F' || state == 'E' || state == 'X' ? Style::Bad
+                                                                       : Style::Plain;
+    const Screen& screen = session_.screen;
+    return (session_.watch ? screen.paint(Style::Good, "Watching") + " " : "") +
+           screen.paint(Style::Name, component.getName()) + " [" + screen.paint(style, std::string(1, state)) + "]> ";
+}
+
+Completion Console::complete(const std::string& line) const {
+    RTT::TaskContext* const context = session_.context();
+    return context ? completionOf(*context, line, begun_.empty()) : Completion{line.size(), {}};
+}
+
+}  // namespace OCL::console

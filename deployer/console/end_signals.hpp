@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_CONSOLE_END_SIGNALS_HPP
+#define OROFORGE_CONSOLE_END_SIGNALS_HPP
+
+#include <csignal>
+#include <vector>
+
+namespace OCL::console {
+
+/** While it lives, SIGINT, SIGTERM and SIGHUP make a descriptor readable instead of ending the process; the second of them ends
+    it. For programs that do not catch them themselves; one at a time. */
+class EndSignals {
+public:
+    EndSignals();
+    ~EndSignals();
+    EndSignals(const EndSignals&) = delete;
+    EndSignals& operator=(const EndSignals&) = delete;
+
+    int descriptor() const { return pipe_[0]; }
+
+private:
+    int pipe_[2];
+    struct Previous {
+        int signal;
+        struct sigaction action;
+    };
+    std::vector<Previous> previous_;
+};
+
+}  // namespace OCL::console
+
+#endif

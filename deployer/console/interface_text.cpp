@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "interface_text.hpp"
+
+#include "port_table.hpp"
+#include "table.hpp"
+#include "value_table.hpp"
+#include "value_text.hpp"
+
+#include <rtt/OperationInterface.hpp>
+#include <rtt/ServiceRequester.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/types/MemberFactory.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <ostream>
+
+namespace OCL::console {
+namespace {
+
+std::string dotted(const std::string& type) { return RTT::types::Types()->toDot(type); }
+
+/** How it is passed matters only where it comes back. */
+std::string argumentType(const std::string& type) {
+    static const std::string kConst = " const&";
+    const bool in =
+        type.size() > kConst.size() && type.compare(type.size() - kConst.size(), kConst.size(), kConst) == 0;
+    return dotted(in ? type.substr(0, type.size() - kConst.size()) : type);
+}
+
+void title(Screen& screen, const char* text) { screen.out << "\n  " << screen.paint(Style::Title, text) << '\n'; }
+
+void writeDoc(Screen& screen, const std::string& doc, const std::string& indent) {
+    if (!doc.empty()) screen.out << indent << screen.paint(Style::Faint, oneLine(doc)) << '\n';
+}
+
+/** The members of a struct with what is known of them. */
+void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& value, const std::string& indent) {
+    const RTT::types::TypeInfo& type = *value->getTypeInfo();
+    const auto factory = type.getMemberFactory();
+    Table table({Style::Name, Style::Type, Style::Value, Style::Faint});
+    for (const std::string& name : value->getMemberNames()) {
+        const auto member = value->getMember(name);
+        if (!member) continue;
+        table.add({"." + name, dotted(member->getTypeName()),
+                   "= " + shortened(oneLine(valueText(member, screen.hex)), 40),
+                   factory ? factory->describeMember(name) : ""});
+    }
+    table.write(screen.out, screen.theme, indent, screen.tableWidth());
+}
+
+}  // namespace
+
+std::string signatureOf(const RTT::OperationInterface& operations, const std::string& name) {
+    std::string text = dotted(operations.getResultType(name)) + " " + name + "(";
+    bool first = true;
+    for (const RTT::ArgumentDescription& argument : operations.getArgumentList(name)) {
+        text += (first ? "" : ", ") + argumentType(argument.type) + (argument.name.empty() ? "" : " " + argument.name);
+        first = false;
+    }
+    return text + ")";
+}
+
+void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
+                       const std::string& indent) {
+    screen.out << indent << screen.paint(Style::Name, signatureOf(operations, name)) << '\n';
+    writeDoc(screen, operations.getDescription(name), indent + "  ");
+    Table table({Style::Plain, Style::Faint});
+    for (const RTT::ArgumentDescription& argument : operations.getArgumentList(name))
+        if (!argument.description.empty()) table.add({argument.name, oneLine(argument.description)});
+    table.write(screen.out, screen.theme, indent + "  ", screen.tableWidth());
+}
+
+void describeInterface(Screen& screen, const Target& target) {
+    RTT::Service& service = *target.service;
+    screen.out << (target.component ? "Component " : "Service ") << screen.paint(Style::Name, target.name) << '\n';
+    writeDoc(screen, service.doc(), "  ");
+    if (!service.properties()->empty()) {
+        title(screen, "Properties");
+        writeProperties(screen, *service.properties(), "    ");
+    }
+    if (!service.getValues().empty()) {
+        title(screen, "Attributes");
+        writeAttributes(screen, service, "    ");
+    }
+    const auto operations = service.getOperationNames();
+    if (!operations.empty()) title(screen, "Operations");
+    for (const std::string& name : operations) describeOperation(screen, service, name, "    ");
+    if (!service.getPorts().empty()) {
+        title(screen, "Ports");
+        writePorts(screen, service, "    ");
+    }
+    std::vector<std::string> services;
+    for (const std::string& name : service.getProviderNames())
+        if (!service.getPort(name)) services.push_back(name);
+    if (services.empty()) return;
+    title(screen, "Services");
+    writeColumns(screen.out, services, screen.theme, Style::Name, "    ", screen.width());
+}
+
+void describeRequester(Screen& screen, const RTT::ServiceRequester& requester) {
+    screen.out << "Required service " << screen.paint(Style::Name, requester.getRequestName()) << '\n';
+    for (const std::string& name : requester.getOperationCallerNames()) {
+        const auto* const caller = requester.getOperationCaller(name);
+        screen.out << "    " << name << (caller && caller->ready() ? "  connected\n" : "  not connected\n");
+    }
+}
+
+bool describeValue(Screen& screen, const RTT::ConfigurationInterface& values, const std::string& name) {
+    const RTT::base::PropertyBase* const property = values.getProperty(name);
+    RTT::base::AttributeBase* const attribute = values.getValue(name);
+    if (!property && !attribute) return false;
+    const auto value = property ? property->getDataSource() : attribute->getDataSource();
+    std::string doc = property ? oneLine(property->getDescription()) : "", unit;
+    splitUnit(doc, unit);
+    screen.out << (property ? "Property " : "Attribute ") << screen.paint(Style::Name, name) << "  "
+               << screen.paint(Style::Type, dotted(value->getTypeName())) << "  = "
+               << screen.paint(Style::Value, valueText(value, screen.hex)) << (unit.empty() ? "" : " " + unit) << '\n';
+    writeDoc(screen, doc, "  ");
+    writeMembers(screen, value, "    ");
+    return true;
+}
+
+bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path) {
+    const RTT::base::PortInterface* const port = service.getPort(name);
+    if (!port) return false;
+    const bool input = dynamic_cast<const RTT::base::InputPortInterface*>(port);
+    screen.out << (input ? "Input port " : "Output port ") << screen.paint(Style::Name, name) << "  "
+               << screen.paint(Style::Type, dotted(port->getTypeInfo()->getTypeName())) << '\n';
+    writeDoc(screen, port->getDescription(), "  ");
+    for (const auto& connection : port->getManager()->getConnections()) {
+        const auto& id = connection.get<0>();
+        screen.out << "    " << (input ? "<- " : "-> ") << (id->peer() ? id->peer()->getFullName() : id->toString())
+                   << "  " << connection.get<2>() << '\n';
+    }
+    const auto* const output = dynamic_cast<const RTT::base::OutputPortInterface*>(port);
+    if (output && output->hasLastWrittenValue())
+        screen.out << "    last written: " << valueText(output->getDataSource(), screen.hex) << '\n';
+    screen.out << "    " << screen.paint(Style::Faint, path + (input ? ".read(x)" : ".write(x)")) << '\n';
+    return true;
+}
+
+}  // namespace OCL::console

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "line_source.hpp"
+
+#include <cerrno>
+
+#include <poll.h>
+#include <unistd.h>
+
+namespace OCL::console {
+
+bool waitForInput(int input, int endsOn, bool& interrupted) {
+    pollfd both[] = {{input, POLLIN, 0}, {endsOn, POLLIN, 0}};  // poll() ignores negative descriptors
+    interrupted = false;
+    if (poll(both, 2, -1) < 0) {
+        interrupted = errno == EINTR;
+        return false;
+    }
+    return both[1].revents == 0;
+}
+
+LineSource::Outcome InputLines::read(const std::string&, std::string& line) {
+    for (;;) {
+        const std::size_t end = pending_.find('\n');
+        if (end != std::string::npos) {
+            line = pending_.substr(0, end);
+            pending_.erase(0, end + 1);
+            if (!line.empty() && line.back() == '\r') line.pop_back();
+            return Outcome::Line;
+        }
+        if (at_end_) {
+            line.swap(pending_);
+            pending_.clear();
+            return line.empty() ? Outcome::End : Outcome::Line;
+        }
+        bool interrupted = false;
+        if (!waitForInput(input_, ends_on_, interrupted)) {
+            if (interrupted) continue;
+            return Outcome::End;
+        }
+        char block[4096];
+        const ssize_t got = ::read(input_, block, sizeof block);
+        if (got > 0)
+            pending_.append(block, static_cast<std::size_t>(got));
+        else if (got == 0 || errno != EINTR)
+            at_end_ = true;
+    }
+}
+
+}  // namespace OCL::console

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "listing.hpp"
+
+#include "port_table.hpp"
+#include "scripted.hpp"
+#include "table.hpp"
+#include "value_table.hpp"
+
+#include <rtt/OperationCaller.hpp>
+#include <rtt/ServiceRequester.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace OCL::console {
+namespace {
+
+using RTT::TaskContext;
+
+constexpr const char* kIndent = "    ";
+constexpr const char* kUsualDoc = "The interface of this TaskContext.";
+
+void title(Screen& screen, const char* text) { screen.out << "\n  " << screen.paint(Style::Title, text) << '\n'; }
+
+std::string stateOf(TaskContext& component) { return std::string("[") + stateLetter(component) + "]"; }
+
+void listNames(Screen& screen, const char* text, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    title(screen, text);
+    writeColumns(screen.out, names, screen.theme, Style::Name, kIndent, screen.width());
+}
+
+void listServices(Screen& screen, const Target& target) {
+    RTT::Service& service = *target.service;
+    const auto scripted = target.component ? scriptedNames(*target.component) : std::vector<std::string>();
+    Table table({Style::Name, Style::Faint});
+    for (const std::string& name : service.getProviderNames()) {
+        const auto provided = service.getService(name);
+        // Ports, programs and state machines have sections of their own.
+        const bool hasSection =
+            service.getPort(name) || std::find(scripted.begin(), scripted.end(), name) != scripted.end();
+        if (provided && !hasSection) table.add({name, oneLine(provided->doc())});
+    }
+    if (table.empty()) return;
+    title(screen, "Services");
+    table.write(screen.out, screen.theme, kIndent, screen.tableWidth());
+}
+
+void addCallers(Table& table, const RTT::ServiceRequester& requester, const std::string& prefix) {
+    for (const std::string& name : requester.getOperationCallerNames()) {
+        const auto* const caller = requester.getOperationCaller(name);
+        table.add({prefix + name, caller && caller->ready() ? "connected" : "not connected"});
+    }
+}
+
+void listRequired(Screen& screen, TaskContext& component) {
+    Table table({Style::Name, Style::Faint});
+    const auto required = component.requires_();
+    addCallers(table, *required, "");
+    for (const std::string& name : required->getRequesterNames())
+        addCallers(table, *required->requires_(name), name + ".");
+    if (table.empty()) return;
+    title(screen, "Required operations");
+    table.write(screen.out, screen.theme, kIndent, screen.tableWidth());
+}
+
+void listScripted(Screen& screen, TaskContext& component, bool machines) {
+    Table table({Style::Name, Style::Plain, Style::Faint});
+    for (const Scripted& each : scriptedIn(component, machines))
+        table.add({each.name, each.status, each.state.empty() ? "" : "in state " + each.state});
+    if (table.empty()) return;
+    title(screen, machines ? "State machines" : "Programs");
+    table.write(screen.out, screen.theme, kIndent, screen.tableWidth());
+}
+
+void listPeers(Screen& screen, TaskContext& component) {
+    std::vector<std::string> peers;
+    for (const std::string& name : component.getPeerList()) {
+        TaskContext* const peer = component.getPeer(name);
+        peers.push_back(name + " " + (peer && peer->ready() ? stateOf(*peer) : "[X]"));
+    }
+    listNames(screen, "Peers", peers);
+}
+
+}  // namespace
+
+void list(Screen& screen, const Target& target) {
+    RTT::Service& service = *target.service;
+    if (target.component)
+        screen.out << "Component " << screen.paint(Style::Name, target.name) << ' ' << stateOf(*target.component);
+    else
+        screen.out << "Service " << screen.paint(Style::Name, target.name);
+    if (service.doc() != kUsualDoc && !service.doc().empty())
+        screen.out << "  " << screen.paint(Style::Faint, oneLine(service.doc()));
+    screen.out << '\n';
+    if (!service.properties()->empty()) {
+        title(screen, "Properties");
+        writeProperties(screen, *service.properties(), kIndent);
+    }
+    if (!service.getValues().empty()) {
+        title(screen, "Attributes");
+        writeAttributes(screen, service, kIndent);
+    }
+    listNames(screen, "Operations", service.getOperationNames());
+    if (!service.getPorts().empty()) {
+        title(screen, "Ports");
+        writePorts(screen, service, kIndent);
+    }
+    listServices(screen, target);
+    if (!target.component) return;
+    listRequired(screen, *target.component);
+    listScripted(screen, *target.component, false);
+    listScripted(screen, *target.component, true);
+    listPeers(screen, *target.component);
+}
+
+}  // namespace OCL::console

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "port_table.hpp"
+
+#include "table.hpp"
+#include "value_text.hpp"
+
+#include <rtt/DataFlowInterface.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/types/Types.hpp>
+
+namespace OCL::console {
+namespace {
+
+constexpr std::size_t kWidestValue = 40, kMostNamed = 2;
+
+std::string partnersOf(const RTT::base::PortInterface& port) {
+    const bool input = dynamic_cast<const RTT::base::InputPortInterface*>(&port);
+    const auto connections = port.getManager()->getConnections();
+    if (connections.empty()) return port.connected() ? "connected" : "not connected";
+    if (connections.size() > kMostNamed) return std::to_string(connections.size()) + " connections";
+    std::string names;
+    for (const auto& connection : connections) {
+        const auto& id = connection.get<0>();
+        names += (names.empty() ? "" : ", ") + (id->peer() ? id->peer()->getFullName() : id->toString());
+    }
+    return (input ? "<- " : "-> ") + names;
+}
+
+std::string lastValueOf(const RTT::base::PortInterface& port, bool hex) {
+    const auto* const output = dynamic_cast<const RTT::base::OutputPortInterface*>(&port);
+    if (!output || !output->hasLastWrittenValue()) return {};
+    return "= " + shortened(oneLine(valueText(output->getDataSource(), hex)), kWidestValue);
+}
+
+}  // namespace
+
+void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent) {
+    Table table({Style::Faint, Style::Name, Style::Type, Style::Value, Style::Plain, Style::Faint});
+    for (const RTT::base::PortInterface* const port : ports.getPorts())
+        table.add({dynamic_cast<const RTT::base::InputPortInterface*>(port) ? "in" : "out", port->getName(),
+                   RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()), lastValueOf(*port, screen.hex),
+                   partnersOf(*port), oneLine(port->getDescription())});
+    table.write(screen.out, screen.theme, indent, screen.tableWidth());
+}
+
+}  // namespace OCL::console

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The colours of what the console writes.
+#ifndef OROFORGE_CONSOLE_THEME_HPP
+#define OROFORGE_CONSOLE_THEME_HPP
+
+#include <string>
+
+namespace OCL::console {
+
+enum class Style { Plain, Title, Name, Type, Value, Faint, Good, Bad };
+
+class Theme {
+public:
+    enum Kind { NoColors, Dark, Light };
+    explicit Theme(Kind kind = NoColors) : kind_(kind) {}
+
+    Kind kind() const { return kind_; }
+    /** The text between the escape sequences of the style; as it is without colours. */
+    std::string paint(Style style, const std::string& text) const;
+
+private:
+    Kind kind_;
+};
+
+}  // namespace OCL::console
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "value_text.hpp"
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace OCL::console {
+namespace {
+
+using RTT::base::DataSourceBase;
+typedef DataSourceBase::shared_ptr Source;
+
+constexpr int kMostElements = 10;
+constexpr int kDeepest = 8;
+
+std::string textOf(const Source& value, bool hex, int depth);
+
+std::string quoted(const std::string& text, char quote) {
+    std::string result(1, quote);
+    for (const char c : text) {
+        if (c == quote || c == '\\') result += '\\';
+        if (c == '\n')
+            result += "\\n";
+        else if (c == '\t')
+            result += "\\t";
+        else if (c == '\0')
+            result += "\\0";
+        else
+            result += c;
+    }
+    return result + quote;
+}
+
+std::string bagText(const RTT::PropertyBag& bag, bool hex, int depth) {
+    std::string text;
+    for (const auto* property : bag)
+        text += (text.empty() ? "" : ", ") + property->getName() + " = " +
+                textOf(property->getDataSource(), hex, depth + 1);
+    return "{" + text + "}";
+}
+
+bool isSequence(const std::vector<std::string>& members) {
+    return !members.empty() && std::all_of(members.begin(), members.end(), [](const std::string& name) {
+        return name == "size" || name == "capacity";
+    });
+}
+
+int elementsOf(const Source& value) {
+    const Source size = value->getMember("size");
+    const auto* const number = size ? RTT::internal::DataSource<int>::narrow(size.get()) : nullptr;
+    return number ? number->get() : 0;
+}
+
+std::string sequenceText(const Source& value, bool hex, int depth) {
+    const int size = elementsOf(value);
+    std::string text;
+    for (int i = 0; i != std::min(size, kMostElements); ++i) {
+        const Source element = value->getMember(Source(new RTT::internal::ConstantDataSource<int>(i)));
+        text += (i ? ", " : "") + (element ? textOf(element, hex, depth + 1) : std::string("?"));
+    }
+    if (size > kMostElements) text += ", … " + std::to_string(size - kMostElements) + " more";
+    return "[" + text + "]";
+}
+
+std::string membersText(const Source& value, const std::vector<std::string>& names, bool hex, int depth) {
+    std::string text;
+    for (const std::string& name : names) {
+        const Source member = value->getMember(name);
+        if (member) text += (text.empty() ? "" : ", ") + name + " = " + textOf(member, hex, depth + 1);
+    }
+    return "{" + text + "}";
+}
+
+std::string textOf(const Source& value, bool hex, int depth) {
+    if (!value) return "(null)";
+    if (depth > kDeepest) return "…";
+    value->evaluate();
+    if (const auto* const text = RTT::internal::DataSource<std::string>::narrow(value.get()))
+        return quoted(text->rvalue(), '"');
+    if (const auto* const letter = RTT::internal::DataSource<char>::narrow(value.get()))
+        return quoted(std::string(1, letter->rvalue()), '\'');
+    if (const auto* const truth = RTT::internal::DataSource<bool>::narrow(value.get()))
+        return truth->rvalue() ? "true" : "false";
+    if (const auto* const bag = RTT::internal::DataSource<RTT::PropertyBag>::narrow(value.get()))
+        return bagText(bag->rvalue(), hex, depth);
+    const std::vector<std::string> members = value->getMemberNames();
+    if (isSequence(members)) return sequenceText(value, hex, depth);
+    if (!members.empty()) return membersText(value, members, hex, depth);
+    std::ostringstream text;
+    if (hex) text << std::hex << std::showbase;
+    value->write(text);
+    return text.str();
+}
+
+}  // namespace
+
+std::string valueText(const RTT::base::DataSourceBase::shared_ptr& value, bool hex) { return textOf(value, hex, 0); }
+
+}  // namespace OCL::console

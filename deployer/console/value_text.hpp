@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Values as text.
+#ifndef OROFORGE_CONSOLE_VALUE_TEXT_HPP
+#define OROFORGE_CONSOLE_VALUE_TEXT_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+
+#include <string>
+
+namespace OCL::console {
+
+/** Texts in quotes, structs as `{x = 1, y = 2}`, of sequences the first elements as `[1, 2, … 98 more]`. Numbers in hexadecimal
+    notation if `hex`. */
+std::string valueText(const RTT::base::DataSourceBase::shared_ptr& value, bool hex);
+
+}  // namespace OCL::console
+
+#endif
