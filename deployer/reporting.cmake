@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+# Reporters: components that write down what others send.
+oroforge_component_library(reporting
+  reporting/ConsoleReporting.cpp
+  reporting/FileReporting.cpp
+  reporting/ReportingComponent.cpp
+  reporting/components.cpp
+  reporting/leaf_kinds.cpp
+  reporting/other_value.cpp
+  reporting/record_ring.cpp
+  reporting/report_entries.cpp
+  reporting/row_text.cpp
+  reporting/row_writer.cpp
+  reporting/running_report.cpp
+  reporting/screen.cpp
+  reporting/source.cpp
+  reporting/text_target.cpp
+  reporting/value_tree.cpp)

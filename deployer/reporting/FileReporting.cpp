@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <ocl/FileReporting.hpp>
+
+#include "text_target.hpp"
+
+#include <rtt/Logger.hpp>
+
+#include <fstream>
+#include <iostream>
+
+namespace OCL {
+
+FileReporting::FileReporting(const std::string& name) : ReportingComponent(name) {
+    addProperty("ReportFile", reportFile_).doc("The file to write to; it begins anew with each start.");
+}
+
+FileReporting::~FileReporting() { stop(); }
+
+bool FileReporting::startHook() {
+    std::string error;
+    writeTo(reporting::openFile(reportFile_, error));
+    if (!error.empty())
+        RTT::log(RTT::Error) << "could not open file '" << reportFile_ << "' for reporting: " << error << RTT::endlog();
+    return error.empty() && ReportingComponent::startHook();
+}
+
+bool FileReporting::screenComponent(const std::string& component) {
+    if (!getPeer(component)) return screenImpl(component, std::cerr);  // which says so
+    const std::string name = component + ".screen";
+    std::ofstream file(name);
+    if (file && screenImpl(component, file) && file) return true;
+    RTT::log(RTT::Error) << "could not write file '" << name << "'" << RTT::endlog();
+    return false;
+}
+
+}  // namespace OCL

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The component and its life. What is reported: report_entries.cpp; rows: running_report.cpp.
+#include <ocl/ReportingComponent.hpp>
+
+#include "reporting_state.hpp"
+
+#include <rtt/Logger.hpp>
+
+#include <limits>
+
+namespace OCL {
+
+using reporting::Decomposition;
+using reporting::RunningReport;
+using RTT::endlog;
+using RTT::log;
+
+namespace {
+
+/** Rows that are written at most before somebody else has a turn: a writer that never pauses must not keep us from stopping. */
+constexpr int kRowsPerCycle = 10000;
+
+}  // namespace
+
+ReportingComponent::ReportingComponent(std::string name) : RTT::TaskContext(name), impl_(new Impl(*this)) {
+    addProperty("WriteHeader", impl_->writeHeader).doc("Begin the report with a line of column names.");
+    addProperty("RepeatHeader", impl_->repeatHeader)
+        .doc("Write that line again when a sequence has changed its size, and so the columns.");
+    addProperty("Decompose", impl_->decompose).doc("Give each member and element of a value a column of its own.");
+    addProperty("ComplexDecompose", impl_->complexDecompose)
+        .doc("Take values apart as in property files. Decompose must be set, too. Allocates memory.");
+    addProperty("Snapshot", impl_->snapshotOnly)
+        .doc("Without a periodic activity: write a row when snapshot() is called only, not when data comes.");
+    addProperty("Synchronize", impl_->synchronize)
+        .doc("Time stamps count from the beginning of the log, not from the start of this component.");
+    addProperty("ReportData", impl_->reportData)
+        .doc(
+            "What to report: strings named Component, Port or Data, with values like Robot, Robot.port, "
+            "Robot.property.");
+    addProperty("ReportPolicy", impl_->policy).doc("The connection policy of the ports that are reported.");
+    addProperty("ReportOnlyNewData", impl_->onlyNewData)
+        .doc("Leave out of a row what has not changed since the last one.");
+    addProperty("Precision", impl_->precision).doc("Digits of numbers with a fraction.");
+    addAttribute("LostRows", impl_->lostRows);
+
+    addOperation("snapshot", &ReportingComponent::snapshot, this, RTT::OwnThread)
+        .doc("Writes a row now, if the activity is not periodic.");
+    addOperation("screenComponent", &ReportingComponent::screenComponent, this)
+        .doc("Writes down the interface of a peer as it is now.")
+        .arg("Component", "Name of the peer");
+    addOperation("reportComponent", &ReportingComponent::reportComponent, this)
+        .doc("Adds all output ports of a peer.")
+        .arg("Component", "Name of the peer");
+    addOperation("unreportComponent", &ReportingComponent::unreportComponent, this)
+        .doc("Removes everything of a peer.")
+        .arg("Component", "Name of the peer");
+    addOperation("reportData", &ReportingComponent::reportData, this)
+        .doc("Adds a property or attribute of a peer.")
+        .arg("Component", "Name of the peer")
+        .arg("Data", "Name of the property or attribute");
+    addOperation("unreportData", &ReportingComponent::unreportData, this)
+        .doc("Removes a property or attribute.")
+        .arg("Component", "Name of the peer")
+        .arg("Data", "Name of the property or attribute");
+    addOperation("reportPort", &ReportingComponent::reportPort, this)
+        .doc("Adds an output port of a peer.")
+        .arg("Component", "Name of the peer")
+        .arg("Port", "Name of the port, with its services: service.port");
+    addOperation("unreportPort", &ReportingComponent::unreportPort, this)
+        .doc("Removes a port.")
+        .arg("Component", "Name of the peer")
+        .arg("Port", "Name of the port, with its services: service.port");
+}
+
+ReportingComponent::~ReportingComponent() {
+    stop();
+    if (getActivity()) getActivity()->stop();
+    impl_->sources.clear();  // their ports leave this component while it is whole
+}
+
+bool ReportingComponent::addMarshaller(RTT::marsh::MarshallInterface* header, RTT::marsh::MarshallInterface* body) {
+    if (!header && !body) return false;
+    reporting::Marshallers added;
+    added.header.reset(header);
+    added.body.reset(body);
+    impl_->marshallers.push_back(std::move(added));
+    return true;
+}
+
+bool ReportingComponent::removeMarshallers() {
+    impl_->marshallers.clear();
+    return true;
+}
+
+void ReportingComponent::writeTo(std::unique_ptr<reporting::TextTarget> target) { impl_->target = std::move(target); }
+
+bool ReportingComponent::configureHook() {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    return impl_->addEntries();
+}
+
+bool ReportingComponent::Impl::isPeriodic() const { return self.getActivity() && self.getActivity()->isPeriodic(); }
+
+reporting::ReportOptions ReportingComponent::Impl::options() const {
+    reporting::ReportOptions result;
+    result.component = self.getName();
+    result.decomposition = !decompose         ? Decomposition::None
+                           : complexDecompose ? Decomposition::Types
+                                              : Decomposition::Members;
+    result.header = writeHeader;
+    result.repeatHeader = repeatHeader;
+    result.onlyNewData = onlyNewData;
+    result.digits = std::max(1, std::min(precision, std::numeric_limits<double>::max_digits10));
+    result.begin =
+        synchronize ? RTT::Logger::Instance()->getReferenceTime() : RTT::os::TimeService::Instance()->getTicks();
+    return result;
+}
+
+bool ReportingComponent::startHook() {
+    const std::lock_guard<std::mutex> changes(impl_->changes);
+    const std::lock_guard<std::mutex> rows(impl_->rows);
+    if (!impl_->target && impl_->marshallers.empty()) {
+        log(RTT::Error) << "'" << getName() << "' needs at least one marshaller to write reports" << endlog();
+        return false;
+    }
+    impl_->lostRows = 0;
+    impl_->report.reset(
+        new RunningReport(impl_->sources, impl_->options(), std::move(impl_->target), impl_->marshallers));
+    const bool periodic = impl_->isPeriodic();
+    if (periodic) impl_->report->writeRow();
+    impl_->report->clearPorts();
+    impl_->report->wakeOnData(!impl_->snapshotOnly && !periodic);
+    return true;
+}
+
+/** False if there may be more. */
+bool ReportingComponent::Impl::writeNewRows(RunningReport& from) {
+    for (int rows = 0; rows < kRowsPerCycle; ++rows) {
+        if (!from.read()) return true;
+        from.writeRow();
+    }
+    return false;
+}
+
+void ReportingComponent::updateHook() {
+    RunningReport& report = *impl_->report;
+    if (impl_->isPeriodic()) {
+        (void)report.read();
+        report.writeRow();
+    } else if (!impl_->snapshotOnly) {
+        if (!impl_->writeNewRows(report)) (void)trigger();
+    }
+    impl_->lostRows = static_cast<unsigned int>(report.lost());
+}
+
+void ReportingComponent::snapshot() {
+    // Not held by anybody while the component is running; stopHook() may be in another thread.
+    const std::unique_lock<std::mutex> rows(impl_->rows, std::try_to_lock);
+    if (!rows || !impl_->report || impl_->isPeriodic()) return;
+    (void)impl_->report->read();
+    impl_->report->writeRow();
+    impl_->lostRows = static_cast<unsigned int>(impl_->report->lost());
+}
+
+void ReportingComponent::stopHook() {
+    const std::lock_guard<std::mutex> rows(impl_->rows);
+    if (!impl_->report) return;
+    impl_->report->wakeOnData(false);
+    // What came before stop() belongs to the report, even if our thread had no time for it.
+    if (!impl_->snapshotOnly && !impl_->isPeriodic()) (void)impl_->writeNewRows(*impl_->report);
+    impl_->report->finish();
+    impl_->lostRows = static_cast<unsigned int>(impl_->report->lost());
+    impl_->report.reset();
+}
+
+void ReportingComponent::cleanupHook() {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    impl_->forgetAll();
+}
+
+// --- operations ----------------------------------------------------------------------------------------------------
+
+bool ReportingComponent::reportComponent(const std::string& component) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    if (!impl_->addComponent(component)) return false;
+    impl_->rememberEntry("Component", component);
+    return true;
+}
+
+bool ReportingComponent::unreportComponent(const std::string& component) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    return impl_->removeAllOf(component);
+}
+
+bool ReportingComponent::reportData(const std::string& component, const std::string& data) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    if (!impl_->addData(component, data)) return false;
+    if (impl_->isReported(component + "." + data)) impl_->rememberEntry("Data", component + "." + data);
+    return true;
+}
+
+bool ReportingComponent::unreportData(const std::string& component, const std::string& data) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    impl_->forgetEntry("Data", component + "." + data);
+    return impl_->remove(component + "." + data);
+}
+
+bool ReportingComponent::reportPort(const std::string& component, const std::string& port) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    if (!impl_->addPort(component, port)) return false;
+    impl_->rememberEntry("Port", component + "." + port);
+    return true;
+}
+
+bool ReportingComponent::unreportPort(const std::string& component, const std::string& port) {
+    const std::lock_guard<std::mutex> lock(impl_->changes);
+    impl_->forgetEntry("Port", component + "." + port);
+    return impl_->remove(component + "." + port);
+}
+
+}  // namespace OCL

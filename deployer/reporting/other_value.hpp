@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OCL_REPORTING_OTHER_VALUE_HPP
+#define ORO_OCL_REPORTING_OTHER_VALUE_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace OCL::reporting {
+
+/** The text of a value that is neither a number nor a string: what its type makes of it (the name of an enumerator, for
+    example), else what its stream operator writes. Allocates. */
+std::string textOf(const RTT::base::DataSourceBase::shared_ptr& value);
+
+/** A place for values of a type that can be copied byte by byte, so that the thread that writes makes text of them. */
+class OtherValue {
+public:
+    OtherValue(RTT::base::DataSourceBase::shared_ptr place, std::size_t size);
+
+    std::size_t size() const { return size_; }
+    /** The text of the value that these bytes are. */
+    std::string text(const char* bytes) const;
+
+private:
+    const RTT::base::DataSourceBase::shared_ptr place_;
+    const std::size_t size_;
+};
+
+/** One place per type. Grows with the types in a report; what it has made lives as long as it. */
+class OtherValues {
+public:
+    /** Null if values of this type cannot be copied byte by byte. */
+    const OtherValue* of(const RTT::types::TypeInfo& type);
+
+private:
+    std::map<const RTT::types::TypeInfo*, std::unique_ptr<OtherValue>> known_;
+};
+
+}  // namespace OCL::reporting
+
+#endif

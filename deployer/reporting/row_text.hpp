@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OCL_REPORTING_ROW_TEXT_HPP
+#define ORO_OCL_REPORTING_ROW_TEXT_HPP
+
+#include <cstddef>
+#include <vector>
+
+namespace OCL::reporting {
+
+/**
+ * Appends the line of a record: a blank before each value, a further one where a value with members begins, a blank at the
+ * end. Numbers have the digits that a C++ stream gives them. A line end inside a text is written as `\n`, so that a row stays
+ * one line.
+ */
+void appendRow(std::vector<char>& text, const char* record, std::size_t size, int digits);
+
+}  // namespace OCL::reporting
+
+#endif

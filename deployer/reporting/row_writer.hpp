@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_OCL_REPORTING_ROW_WRITER_HPP
+#define ORO_OCL_REPORTING_ROW_WRITER_HPP
+
+#include "record_ring.hpp"
+#include "text_target.hpp"
+
+#include <rtt/Activity.hpp>
+#include <rtt/os/Semaphore.hpp>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace OCL::reporting {
+
+class Record;
+
+/**
+ * The thread that makes text of records and writes it.
+ *
+ *     component: Record ──push──► RecordRing ──pop──► text ──write──► TextTarget        (this thread)
+ *
+ * Lines are written whole and in order, some milliseconds after the row was taken.
+ */
+class RowWriter final : public RTT::Activity {
+public:
+    /** Starts the thread. @param room for records, in bytes  @param digits of numbers */
+    RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits);
+    /** As finish(). */
+    ~RowWriter() override;
+
+    /** False if there is no room, the row is lost then. For one thread at a time. Real-time safe. */
+    bool push(const Record& record);
+    /** Waits until everything has been written, and ends the thread. */
+    void finish();
+    /** Rows for which there was no room, or that could not be written. */
+    unsigned long lost() const { return lost_.load(std::memory_order_relaxed); }
+
+protected:
+    void loop() override;
+    bool breakLoop() override { return true; }
+
+private:
+    void writeAll();
+    void writeOut();
+    void waitForRows();
+    void lose(unsigned long rows);
+
+    const std::unique_ptr<TextTarget> target_;
+    const int digits_;
+    RecordRing ring_;
+    std::atomic<unsigned long> lost_{0};
+    std::atomic<bool> asleep_{false};  // the thread waits, or is about to wait, for wake_
+    std::atomic<bool> ending_{false};
+    RTT::os::Semaphore wake_{0}, done_{0};
+    bool started_ = false;
+    // Of the thread:
+    std::vector<char> record_, text_;
+    unsigned long rows_ = 0;  // in text_
+    bool failed_ = false;
+};
+
+}  // namespace OCL::reporting
+
+#endif

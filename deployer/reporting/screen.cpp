@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What the interface of a component is at one moment.
+#include <ocl/ReportingComponent.hpp>
+
+#include <rtt/Logger.hpp>
+
+#include <ostream>
+
+namespace OCL {
+
+bool ReportingComponent::screenComponent(const std::string& component) {
+    RTT::log(RTT::Error) << "'" << getName() << "' does not say where the screen of '" << component
+                         << "' goes: screenComponent() is not implemented" << RTT::endlog();
+    return false;
+}
+
+bool ReportingComponent::screenImpl(const std::string& component, std::ostream& output) {
+    RTT::TaskContext* const peer = getPeer(component);
+    if (!peer) {
+        RTT::log(RTT::Error) << "could not screen component '" << component << "': no such peer" << RTT::endlog();
+        return false;
+    }
+    output << "Screening Component '" << component << "' : \n\n";
+    output << "Properties :\n";
+    for (const RTT::base::PropertyBase* property : *peer->properties())
+        output << "  " << property->getName() << " : " << property->getDataSource() << "\n";
+    output << "Attributes :\n";
+    for (const std::string& name : peer->attributes()->getAttributeNames())
+        output << "  " << name << " : " << peer->attributes()->getValue(name)->getDataSource() << "\n";
+    output << "Ports :\n";
+    for (const RTT::base::PortInterface* port : peer->ports()->getPorts())
+        output << "  " << port->getName() << " : " << (port->connected() ? "(connected)" : "(not connected)") << "\n";
+    output.flush();
+    return true;
+}
+
+}  // namespace OCL

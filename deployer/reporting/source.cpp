@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "source.hpp"
+
+#include <rtt/internal/ConnectionManager.hpp>
+
+namespace OCL::reporting {
+
+Source::Source(std::string name, std::unique_ptr<RTT::base::InputPortInterface> port, Value sample)
+    : name_(std::move(name)),
+      port_(std::move(port)),
+      link_(new RTT::internal::PortLink(*port_)),
+      sample_(std::move(sample)),
+      address_(sample_->getRawPointer()) {}
+
+Source::Source(std::string name, Value original, Value sample)
+    : name_(std::move(name)),
+      original_(std::move(original)),
+      sample_(std::move(sample)),
+      address_(sample_->getRawPointer()) {}
+
+void Source::prepare() {
+    if (!link_) {
+        (void)read();
+    } else if (link_->read(address_) == RTT::NoData) {
+        for (const auto& connection : port_->getManager()->getConnections())
+            if (boost::get<1>(connection)->getSampleErased(address_)) break;
+    }
+}
+
+bool Source::read() {
+    if (link_) return link_->read(address_) == RTT::NewData;
+    (void)sample_->update(original_.get());
+    return false;
+}
+
+void Source::clear() {
+    if (port_) port_->clear();
+}
+
+}  // namespace OCL::reporting

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "text_target.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <ostream>
+#include <system_error>
+#include <unistd.h>
+
+namespace OCL::reporting {
+namespace {
+
+std::string systemError() { return std::generic_category().message(errno); }
+
+class FileTarget : public TextTarget {
+public:
+    FileTarget(int file, std::string name) : file_(file), name_(std::move(name)) {}
+    ~FileTarget() override { ::close(file_); }
+
+    // No buffer of ours: what was written survives the end of this process, whatever ends it.
+    std::string write(const char* text, std::size_t size) override {
+        while (size != 0) {
+            const ssize_t done = ::write(file_, text, size);
+            if (done < 0 && errno == EINTR) continue;
+            if (done < 0) return systemError();
+            text += done;
+            size -= static_cast<std::size_t>(done);
+        }
+        return {};
+    }
+    std::string name() const override { return "file '" + name_ + "'"; }
+
+private:
+    const int file_;
+    const std::string name_;
+};
+
+class StreamTarget : public TextTarget {
+public:
+    explicit StreamTarget(std::ostream& stream) : stream_(stream) {}
+
+    std::string write(const char* text, std::size_t size) override {
+        stream_.write(text, static_cast<std::streamsize>(size)).flush();
+        return stream_ ? std::string() : "the stream does not take it";
+    }
+    std::string name() const override { return "the console"; }
+
+private:
+    std::ostream& stream_;
+};
+
+}  // namespace
+
+std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+    if (file < 0) {
+        error = systemError();
+        return nullptr;
+    }
+    return std::unique_ptr<TextTarget>(new FileTarget(file, name));
+}
+
+std::unique_ptr<TextTarget> useStream(std::ostream& stream) {
+    return std::unique_ptr<TextTarget>(new StreamTarget(stream));
+}
+
+}  // namespace OCL::reporting

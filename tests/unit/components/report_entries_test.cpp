@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What is reported, and what is said if it cannot be.
+#include "reporter_fixture.hpp"
+
+namespace {
+
+using namespace components_test;
+
+class ReportEntries : public Reporting {
+protected:
+    std::string header() {
+        property<bool>("Decompose") = false;
+        EXPECT_TRUE(reporter->start());
+        const std::string lines = report();
+        return lines.substr(0, lines.find('\n'));
+    }
+    /** "Kind=value" of each entry of ReportData. */
+    std::string entries() {
+        std::string result;
+        for (const auto* entry : property<RTT::PropertyBag>("ReportData"))
+            result += entry->getName() + "=" + entry->getDataSource()->toString() + " ";
+        return result;
+    }
+};
+
+TEST_F(ReportEntries, ConfigureTakesThemFromReportData) {
+    entry("Component", "Machine");
+    entry("Data", "Machine.gain");
+    entry("Port", "Machine.motor.current");
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_EQ(
+        " TimeStamp Machine.speed Machine.place Machine.levels Machine.tank Machine.mode Machine.gain"
+        " Machine.motor.current",
+        header());
+}
+
+TEST_F(ReportEntries, NothingToReportIsAnError) {
+    const LogText log;
+    EXPECT_FALSE(reporter->configure());
+    EXPECT_THAT(log(), HasSubstr("the property ReportData is empty"));
+    EXPECT_THAT(log(), HasSubstr("marshalling.loadProperties()"));
+}
+
+TEST_F(ReportEntries, AllBadEntriesAreReported) {
+    const LogText log;
+    entry("Port", "Machine");
+    entry("Ports", "Machine.speed");
+    entry("Component", "Machin");
+    entry("Port", "Machine.sped");
+    entry("Port", "Machine.setpoint");
+    property<RTT::PropertyBag>("ReportData").ownProperty(new RTT::Property<int>("Data", "", 3));
+    EXPECT_FALSE(reporter->configure());
+    const std::string said = log();
+    EXPECT_THAT(said, HasSubstr("found 'Machine', expected the name of a component, a dot"));
+    EXPECT_THAT(said, HasSubstr("found name \"Ports\", expected \"Component\", \"Port\" or \"Data\""));
+    EXPECT_THAT(said, HasSubstr("could not report component 'Machin': no such peer; its peers: Machine"));
+    EXPECT_THAT(said, HasSubstr("could not report port 'sped': no such port on component 'Machine'"));
+    EXPECT_THAT(said, HasSubstr("can not report input port 'setpoint'"));
+    EXPECT_THAT(said, HasSubstr("property \"Data\" of ReportData: found type int, expected string"));
+}
+
+TEST_F(ReportEntries, UnknownDataIsAnErrorInTheLogOnly) {
+    const LogText log;
+    EXPECT_TRUE(reporter->reportData("Machine", "again"));
+    EXPECT_THAT(log(), HasSubstr("could not report 'again': no such property or attribute of component 'Machine'"));
+    EXPECT_EQ("", entries());
+}
+
+struct Unregistered {};
+
+TEST_F(ReportEntries, PortsOfUnknownTypesAreRefused) {
+    const LogText log;
+    RTT::OutputPort<Unregistered> strange("strange");
+    machine.addPort(strange);
+    EXPECT_FALSE(reporter->reportPort("Machine", "strange"));
+    EXPECT_THAT(log(), HasSubstr("could not report 'Machine.strange': unknown type"));
+    EXPECT_EQ(nullptr, reporter->getPort("Machine_strange"));
+}
+
+TEST_F(ReportEntries, OperationsKeepReportDataUpToDate) {
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->reportData("Machine", "gain"));
+    ASSERT_TRUE(reporter->reportComponent("Machine"));
+    EXPECT_EQ("Port=Machine.speed Data=Machine.gain Component=Machine ", entries());
+    EXPECT_TRUE(reporter->unreportPort("Machine", "speed"));
+    EXPECT_FALSE(reporter->unreportPort("Machine", "speed"));
+    EXPECT_TRUE(reporter->unreportData("Machine", "gain"));
+    EXPECT_EQ("Component=Machine ", entries());
+    EXPECT_EQ(nullptr, reporter->getPort("Machine_speed"));
+    EXPECT_TRUE(reporter->unreportComponent("Machine"));
+    EXPECT_FALSE(reporter->unreportComponent("Machine"));
+    EXPECT_EQ("", entries());
+    EXPECT_EQ(" TimeStamp", header());
+}
+
+TEST_F(ReportEntries, ReportingAgainReplacesThePort) {
+    const LogText log;
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    EXPECT_THAT(log(), HasSubstr("already reporting 'Machine.speed': removing the old port first"));
+    EXPECT_EQ(" TimeStamp Machine.speed", header());
+    EXPECT_EQ("Port=Machine.speed ", entries());
+}
+
+TEST_F(ReportEntries, ConfigureKeepsWhatWasReportedBefore) {
+    const LogText log;
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_EQ("", log());
+    EXPECT_EQ("Port=Machine.speed ", entries());
+    EXPECT_EQ(" TimeStamp Machine.speed", header());
+}
+
+TEST_F(ReportEntries, CleanupForgetsEverything) {
+    ASSERT_TRUE(reporter->reportComponent("Machine"));
+    ASSERT_TRUE(reporter->cleanup());
+    EXPECT_EQ("", entries());
+    EXPECT_TRUE(reporter->ports()->getPorts().empty());
+    EXPECT_FALSE(machine.speed.connected());
+}
+
+TEST_F(ReportEntries, WhatIsUnreportedWhileRunningKeepsItsColumnUntilTheNextStart) {
+    machine.speed.write(1);
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->start());
+    EXPECT_TRUE(reporter->unreportPort("Machine", "speed"));
+    machine.speed.write(2);
+    cycle();
+    EXPECT_EQ(" TimeStamp Machine.speed\n 0 1 \n 0.5 1 \n", report());
+}
+
+TEST_F(ReportEntries, ReportPolicyDecidesHowPortsAreConnected) {
+    property<RTT::ConnPolicy>("ReportPolicy") = RTT::ConnPolicy::buffer(10);
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->start());
+    for (int i = 1; i <= 3; ++i) machine.speed.write(i);
+    for (int i = 0; i < 3; ++i) cycle(1);
+    EXPECT_THAT(report(), HasSubstr(" 1 1 \n 2 2 \n 3 3 \n"));
+}
+
+TEST_F(ReportEntries, ScreenShowsTheInterfaceOfAPeer) {
+    RTT::OutputPort<double> wire("wire");
+    ASSERT_TRUE(wire.connectTo(&machine.setpoint));
+    ASSERT_TRUE(reporter->screenComponent("Machine"));
+    const std::string screen = text.str();
+    EXPECT_EQ(0u, screen.find("Screening Component 'Machine' : \n\nProperties :\n  gain : 1.5\n"));
+    EXPECT_THAT(screen, HasSubstr("Attributes :\n"));
+    EXPECT_THAT(screen, HasSubstr("  label : blue\n"));
+    EXPECT_THAT(screen, HasSubstr("Ports :\n  speed : (not connected)\n"));
+    EXPECT_THAT(screen, HasSubstr("  setpoint : (connected)\n"));
+    EXPECT_FALSE(reporter->screenComponent("Machin"));
+}
+
+TEST_F(ReportEntries, BaseClassNeedsSomebodyWhoWrites) {
+    const LogText log;
+    OCL::ReportingComponent base("Base");
+    base.addPeer(&machine);
+    ASSERT_TRUE(base.reportPort("Machine", "speed"));
+    EXPECT_FALSE(base.start());
+    EXPECT_THAT(log(), HasSubstr("needs at least one marshaller"));
+    EXPECT_FALSE(base.screenComponent("Machine"));
+    EXPECT_THAT(log(), HasSubstr("screenComponent() is not implemented"));
+}
+
+}  // namespace
