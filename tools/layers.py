@@ -36,6 +36,7 @@ LAYER_OF = {
     "deployer/reporting/": "reporting",
     "deployer/logging/": "logging",
     "deployer/components/": "components",
+    "deployer/rt_check/": "rt_check",
     "deployer/bin/": "bin",
     "generator/model/": "model",
     "generator/manifest/": "manifest",
@@ -90,7 +91,8 @@ MAY_INCLUDE = {
     "reporting": DEPLOYER,
     "logging": DEPLOYER,
     "components": DEPLOYER,
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "corba"},
+    "rt_check": set(),                      # preloaded: it must not bring the runtime along
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "rt_check", "corba"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS | {"render"},
@@ -119,7 +121,7 @@ FOREIGN = {
     r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/"],
     r"tinyxml2\.h": ["runtime/xml/"],
     r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/"],
-    r"mqueue\.h": ["runtime/rtt/transports/mqueue/"],
+    r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
@@ -135,7 +137,7 @@ FOREIGN = {
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
 NOT_INSTALLED = ["runtime/diag/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
-                 "deployer/components/", "deployer/bin/", "generator/", "typekit_gen/"]
+                 "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/"]
 
 # Private headers (or folders of them) that a second part shares, because the two are one mechanism.
 SHARED_DETAIL = {

@@ -32,7 +32,10 @@ po::options_description visibleOptions() {
         "dry-run", "check everything that files and installed libraries can tell, create no component, and end")(
         "dot", po::value<std::string>(), "write the graph of the components to this file, for Graphviz")(
         "daemon,d", "run in the background, without the console")(
-        "minNumberCPU", po::value<int>(), "end with exit status 254 if this process has fewer processors")(
+        "rt-check",
+        "tell at the end what components with a real-time scheduler allocated, locked or waited for in "
+        "updateHook(); then the exit status is 255")("minNumberCPU", po::value<int>(),
+                                                     "end with exit status 254 if this process has fewer processors")(
         "require-name-service", "for programs with CORBA; has no effect here")(
         "rtalloc-mem-size", po::value<std::string>(),
         "size of the pool of real-time memory, with k, m or g for units; default: 512k")(
@@ -83,6 +86,9 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     options.dryRun = values.count("dry-run") != 0;
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
+    options.realTimeCheck = values.count("rt-check") != 0;
+    if (options.realTimeCheck && options.endsAtOnce())
+        error = "--rt-check watches components that run, which --check and --dry-run do not start";
     if (values.count("rtalloc-mem-size")) {
         const std::string size = values["rtalloc-mem-size"].as<std::string>();
         options.realTimeMemory = parseMemorySize(size);

@@ -3,6 +3,8 @@
 #include "program.hpp"
 
 #include "../deployment/signals.hpp"
+#include "crash_report.hpp"
+#include "real_time_check.hpp"
 #include "real_time_memory.hpp"
 
 #include <ocl/DeploymentComponent.hpp>
@@ -91,6 +93,7 @@ int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay
         std::cerr << words.front() << ": error: the runtime does not start\n";
         return kFailure;
     }
+    tellCrashes();
     int status = kFailure;
     try {
         status = deploy(options, stay);
@@ -119,18 +122,20 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
                   << " processors are needed, and this process has " << processors() << "\n";
         return kTooFewProcessors;
     }
+    if (options.realTimeCheck) error = startRealTimeCheck(argv);
     // Threads do not survive a fork: this comes before the runtime starts.
-    if (options.daemon && fork() != 0) _exit(0);
+    if (error.empty() && options.daemon && fork() != 0) _exit(0);
 
-    if (options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
+    if (error.empty() && options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
     if (!error.empty()) {
         std::cerr << argv[0] << ": error: " << error << "\n";
         return kFailure;
     }
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
-    const int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);
+    int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);
     if (options.realTimeMemory != 0) reportRealTimeMemory();
+    if (options.realTimeCheck && !reportRealTimeCheck(argv[0])) status = kFailure;
     return status;
 }
 

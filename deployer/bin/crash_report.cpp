@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "crash_report.hpp"
+
+#include <rtt/internal/HookInProgress.hpp>
+
+#include <cstdint>
+#include <cstring>
+
+#include <execinfo.h>
+#include <signal.h>
+#include <unistd.h>
+
+namespace OCL::deploy {
+namespace {
+
+const int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+// Only what a signal handler may call: no allocation, no locks, no stdio.
+class Line {
+public:
+    Line& operator<<(const char* text) {
+        while (*text && length_ < sizeof buffer_ - 1) buffer_[length_++] = *text++;
+        return *this;
+    }
+    Line& operator<<(const void* address) {
+        char digits[2 * sizeof(std::uintptr_t) + 1];
+        char* at = digits + sizeof digits - 1;
+        *at = '\0';
+        auto value = reinterpret_cast<std::uintptr_t>(address);
+        do {
+            *--at = "0123456789abcdef"[value % 16];
+            value /= 16;
+        } while (value != 0);
+        return *this << "0x" << at;
+    }
+    ~Line() {
+        buffer_[length_++] = '\n';
+        const ssize_t written = write(STDERR_FILENO, buffer_, length_);
+        (void)written;
+    }
+
+private:
+    char buffer_[1024];
+    std::size_t length_ = 0;
+};
+
+const char* meaningOf(int signal) {
+    switch (signal) {
+        case SIGSEGV: return "it used memory that it has no access to (SIGSEGV)";
+        case SIGBUS: return "it used memory that is not there (SIGBUS)";
+        case SIGFPE: return "an integer was divided by zero, or overflowed (SIGFPE)";
+        case SIGILL: return "an illegal instruction (SIGILL)";
+        default: return "abort() was called (SIGABRT)";
+    }
+}
+
+struct sigaction previous[NSIG];
+
+void tell(int signal, siginfo_t* info, void* context) {
+    {
+        Line line;
+        line << "error: ";
+        if (const auto* const hook = RTT::internal::HookInProgress::innermost())
+            line << "component '" << hook->component << "' crashed in " << hook->hook << ": ";
+        else
+            line << "a crash outside of all components: ";
+        line << meaningOf(signal);
+        if (signal == SIGSEGV || signal == SIGBUS) line << ", at address " << info->si_addr;
+    }
+    void* frames[64];
+    const int count = backtrace(frames, 64);
+    // The first two are this function and the one of the system that called it.
+    const int own = count > 2 ? 2 : 0;
+    backtrace_symbols_fd(frames + own, count - own, STDERR_FILENO);
+    // The default action is in force again. Who was here before may have something to do, such as writing the last log lines.
+    const struct sigaction& before = previous[signal];
+    if (before.sa_flags & SA_SIGINFO)
+        before.sa_sigaction(signal, info, context);
+    else if (before.sa_handler != SIG_DFL)
+        before.sa_handler(signal);
+    else if (info->si_code <= 0)
+        raise(signal);  // a fault comes again by itself when this returns, what was sent does not
+}
+
+}  // namespace
+
+void tellCrashes() {
+    void* frame;
+    (void)backtrace(&frame, 1);  // loads what it needs, which it must not do in a handler
+    for (const int signal : kSignals) {
+        if (sigaction(signal, nullptr, &previous[signal]) != 0 || previous[signal].sa_handler == SIG_IGN) continue;
+        struct sigaction action;
+        std::memset(&action, 0, sizeof action);
+        action.sa_sigaction = &tell;
+        action.sa_flags = static_cast<int>(SA_SIGINFO | SA_RESETHAND | SA_ONSTACK);
+        sigemptyset(&action.sa_mask);
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+}  // namespace OCL::deploy

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "findings.hpp"
+
+#include "symbols.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace oroforge::rt_check {
+
+Finding findings[kFindings];
+
+namespace {
+
+std::size_t hashOf(const Call& call) noexcept {
+    std::uint64_t hash = 1469598103934665603u;
+    const auto add = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
+    for (const char* c = call.component; *c; ++c) add(static_cast<unsigned char>(*c));
+    for (const char* c = call.function; *c; ++c) add(static_cast<unsigned char>(*c));
+    for (unsigned i = 0; i != call.depth; ++i) add(reinterpret_cast<std::uintptr_t>(call.frames[i]));
+    return static_cast<std::size_t>(hash ^ hash >> 32);
+}
+
+}  // namespace
+
+bool Finding::isOf(const Call& call, std::size_t itsHash) const noexcept {
+    return hash == itsHash && fault == call.fault && depth == call.depth && std::strcmp(function, call.function) == 0 &&
+           std::strncmp(component, call.component, kLongestName - 1) == 0 &&
+           std::equal(frames, frames + depth, call.frames);
+}
+
+void Finding::fill(const Call& call, std::size_t itsHash) noexcept {
+    hash = itsHash;
+    std::strncpy(component, call.component, kLongestName - 1);
+    fault = call.fault;
+    function = call.function;
+    depth = call.depth;
+    std::copy(call.frames, call.frames + call.depth, frames);
+}
+
+bool Finding::isAllowed() const noexcept {
+    return fault == OROFORGE_RT_LOCK && depth != 0 && texts[0] && isInRealTimeMemory(texts[0]);
+}
+
+bool count(const Call& whole) noexcept {
+    Call call = whole;
+    call.depth = std::min(call.depth, Finding::kMaxFrames);
+    const std::size_t hash = hashOf(call);
+    for (std::size_t i = 0; i != kFindings; ++i) {
+        Finding& finding = findings[(hash + i) % kFindings];
+        int state = finding.state.load(std::memory_order_acquire);
+        if (state == Finding::kFree && finding.state.compare_exchange_strong(state, Finding::kBeingMade)) {
+            finding.fill(call, hash);
+            finding.count.store(1, std::memory_order_relaxed);
+            // Release: who sees the state sees the rest.
+            finding.state.store(Finding::kMade, std::memory_order_release);
+            return true;
+        }
+        // One that another thread is making is passed by, because that thread may be waiting for this one's processor. If it
+        // is the same, there are two of it then, which the report adds up.
+        if (state != Finding::kMade || !finding.isOf(call, hash)) continue;
+        finding.count.fetch_add(1, std::memory_order_relaxed);
+        return true;
+    }
+    return false;
+}
+
+void describeFindings() {
+    forEachFinding([](Finding& finding) {
+        for (unsigned i = 0; i != finding.depth; ++i)
+            if (!finding.texts[i]) finding.texts[i] = describeFrame(finding.frames[i]);
+    });
+}
+
+}  // namespace oroforge::rt_check

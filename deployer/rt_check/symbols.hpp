@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_RT_CHECK_SYMBOLS_HPP
+#define OROFORGE_RT_CHECK_SYMBOLS_HPP
+
+namespace oroforge::rt_check {
+
+/**
+ * "'Class::function(int)' (file+0x1234)" for an address that a function returns to; as much of it as can be told. The
+ * offset is that of the call, as addr2line takes it. Never freed.
+ */
+char* describeFrame(void* returnAddress);
+
+/** A text of describeFrame(): is this a function of the pool of real-time memory? */
+bool isInRealTimeMemory(const char* frame) noexcept;
+
+}  // namespace oroforge::rt_check
+
+#endif

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Copyright Oroforge contributors */
+/*
+ * System calls that may block. What is done with a descriptor that is open for not blocking counts for nothing, unless it is
+ * that of a file, for which that has no effect.
+ */
+#include "in_front.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <mqueue.h>
+#include <netdb.h>
+#include <pthread.h>
+#include <spawn.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/sendfile.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static int may_block(int fd) {
+    const int flags = fcntl(fd, F_GETFL);
+    if (flags < 0) return 0; /* not open: the call fails at once */
+    if (!(flags & O_NONBLOCK)) return 1;
+    struct stat status;
+    return fstat(fd, &status) == 0 && (S_ISREG(status.st_mode) || S_ISBLK(status.st_mode) || S_ISDIR(status.st_mode));
+}
+#define SOCKET_MAY_BLOCK (!(flags & MSG_DONTWAIT) && may_block(s))
+#define QUEUE_MAY_BLOCK queue_may_block(q)
+
+static int queue_may_block(mqd_t q) {
+    struct mq_attr attributes;
+    return mq_getattr(q, &attributes) == 0 && !(attributes.mq_flags & O_NONBLOCK);
+}
+
+typedef const struct iovec* Parts;
+typedef const struct sockaddr* ToAddress;
+typedef struct sockaddr* Address;
+typedef const struct timespec* Time;
+
+/* clang-format off */
+#define WATCH_FD(RESULT, NAME, PARAMETERS, ARGUMENTS) OROFORGE_WATCH_IF(SYSTEM_CALL, RESULT, NAME, PARAMETERS, ARGUMENTS, may_block(fd))
+WATCH_FD(ssize_t, read, (int fd, void* to, size_t size), (fd, to, size))
+WATCH_FD(ssize_t, write, (int fd, const void* from, size_t size), (fd, from, size))
+WATCH_FD(ssize_t, readv, (int fd, Parts parts, int n), (fd, parts, n))
+WATCH_FD(ssize_t, writev, (int fd, Parts parts, int n), (fd, parts, n))
+WATCH_FD(ssize_t, pread, (int fd, void* to, size_t size, off_t at), (fd, to, size, at))
+WATCH_FD(ssize_t, pwrite, (int fd, const void* from, size_t size, off_t at), (fd, from, size, at))
+WATCH_FD(ssize_t, pread64, (int fd, void* to, size_t size, off64_t at), (fd, to, size, at))
+WATCH_FD(ssize_t, pwrite64, (int fd, const void* from, size_t size, off64_t at), (fd, from, size, at))
+WATCH_FD(ssize_t, sendfile, (int out, int fd, off_t* at, size_t size), (out, fd, at, size))
+WATCH_FD(int, fsync, (int fd), (fd))
+WATCH_FD(int, fdatasync, (int fd), (fd))
+WATCH_FD(int, ftruncate, (int fd, off_t size), (fd, size))
+WATCH_FD(int, close, (int fd), (fd))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, flock, (int fd, int what), (fd, what), !(what & (LOCK_NB | LOCK_UN)))
+
+#define WATCH_SOCKET(NAME, PARAMETERS, ARGUMENTS) OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, NAME, PARAMETERS, ARGUMENTS, SOCKET_MAY_BLOCK)
+WATCH_SOCKET(send, (int s, const void* from, size_t size, int flags), (s, from, size, flags))
+WATCH_SOCKET(sendto, (int s, const void* from, size_t size, int flags, ToAddress a, socklen_t n), (s, from, size, flags, a, n))
+WATCH_SOCKET(sendmsg, (int s, const struct msghdr* message, int flags), (s, message, flags))
+WATCH_SOCKET(recv, (int s, void* to, size_t size, int flags), (s, to, size, flags))
+WATCH_SOCKET(recvfrom, (int s, void* to, size_t size, int flags, Address a, socklen_t* n), (s, to, size, flags, a, n))
+WATCH_SOCKET(recvmsg, (int s, struct msghdr* message, int flags), (s, message, flags))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, sendmmsg, (int s, struct mmsghdr* m, unsigned n, int flags), (s, m, n, flags), SOCKET_MAY_BLOCK)
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, recvmmsg, (int s, struct mmsghdr* m, unsigned n, int flags, struct timespec* t), (s, m, n, flags, t), SOCKET_MAY_BLOCK)
+WATCH_FD(int, accept, (int fd, Address a, socklen_t* n), (fd, a, n))
+WATCH_FD(int, accept4, (int fd, Address a, socklen_t* n, int flags), (fd, a, n, flags))
+WATCH_FD(int, connect, (int fd, ToAddress a, socklen_t n), (fd, a, n))
+OROFORGE_WATCH(SYSTEM_CALL, int, getaddrinfo, (const char* host, const char* service, const struct addrinfo* hints, struct addrinfo** found), (host, service, hints, found))
+
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, mq_send, (mqd_t q, const char* from, size_t size, unsigned priority), (q, from, size, priority), QUEUE_MAY_BLOCK)
+OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, mq_receive, (mqd_t q, char* to, size_t size, unsigned* priority), (q, to, size, priority), QUEUE_MAY_BLOCK)
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, mq_timedsend, (mqd_t q, const char* from, size_t size, unsigned priority, Time t), (q, from, size, priority, t), QUEUE_MAY_BLOCK)
+OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, mq_timedreceive, (mqd_t q, char* to, size_t size, unsigned* priority, Time t), (q, to, size, priority, t), QUEUE_MAY_BLOCK)
+
+OROFORGE_WATCH(SYSTEM_CALL, int, creat, (const char* path, mode_t mode), (path, mode))
+OROFORGE_WATCH(SYSTEM_CALL, int, stat, (const char* path, struct stat* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, lstat, (const char* path, struct stat* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, access, (const char* path, int what), (path, what))
+OROFORGE_WATCH(SYSTEM_CALL, int, unlink, (const char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, int, rename, (const char* path, const char* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, mkdir, (const char* path, mode_t mode), (path, mode))
+OROFORGE_WATCH(SYSTEM_CALL, int, rmdir, (const char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, DIR*, opendir, (const char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, struct dirent*, readdir, (DIR* d), (d))
+OROFORGE_WATCH(SYSTEM_CALL, int, shm_open, (const char* name, int flags, mode_t mode), (name, flags, mode))
+
+OROFORGE_WATCH(SYSTEM_CALL, pid_t, fork, (void), ())
+OROFORGE_WATCH_IF(SYSTEM_CALL, pid_t, waitpid, (pid_t p, int* status, int how), (p, status, how), !(how & WNOHANG))
+OROFORGE_WATCH(SYSTEM_CALL, pid_t, wait, (int* status), (status))
+OROFORGE_WATCH(SYSTEM_CALL, int, system, (const char* command), (command))
+OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawn,
+    (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
+OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawnp,
+    (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
+OROFORGE_WATCH(SYSTEM_CALL, int, pthread_create, (pthread_t* t, const pthread_attr_t* a, void* (*entry)(void*), void* argument), (t, a, entry, argument))
+
+/* Called instead where a package is built with _FORTIFY_SOURCE. */
+extern ssize_t __read_chk(int, void*, size_t, size_t);
+extern ssize_t __pread_chk(int, void*, size_t, off_t, size_t);
+extern ssize_t __pread64_chk(int, void*, size_t, off64_t, size_t);
+extern ssize_t __recv_chk(int, void*, size_t, size_t, int);
+extern ssize_t __recvfrom_chk(int, void*, size_t, size_t, int, Address, socklen_t*);
+extern int __open_2(const char*, int);
+extern int __open64_2(const char*, int);
+extern int __openat_2(int, const char*, int);
+extern int __openat64_2(int, const char*, int);
+WATCH_FD(ssize_t, __read_chk, (int fd, void* to, size_t size, size_t room), (fd, to, size, room))
+WATCH_FD(ssize_t, __pread_chk, (int fd, void* to, size_t size, off_t at, size_t room), (fd, to, size, at, room))
+WATCH_FD(ssize_t, __pread64_chk, (int fd, void* to, size_t size, off64_t at, size_t room), (fd, to, size, at, room))
+WATCH_SOCKET(__recv_chk, (int s, void* to, size_t size, size_t room, int flags), (s, to, size, room, flags))
+WATCH_SOCKET(__recvfrom_chk, (int s, void* to, size_t size, size_t room, int flags, Address a, socklen_t* n), (s, to, size, room, flags, a, n))
+OROFORGE_WATCH(SYSTEM_CALL, int, __open_2, (const char* path, int flags), (path, flags))
+OROFORGE_WATCH(SYSTEM_CALL, int, __open64_2, (const char* path, int flags), (path, flags))
+OROFORGE_WATCH(SYSTEM_CALL, int, __openat_2, (int at, const char* path, int flags), (at, path, flags))
+OROFORGE_WATCH(SYSTEM_CALL, int, __openat64_2, (int at, const char* path, int flags), (at, path, flags))
+/* clang-format on */
+
+OROFORGE_IN_FRONT void sync(void) {
+    OROFORGE_COUNT(SYSTEM_CALL, "sync");
+    OROFORGE_NEXT_OF(sync, 0)();
+    OROFORGE_COUNTED();
+}
+
+/* The third argument, or the fourth, is there only if a file may be made. */
+#define MODE_AFTER(LAST)                   \
+    mode_t mode = 0;                       \
+    if (flags & (O_CREAT | __O_TMPFILE)) { \
+        va_list list;                      \
+        va_start(list, LAST);              \
+        mode = (mode_t)va_arg(list, int);  \
+        va_end(list);                      \
+    }
+#define OPEN(NAME)                                                       \
+    OROFORGE_IN_FRONT int NAME(const char* path, int flags, ...) {       \
+        MODE_AFTER(flags)                                                \
+        OROFORGE_COUNT(SYSTEM_CALL, #NAME);                              \
+        const int result = OROFORGE_NEXT_OF(NAME, 0)(path, flags, mode); \
+        OROFORGE_COUNTED();                                              \
+        return result;                                                   \
+    }
+#define OPEN_AT(NAME)                                                        \
+    OROFORGE_IN_FRONT int NAME(int at, const char* path, int flags, ...) {   \
+        MODE_AFTER(flags)                                                    \
+        OROFORGE_COUNT(SYSTEM_CALL, #NAME);                                  \
+        const int result = OROFORGE_NEXT_OF(NAME, 0)(at, path, flags, mode); \
+        OROFORGE_COUNTED();                                                  \
+        return result;                                                       \
+    }
+OPEN(open)
+OPEN(open64)
+OPEN_AT(openat)
+OPEN_AT(openat64)
+
+OROFORGE_IN_FRONT int ioctl(int fd, unsigned long request, ...) {
+    va_list list;
+    va_start(list, request);
+    void* const argument = va_arg(list, void*);
+    va_end(list);
+    const __typeof__(&ioctl) next_ = OROFORGE_NEXT_OF(ioctl, 0);
+    if (!oroforge_rt_watching() || !may_block(fd)) return next_(fd, request, argument);
+    OROFORGE_COUNT(SYSTEM_CALL, "ioctl");
+    const int result = next_(fd, request, argument);
+    OROFORGE_COUNTED();
+    return result;
+}

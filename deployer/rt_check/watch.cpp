@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Which thread is watched, on whose behalf, and what is reported of it.
+#include "findings.hpp"
+#include "in_front.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <execinfo.h>
+#include <mutex>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+__thread int oroforge_rt_watched = 0;
+__thread int oroforge_rt_inside = 0;
+
+namespace oroforge::rt_check {
+namespace {
+
+constexpr int kMaxFrames = 64;
+constexpr unsigned kMaxNested = 8;
+
+/** An updateHook() that is being executed; the frames are those in which it was begun. */
+struct Hook {
+    char component[Finding::kLongestName];  // a copy: it may destroy itself
+    bool watched;
+    int depth;
+    void* frames[kMaxFrames];
+};
+
+/** Those of a thread. Plain data, so that a thread costs nothing to begin or end. */
+struct Hooks {
+    unsigned count;
+    Hook nested[kMaxNested];
+};
+__thread Hooks hooks __attribute__((tls_model("initial-exec")));
+
+std::atomic<unsigned long> hooksWatched{0};
+std::atomic<unsigned long> callsLost{0};
+
+// Its first call loads a library.
+[[gnu::constructor]] void prepareBacktrace() {
+    void* frame = nullptr;
+    backtrace(&frame, 1);
+}
+
+/** The component's own part of the frames: without ours, and without those that lead to its hook. */
+std::pair<void* const*, unsigned> ownFrames(void* const* frames, int depth, const void* caller, const Hook& hook) {
+    void* const* const end = frames + depth;
+    void* const* first = std::find(frames, end, caller);
+    if (first == end) first = frames;
+    // Both begin with what the thread began with, up to the function that executes hooks, which is in two places.
+    int common = 0;
+    while (common < depth && common < hook.depth && end[-1 - common] == hook.frames[hook.depth - 1 - common]) ++common;
+    void* const* last = end - (common != 0 ? common + 1 : 0);
+    if (last <= first) last = std::min(first + 1, end);
+    return {first, static_cast<unsigned>(last - first)};
+}
+
+void note(oroforge_rt_fault fault, const char* function, const void* caller) {
+    const Hook& hook = hooks.nested[std::min(hooks.count, kMaxNested) - 1];
+    void* frames[kMaxFrames];
+    const int depth = backtrace(frames, kMaxFrames);
+    const auto own = ownFrames(frames, depth, caller, hook);
+    if (!count({hook.component, fault, function, own.first, own.second}))
+        callsLost.fetch_add(1, std::memory_order_relaxed);
+}
+
+std::mutex& textMutex() {
+    static std::mutex& mutex = *new std::mutex;  // libraries are closed by destructors of static objects as well
+    return mutex;
+}
+
+/** What the report says of a place, and how often that was. */
+struct Row {
+    const Finding* finding;
+    unsigned long count;
+};
+
+std::vector<std::string> textsOf(const Finding& finding) {
+    return std::vector<std::string>(finding.texts, finding.texts + finding.depth);
+}
+
+bool isSamePlace(const Finding& a, const Finding& b) {
+    return a.fault == b.fault && a.depth == b.depth && std::strcmp(a.component, b.component) == 0 &&
+           std::strcmp(a.function, b.function) == 0 && std::equal(a.frames, a.frames + a.depth, b.frames);
+}
+
+std::vector<Row> sortedRows() {
+    std::vector<Row> rows;
+    forEachFinding([&rows](const Finding& finding) {
+        const bool described = finding.depth != 0 && finding.texts[finding.depth - 1];
+        if (!described || finding.isAllowed()) return;  // a thread that is still running may have made one just now
+        const unsigned long count = finding.count.load(std::memory_order_relaxed);
+        const auto same =
+            std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return isSamePlace(*row.finding, finding); });
+        if (same != rows.end())
+            same->count += count;
+        else
+            rows.push_back({&finding, count});
+    });
+    const auto before = [](const Row& a, const Row& b) {
+        const auto key = [](const Row& row) {
+            return std::make_tuple(std::string(row.finding->component), int(row.finding->fault), ~row.count,
+                                   std::string(row.finding->function), textsOf(*row.finding));
+        };
+        return key(a) < key(b);
+    };
+    std::sort(rows.begin(), rows.end(), before);
+    return rows;
+}
+
+/** While one exists, what this thread calls is not reported. */
+class Unwatched {
+public:
+    Unwatched() { ++oroforge_rt_inside; }
+    ~Unwatched() { --oroforge_rt_inside; }
+    Unwatched(const Unwatched&) = delete;
+    Unwatched& operator=(const Unwatched&) = delete;
+};
+
+}  // namespace
+}  // namespace oroforge::rt_check
+
+using namespace oroforge::rt_check;
+
+extern "C" {
+
+void oroforge_rt_note(oroforge_rt_fault fault, const char* function, const void* caller) {
+    const int error = errno;
+    const Unwatched unwatched;
+    note(fault, function, caller);
+    errno = error;
+}
+
+void oroforge_rt_resolve() {
+    const Unwatched unwatched;
+    const std::lock_guard<std::mutex> lock(textMutex());
+    describeFindings();
+}
+
+OROFORGE_IN_FRONT void oroforge_rt_check_begin(const char* component, int real_time) {
+    const Unwatched unwatched;
+    // Those that are nested deeper count as the last one.
+    if (hooks.count++ < kMaxNested) {
+        Hook& hook = hooks.nested[hooks.count - 1];
+        std::strncpy(hook.component, component, Finding::kLongestName - 1);
+        hook.watched = real_time != 0 || oroforge_rt_watched != 0;
+        hook.depth = hook.watched ? backtrace(hook.frames, kMaxFrames) : 0;
+    }
+    if (!hooks.nested[std::min(hooks.count, kMaxNested) - 1].watched) return;
+    hooksWatched.fetch_add(1, std::memory_order_relaxed);
+    ++oroforge_rt_watched;
+}
+
+OROFORGE_IN_FRONT void oroforge_rt_check_end() {
+    const unsigned ended = std::min(--hooks.count, kMaxNested - 1);
+    if (hooks.nested[ended].watched) --oroforge_rt_watched;
+}
+
+OROFORGE_IN_FRONT oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visitor visit, void* to) {
+    const Unwatched unwatched;
+    oroforge_rt_resolve();
+    for (const Row& row : sortedRows()) {
+        const Finding& finding = *row.finding;
+        const oroforge_rt_finding found = {finding.component, finding.fault, finding.function,
+                                           row.count,         finding.depth, finding.texts};
+        visit(to, &found);
+    }
+    return {hooksWatched.load(std::memory_order_relaxed), callsLost.load(std::memory_order_relaxed)};
+}
+
+}  // extern "C"

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Each function that --rt-check stands in front of: it does what it is there for, and is counted once, as the fault that it
+// is, if it may block. The program links the library, so that its functions come before libc's.
+#include <rt_check/interface.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <linux/futex.h>
+#include <malloc.h>
+#include <poll.h>
+#include <pthread.h>
+#include <semaphore.h>
+#include <spawn.h>
+#include <sys/epoll.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/select.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <sys/wait.h>
+#include <threads.h>
+#include <unistd.h>
+
+namespace {
+
+using Counts = std::map<std::string, unsigned long>;
+
+/** What was counted so far: "RTC001 malloc". */
+Counts counts() {
+    Counts result;
+    oroforge_rt_check_findings(
+        [](void* to, const oroforge_rt_finding* finding) {
+            (*static_cast<Counts*>(to))["RTC00" + std::to_string(finding->fault) + " " + finding->function] +=
+                finding->count;
+        },
+        &result);
+    return result;
+}
+
+/** What is counted of a watched call, each with how often: "RTC001 malloc 1, RTC002 free 1". */
+std::string counted(const std::function<void()>& call, int realTime = 1) {
+    const Counts before = counts();
+    oroforge_rt_check_begin("c", realTime);
+    call();
+    oroforge_rt_check_end();
+    std::string text;
+    for (const auto& [name, count] : counts()) {
+        const auto was = before.find(name);
+        const unsigned long more = count - (was == before.end() ? 0 : was->second);
+        if (more != 0) text += (text.empty() ? "" : ", ") + name + " " + std::to_string(more);
+    }
+    return text;
+}
+
+void* volatile block;
+const timespec kSoon = {0, 1000}, kNow = {0, 0}, kPast = {1, 0};
+
+TEST(Memory, IsCounted) {
+    EXPECT_EQ("RTC001 malloc 1", counted([] { block = std::malloc(10); }));
+    EXPECT_EQ("RTC001 realloc 1", counted([] { block = std::realloc(block, 10000); }));
+    EXPECT_EQ("RTC001 reallocarray 1", counted([] { block = reallocarray(block, 10, 10); }));
+    EXPECT_EQ("RTC002 free 1", counted([] { std::free(block); }));
+    EXPECT_EQ("", counted([] { std::free(nullptr); }));
+    EXPECT_EQ("RTC001 calloc 1", counted([] { block = std::calloc(10, 10); }));
+    EXPECT_EQ(0, static_cast<char*>(block)[99]);
+    std::free(block);
+    EXPECT_EQ("RTC001 aligned_alloc 1", counted([] { block = std::aligned_alloc(256, 512); }));
+    EXPECT_EQ(0u, reinterpret_cast<std::uintptr_t>(block) % 256);
+    std::free(block);
+    EXPECT_EQ("RTC001 memalign 1", counted([] { block = memalign(256, 512); }));
+    std::free(block);
+    EXPECT_EQ("RTC001 posix_memalign 1", counted([] {
+                  void* made = nullptr;
+                  EXPECT_EQ(0, posix_memalign(&made, 256, 512));
+                  block = made;
+              }));
+    std::free(block);
+    EXPECT_EQ("RTC001 malloc 1, RTC002 free 1", counted([] {
+                  char* const made = new char[100];
+                  block = made;
+                  delete[] made;
+              }));
+    EXPECT_EQ("RTC001 malloc 1, RTC002 free 1", counted([] { std::free(block = strdup("text")); }));  // within libc
+    EXPECT_EQ("RTC001 mmap 1, RTC002 munmap 1",
+              counted([] { munmap(mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0), 4096); }));
+}
+
+TEST(Locks, AreCountedButNotAttempts) {
+    static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+    static pthread_rwlock_t lock = PTHREAD_RWLOCK_INITIALIZER;
+    const auto unlock = [] { EXPECT_EQ(0, pthread_mutex_unlock(&mutex)); };
+    const auto release = [] { EXPECT_EQ(0, pthread_rwlock_unlock(&lock)); };
+    EXPECT_EQ("RTC003 pthread_mutex_lock 1", counted([&] { pthread_mutex_lock(&mutex), unlock(); }));
+    EXPECT_EQ("RTC003 pthread_mutex_timedlock 1", counted([&] { pthread_mutex_timedlock(&mutex, &kPast), unlock(); }));
+    EXPECT_EQ("RTC003 pthread_mutex_clocklock 1",
+              counted([&] { pthread_mutex_clocklock(&mutex, CLOCK_MONOTONIC, &kPast), unlock(); }));
+    EXPECT_EQ("", counted([&] { pthread_mutex_trylock(&mutex), unlock(); }));
+    EXPECT_EQ("RTC003 pthread_rwlock_rdlock 1", counted([&] { pthread_rwlock_rdlock(&lock), release(); }));
+    EXPECT_EQ("RTC003 pthread_rwlock_wrlock 1", counted([&] { pthread_rwlock_wrlock(&lock), release(); }));
+    EXPECT_EQ("RTC003 pthread_rwlock_timedrdlock 1",
+              counted([&] { pthread_rwlock_timedrdlock(&lock, &kPast), release(); }));
+    EXPECT_EQ("RTC003 pthread_rwlock_timedwrlock 1",
+              counted([&] { pthread_rwlock_timedwrlock(&lock, &kPast), release(); }));
+    EXPECT_EQ("", counted([&] { pthread_rwlock_tryrdlock(&lock), release(); }));
+    static pthread_spinlock_t spin;
+    pthread_spin_init(&spin, PTHREAD_PROCESS_PRIVATE);
+    EXPECT_EQ("RTC003 pthread_spin_lock 1", counted([] { pthread_spin_lock(&spin), pthread_spin_unlock(&spin); }));
+    static mtx_t own;
+    mtx_init(&own, mtx_plain);
+    EXPECT_EQ("RTC003 mtx_lock 1", counted([] { mtx_lock(&own), mtx_unlock(&own); }));
+}
+
+TEST(Waits, ForThreadsAreCounted) {
+    static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+    static pthread_cond_t condition = PTHREAD_COND_INITIALIZER;
+    pthread_mutex_lock(&mutex);
+    EXPECT_EQ("RTC004 pthread_cond_timedwait 1",
+              counted([] { EXPECT_EQ(ETIMEDOUT, pthread_cond_timedwait(&condition, &mutex, &kPast)); }));
+    EXPECT_EQ("RTC004 pthread_cond_clockwait 1", counted([] {
+                  EXPECT_EQ(ETIMEDOUT, pthread_cond_clockwait(&condition, &mutex, CLOCK_MONOTONIC, &kPast));
+              }));
+    // One that is really woken: the wait is that of the present version, not of an old one.
+    std::atomic<bool> woken{false};
+    std::thread waker([&woken] {
+        while (!woken) {
+            pthread_mutex_lock(&mutex);
+            pthread_cond_signal(&condition);
+            pthread_mutex_unlock(&mutex);
+        }
+    });
+    EXPECT_EQ("RTC004 pthread_cond_wait 1", counted([] { EXPECT_EQ(0, pthread_cond_wait(&condition, &mutex)); }));
+    woken = true;
+    pthread_mutex_unlock(&mutex);
+    waker.join();
+    static sem_t semaphore;
+    sem_init(&semaphore, 0, 1);
+    EXPECT_EQ("RTC004 sem_wait 1", counted([] { EXPECT_EQ(0, sem_wait(&semaphore)); }));
+    EXPECT_EQ("RTC004 sem_timedwait 1", counted([] { EXPECT_EQ(-1, sem_timedwait(&semaphore, &kPast)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(-1, sem_trywait(&semaphore)); }));
+    static pthread_t thread;
+    const auto nothing = [](void* value) { return value; };
+    EXPECT_EQ("RTC004 pthread_join 1, RTC005 pthread_create 1", counted([&] {
+                  void* result = nullptr;
+                  EXPECT_EQ(0, pthread_create(&thread, nullptr, nothing, &mutex));
+                  EXPECT_EQ(0, pthread_join(thread, &result));
+                  EXPECT_EQ(&mutex, result);
+              }));
+    static std::atomic<int> word{1};
+    EXPECT_EQ("RTC004 futex 1", counted([] { syscall(SYS_futex, &word, FUTEX_WAIT, 1, &kSoon, nullptr, 0); }));
+    EXPECT_EQ("", counted([] { syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0); }));
+}
+
+TEST(Waits, ForTimesAndDescriptorsAreCounted) {
+    EXPECT_EQ("RTC004 nanosleep 1", counted([] { EXPECT_EQ(0, nanosleep(&kSoon, nullptr)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(0, nanosleep(&kNow, nullptr)); }));
+    EXPECT_EQ("RTC004 clock_nanosleep 1", counted([] { clock_nanosleep(CLOCK_MONOTONIC, 0, &kSoon, nullptr); }));
+    EXPECT_EQ("RTC004 usleep 1", counted([] { usleep(1); }));
+    EXPECT_EQ("RTC004 sleep 1", counted([] { sleep(0); }));
+    EXPECT_EQ("RTC004 thrd_sleep 1", counted([] { thrd_sleep(&kSoon, nullptr); }));
+    EXPECT_EQ("RTC004 poll 1", counted([] { EXPECT_EQ(0, poll(nullptr, 0, 1)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(0, poll(nullptr, 0, 0)); }));
+    EXPECT_EQ("RTC004 ppoll 1", counted([] { EXPECT_EQ(0, ppoll(nullptr, 0, &kSoon, nullptr)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(0, ppoll(nullptr, 0, &kNow, nullptr)); }));
+    timeval soon = {0, 1}, now = {0, 0};
+    EXPECT_EQ("RTC004 select 1", counted([&] { EXPECT_EQ(0, select(0, nullptr, nullptr, nullptr, &soon)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(0, select(0, nullptr, nullptr, nullptr, &now)); }));
+    EXPECT_EQ("RTC004 pselect 1", counted([] { pselect(0, nullptr, nullptr, nullptr, &kSoon, nullptr); }));
+    const int events = epoll_create1(EPOLL_CLOEXEC);
+    epoll_event event{};
+    EXPECT_EQ("RTC004 epoll_wait 1", counted([&] { EXPECT_EQ(0, epoll_wait(events, &event, 1, 1)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(0, epoll_wait(events, &event, 1, 0)); }));
+    close(events);
+    sigset_t none;
+    sigemptyset(&none);
+    EXPECT_EQ("RTC004 sigtimedwait 1", counted([&] { sigtimedwait(&none, nullptr, &kSoon); }));
+}
+
+TEST(SystemCalls, OnFilesAreCounted) {
+    char name[] = "/tmp/oroforge-calls-XXXXXX";
+    static int file = -1;
+    file = mkstemp(name);
+    const std::string path = name;
+    char bytes[8] = "1234567";
+    iovec part = {bytes, 4};
+    EXPECT_EQ("RTC005 write 1", counted([&] { EXPECT_EQ(8, write(file, bytes, 8)); }));
+    EXPECT_EQ("RTC005 pread 1", counted([&] { EXPECT_EQ(4, pread(file, bytes + 4, 4, 0)); }));
+    EXPECT_STREQ("12341234", std::string(bytes, 8).c_str());
+    EXPECT_EQ("RTC005 pwrite 1", counted([&] { EXPECT_EQ(1, pwrite(file, "9", 1, 0)); }));
+    EXPECT_EQ("RTC005 writev 1", counted([&] { EXPECT_EQ(4, writev(file, &part, 1)); }));
+    EXPECT_EQ("RTC005 fsync 1", counted([] { EXPECT_EQ(0, fsync(file)); }));
+    EXPECT_EQ("RTC005 fdatasync 1", counted([] { EXPECT_EQ(0, fdatasync(file)); }));
+    EXPECT_EQ("RTC005 ftruncate 1", counted([] { EXPECT_EQ(0, ftruncate(file, 2)); }));
+    EXPECT_EQ("RTC005 close 1", counted([] { EXPECT_EQ(0, close(file)); }));
+    // What is no file's business has no effect on files.
+    EXPECT_EQ("RTC005 open 1", counted([&] { file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
+    EXPECT_EQ("RTC005 read 1", counted([&] { EXPECT_EQ(2, read(file, bytes, 8)); }));
+    close(file);
+    EXPECT_EQ("RTC005 openat 1", counted([&] { file = openat(AT_FDCWD, path.c_str(), O_RDONLY | O_CLOEXEC); }));
+    EXPECT_LE(0, file);
+    close(file);
+    struct stat status {};
+    EXPECT_EQ("RTC005 stat 1", counted([&] { EXPECT_EQ(0, stat(path.c_str(), &status)); }));
+    EXPECT_EQ(2, status.st_size);
+    EXPECT_EQ("RTC005 access 1", counted([&] { EXPECT_EQ(0, access(path.c_str(), R_OK)); }));
+    const std::string moved = path + "x";
+    EXPECT_EQ("RTC005 rename 1", counted([&] { EXPECT_EQ(0, rename(path.c_str(), moved.c_str())); }));
+    EXPECT_EQ("RTC005 unlink 1", counted([&] { EXPECT_EQ(0, unlink(moved.c_str())); }));
+    EXPECT_EQ("RTC005 open 1", counted([&] { file = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600); }));
+    EXPECT_TRUE(fstat(file, &status) == 0 && (status.st_mode & 0777) == 0600);
+    close(file);
+    unlink(path.c_str());
+    EXPECT_EQ("RTC005 mkdir 1", counted([&] { EXPECT_EQ(0, mkdir(path.c_str(), 0700)); }));
+    EXPECT_EQ("RTC005 rmdir 1", counted([&] { EXPECT_EQ(0, rmdir(path.c_str())); }));
+}
+
+TEST(SystemCalls, OnPipesAndSocketsAreCountedIfTheyMayBlock) {
+    int pair[2], quiet[2];
+    ASSERT_EQ(0, socketpair(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0, pair));
+    ASSERT_EQ(0, pipe2(quiet, O_NONBLOCK | O_CLOEXEC));
+    char byte = 'x';
+    EXPECT_EQ("RTC005 send 1", counted([&] { EXPECT_EQ(1, send(pair[0], &byte, 1, 0)); }));
+    EXPECT_EQ("RTC005 recv 1", counted([&] { EXPECT_EQ(1, recv(pair[1], &byte, 1, 0)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(1, send(pair[0], &byte, 1, MSG_DONTWAIT)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(1, recv(pair[1], &byte, 1, MSG_DONTWAIT)); }));
+    EXPECT_EQ("RTC005 sendto 1", counted([&] { EXPECT_EQ(1, sendto(pair[0], &byte, 1, 0, nullptr, 0)); }));
+    EXPECT_EQ("RTC005 recvfrom 1", counted([&] { EXPECT_EQ(1, recvfrom(pair[1], &byte, 1, 0, nullptr, nullptr)); }));
+    iovec part = {&byte, 1};
+    msghdr message{};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    EXPECT_EQ("RTC005 sendmsg 1", counted([&] { EXPECT_EQ(1, sendmsg(pair[0], &message, 0)); }));
+    EXPECT_EQ("RTC005 recvmsg 1", counted([&] { EXPECT_EQ(1, recvmsg(pair[1], &message, 0)); }));
+    int waiting = -1;
+    EXPECT_EQ("RTC005 ioctl 1", counted([&] { EXPECT_EQ(0, ioctl(pair[0], FIONREAD, &waiting)); }));
+    EXPECT_EQ(0, waiting);
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(0, ioctl(quiet[0], FIONREAD, &waiting)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(1, write(quiet[1], &byte, 1)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(1, read(quiet[0], &byte, 1)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(-1, write(-1, "x", 1)); }));  // fails at once
+    EXPECT_EQ(EBADF, errno);
+    for (const int fd : {pair[0], pair[1], quiet[0], quiet[1]}) close(fd);
+}
+
+TEST(SystemCalls, ThatStartProgramsAreCounted) {
+    int status = -1;
+    EXPECT_EQ("RTC005 fork 1, RTC005 waitpid 1", counted([&] {
+                  const pid_t child = fork();
+                  if (child == 0) _exit(7);
+                  EXPECT_EQ(child, waitpid(child, &status, 0));
+              }));
+    EXPECT_EQ(7, WEXITSTATUS(status));
+    EXPECT_EQ("RTC005 system 1", counted([] { EXPECT_EQ(0, system("true")); }));
+    EXPECT_EQ("RTC005 posix_spawn 1", counted([&] {
+                  char name[] = "true";
+                  char* words[] = {name, nullptr};
+                  pid_t child = 0;
+                  EXPECT_EQ(0, posix_spawn(&child, "/bin/true", nullptr, nullptr, words, environ));
+                  while (waitpid(child, &status, WNOHANG) == 0) sched_yield();
+              }));
+    EXPECT_EQ(0, status);
+}
+
+TEST(Streams, AreCountedOnceWhateverTheyDo) {
+    static std::FILE* stream = nullptr;
+    EXPECT_EQ("RTC006 fopen 1", counted([] { stream = std::fopen("/dev/null", "r+"); }));
+    EXPECT_EQ("RTC006 fprintf 1", counted([] { EXPECT_EQ(5, std::fprintf(stream, "%d %s\n", 42, "x")); }));
+    EXPECT_EQ("RTC006 fputs 1", counted([] { std::fputs("text", stream); }));
+    EXPECT_EQ("RTC006 fputc 1", counted([] { std::fputc('x', stream); }));
+    EXPECT_EQ("RTC006 fwrite 1", counted([] { EXPECT_EQ(3u, std::fwrite("abc", 1, 3, stream)); }));
+    EXPECT_EQ("RTC006 fflush 1", counted([] { EXPECT_EQ(0, std::fflush(stream)); }));
+    char text[10];
+    EXPECT_EQ("RTC006 fgets 1", counted([&] { EXPECT_EQ(nullptr, std::fgets(text, 10, stream)); }));
+    EXPECT_EQ("RTC006 fclose 1", counted([] { EXPECT_EQ(0, std::fclose(stream)); }));
+    EXPECT_EQ("RTC006 printf 1", counted([] { EXPECT_EQ(4, std::printf("%s\n", "xyz")); }));
+    EXPECT_EQ("RTC006 puts 1", counted([] { std::puts("puts"); }));
+    EXPECT_EQ("RTC006 dprintf 1", counted([] { EXPECT_EQ(3, dprintf(1, "%d\n", 42)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(2, std::snprintf(text, 10, "%d", 42)); }));
+}
+
+extern "C" {
+int __printf_chk(int, const char*, ...);
+ssize_t __read_chk(int, void*, size_t, size_t);
+int __open_2(const char*, int);
+}
+
+TEST(Fortified, FunctionsAreCountedToo) {
+    static int file = -1;
+    char byte = 0;
+    EXPECT_EQ("RTC005 __open_2 1", counted([] { file = __open_2("/dev/zero", O_RDONLY | O_CLOEXEC); }));
+    EXPECT_EQ("RTC005 __read_chk 1", counted([&] { EXPECT_EQ(1, __read_chk(file, &byte, 1, 1)); }));
+    EXPECT_EQ("RTC006 __printf_chk 1", counted([] { EXPECT_EQ(3, __printf_chk(1, "%d\n", 42)); }));
+    close(file);
+}
+
+TEST(Watch, CoversWhatIsNestedAndNothingElse) {
+    const auto allocate = [] { block = std::malloc(10); };
+    EXPECT_EQ("", counted(allocate, 0));
+    EXPECT_EQ("RTC001 malloc 2", counted([&] {
+                  oroforge_rt_check_begin("inner", 0);  // in the thread of one that is watched
+                  allocate();
+                  oroforge_rt_check_end();
+                  allocate();
+              }));
+    EXPECT_EQ("RTC001 malloc 1", counted(
+                                     [&] {
+                                         oroforge_rt_check_begin("inner", 1);
+                                         allocate();
+                                         oroforge_rt_check_end();
+                                         allocate();
+                                     },
+                                     0));
+    EXPECT_EQ("RTC001 malloc 20", counted([&] {
+                  for (int i = 0; i != 20; ++i) oroforge_rt_check_begin("deep", 0), allocate();
+                  for (int i = 0; i != 20; ++i) oroforge_rt_check_end();
+              }));
+    EXPECT_EQ("", counted([] {}));
+}
+
+TEST(Watch, CoversItsOwnThreadOnly) {
+    std::atomic<int> stage{0};
+    std::thread other([&stage] {
+        while (stage != 1) std::this_thread::yield();
+        block = std::malloc(10);
+        stage = 2;
+    });
+    EXPECT_EQ("", counted([&stage] {
+                  stage = 1;
+                  while (stage != 2) sched_yield();
+              }));
+    other.join();
+}
+
+TEST(Watch, KnowsWhatWasInALibraryThatIsClosedNow) {
+    void* const library = dlopen(CLOSED_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(nullptr, library) << dlerror();
+    const auto allocate = reinterpret_cast<void* (*)()>(dlsym(library, "allocateInClosedLibrary"));
+    oroforge_rt_check_begin("closed", 1);
+    block = allocate();
+    oroforge_rt_check_end();
+    std::free(block);
+    ASSERT_EQ(0, dlclose(library));
+    ASSERT_EQ(nullptr, dlopen(CLOSED_LIBRARY, RTLD_NOW | RTLD_NOLOAD)) << "it is still there";
+    std::string frame;
+    oroforge_rt_check_findings(
+        [](void* to, const oroforge_rt_finding* finding) {
+            if (std::strcmp(finding->component, "closed") == 0) *static_cast<std::string*>(to) = finding->frames[0];
+        },
+        &frame);
+    EXPECT_EQ(0u, frame.find("'allocateInClosedLibrary' (" CLOSED_LIBRARY "+0x")) << frame;
+}
+
+TEST(Watch, KeepsTheErrorNumber) {
+    counted([] {
+        errno = 99;
+        block = std::malloc(10);
+        EXPECT_EQ(99, errno);
+    });
+}
+
+}  // namespace
