@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// A component that crashes where its property says.
+#include <rtt/Component.hpp>
+#include <rtt/RTT.hpp>
+
+#include <cstdlib>
+
+namespace deploycrash {
+
+class Crashing : public RTT::TaskContext {
+public:
+    explicit Crashing(const std::string& name) : RTT::TaskContext(name, PreOperational) {
+        addProperty("where", where_);
+        addOperation("crash", &Crashing::crash, this, RTT::OwnThread);
+    }
+
+protected:
+    bool configureHook() override {
+        if (where_ == "configure") crash();
+        return true;
+    }
+    void updateHook() override {
+        if (where_ == "update") crash();
+        if (where_ == "abort") std::abort();
+    }
+
+private:
+    void crash() {
+        volatile int* nowhere = nullptr;
+        *nowhere = 1;
+    }
+
+    std::string where_;
+};
+
+}  // namespace deploycrash
+
+ORO_CREATE_COMPONENT(deploycrash::Crashing)
