@@ -37,13 +37,30 @@ TEST(TypekitView, PutsATypeAndItsInstancesIntoOneBucket) {
     EXPECT_FALSE(bucket["structs"][0].contains("hasFields"));
 }
 
-TEST(TypekitView, LeavesSequencesOfNumbersToTheRuntime) {
-    const model::TypeUse number{model::TypeKind::Scalar, "double", "/double", {}};
-    const model::TypeUse point{model::TypeKind::Struct, "::P", "/P", {}};
+namespace {
+
+const model::TypeUse kNumber{model::TypeKind::Scalar, "double", "/double", {}, ""};
+const model::TypeUse kPoint{model::TypeKind::Struct, "::P", "/P", {}, ""};
+
+model::TypeModel twoSequences() {
     model::TypeModel model;
-    model.library = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {number}},
-                     {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {point}}};
+    model.library = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {kNumber}, ""},
+                     {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {kPoint}, ""}};
+    return model;
+}
+
+}  // namespace
+
+TEST(TypekitView, LeavesSequencesOfNumbersToTheRuntime) {
+    model::TypeModel model = twoSequences();
+    model.aliases = {{"/Numbers", "/std/vector</double>", {}}, {"/Points", "/std/vector</P>", {}}};
     const auto view = typekit::makeView(model, "demo");
     ASSERT_EQ(view["externs"].size(), 1U);
     EXPECT_EQ(view["externs"][0]["cpp"], "std::vector<::P>");
+}
+
+TEST(TypekitView, HasNoInstancesOfContainersWithoutAName) {
+    const auto view = typekit::makeView(twoSequences(), "demo");
+    EXPECT_EQ(view["externs"].size(), 0U);
+    EXPECT_EQ(view["buckets"][typekit::bucketOf("/std/vector</P>")]["library"].size(), 1U);
 }
