@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 # Private part of UseOrocos.cmake: where a project is built. Plain CMake, or catkin, which builds what is to be loaded into
-# a "devel space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one. catkin itself need not be there.
+# a "devel space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one, or rosbuild, where the source folder of
+# a package is such a prefix. Neither need be there.
 
 # Sets _oro_devel to the devel space, or to nothing where there is none.
 macro(_oro_choose_flavour)
   set(_oro_devel "")
-  if(ORO_USE_ROSBUILD OR COMMAND rosbuild_init)
-    message(WARNING "rosbuild is not supported: ${PROJECT_NAME} is built by plain CMake, into its build folder")
+  set(_oro_rosbuild FALSE)
+  if(DEFINED ORO_USE_ROSBUILD)
+    set(_oro_rosbuild ${ORO_USE_ROSBUILD})
+  elseif(COMMAND rosbuild_init)
+    set(_oro_rosbuild TRUE)
   endif()
   set(_oro_catkin FALSE)
-  if(DEFINED ORO_USE_CATKIN)
+  if(_oro_rosbuild)
+    set(_oro_devel ${PROJECT_SOURCE_DIR})
+  elseif(DEFINED ORO_USE_CATKIN)
     set(_oro_catkin ${ORO_USE_CATKIN})
   elseif((catkin_FOUND OR CATKIN_DEVEL_PREFIX) AND EXISTS ${PROJECT_SOURCE_DIR}/package.xml)
     set(_oro_catkin TRUE)
@@ -79,6 +85,10 @@ function(_oro_write_devel_pkg_config name version requires targets include_dirs)
   endforeach()
   list(REMOVE_DUPLICATES libs)
   set(cflags ${include_dirs})
+  if(_oro_rosbuild)
+    # Packages of old include files by their place below the folder of all packages.
+    list(APPEND cflags ${_oro_devel}/..)
+  endif()
   list(TRANSFORM cflags PREPEND -I)
   _oro_configure_pkg_config(${_oro_devel}/lib/pkgconfig/${name}.pc ${_oro_devel} "${name}" "${version}" "${requires}"
     "${libs}" "${cflags}")
@@ -86,7 +96,7 @@ endfunction()
 
 # catkin wants every package to call catkin_package(). Those that do not, have it called for them.
 macro(_oro_catkin_package)
-  if(_oro_devel AND COMMAND catkin_package AND NOT ${PROJECT_NAME}_CATKIN_PACKAGE)
+  if(_oro_catkin AND COMMAND catkin_package AND NOT ${PROJECT_NAME}_CATKIN_PACKAGE)
     catkin_package()
   endif()
 endmacro()

@@ -258,7 +258,7 @@ function(_oro_package)
   endforeach()
   set(${PROJECT_NAME}_EXPORTED_TARGETS ${all} PARENT_SCOPE)
   # catkin writes files for find_package() itself.
-  if(NOT ARG_NO_CMAKE_CONFIG AND NOT (_oro_devel AND COMMAND catkin_package))
+  if(NOT ARG_NO_CMAKE_CONFIG AND NOT (_oro_catkin AND COMMAND catkin_package))
     list(TRANSFORM cflags REPLACE "^-I" "")
     string(REGEX REPLACE "-${OROCOS_TARGET}$" "" package ${name})
     _oro_add_config(${package} ${version} "${targets}" "${cflags}")

@@ -45,7 +45,7 @@ refused 'orocos_configure_executable(orocos::orocos-rtt): this target is importe
 refused 'orocos_use_package(): no package given' 'orocos_use_package(REQUIRED)'
 refused "package rtt_scripting not found: no pkg-config module named any of: rtt_scripting-gnulinux, rtt_scripting (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); did you mean 'rtt-scripting'?" \
   'orocos_use_package(rtt_scripting REQUIRED)'
-refused 'package nowhere not found: no pkg-config module named any of: nowhere-gnulinux (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); packages for gnulinux: ocl, ocl-deployment, orocos-ocl, orocos-rtt, rtt-marshalling, rtt-scripting, rtt-typekit package elsewhere not found' \
+refused 'package nowhere not found: no pkg-config module named any of: nowhere-gnulinux (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain); packages for gnulinux: ocl, ocl-common, ocl-deployment, ocl-helloworld, ocl-reporting, ocl-taskbrowser, ocl-timer, orocos-ocl, orocos-rtt, rtt-marshalling, rtt-scripting, rtt-typekit package elsewhere not found' \
   'orocos_find_package(nowhere rtt-typekit elsewhere OROCOS_ONLY REQUIRED)'
 warned 'orocos_use_package(): package nowhere not found' 'orocos_use_package(nowhere VERBOSE)'
 warned "found [] []" 'orocos_use_package(nowhere)
@@ -75,10 +75,6 @@ warned 'the static library arm links the static library leg, which the package d
 orocos_library(arm STATIC one.cpp)
 target_link_libraries(arm leg)
 orocos_generate_package()'
-warned 'rosbuild is not supported: pkg is built by plain CMake' 'set(USE_OROCOS_RTT FALSE)
-set(_oro_set_up "")
-set(ORO_USE_ROSBUILD TRUE)
-include(${OROCOS-RTT_USE_FILE_PATH}/UseOROCOS-RTT.cmake)'
 
 # Generators have one call in a project.
 echo '<package name="pkg"><component class="pkg::One"/></package>' > pkg/pkg.xml
@@ -99,6 +95,7 @@ add_subdirectory(sub)'
 
 refused "no such plugins for gnulinux: rtt-transport-corba, rtt-elsewhere (searched: $prefix/lib/orocos/gnulinux/plugins, " \
   'find_package(OROCOS-RTT REQUIRED rtt-scripting rtt-transport-corba rtt-elsewhere)'
-refused "no such parts for gnulinux: ocl-taskbrowser; $prefix has: deployment" 'find_package(OROCOS-OCL REQUIRED COMPONENTS deployment ocl-taskbrowser)'
+refused "no such parts for gnulinux: ocl-logging; $prefix has: deployment, taskbrowser, common, helloworld, reporting, timer" \
+  'find_package(OROCOS-OCL REQUIRED COMPONENTS deployment ocl-logging)'
 export OROCOS_TARGET=xenomai
 refused "OROCOS_TARGET is 'xenomai', but the toolchain in $prefix was built for 'gnulinux'" ''
