@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 # debian_packages.sh BUILD: the Debian packages of this build are installed by apt into a bare system, and there an ordinary
-# user takes the first steps: scaffold, generate, build, test, deploy. Needs root, debootstrap and a mirror of Debian.
+# user takes the first steps, as docs/getting_started.md tells them: scaffold, generate, build, test, deploy. Needs root,
+# debootstrap and a mirror of Debian.
 set -euo pipefail
 build=$1
 source=$(cd "$(dirname "$0")/../.." && pwd)
@@ -61,17 +62,18 @@ cp "$build"/packages/*.deb "$root/packages"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
 inside apt-get update -q > /dev/null
 # With what they recommend of each other, but not with all that compilers recommend.
-inside sh -c 'apt-get install -y -q --no-install-recommends /packages/*.deb make' > "$build/apt.log" 2>&1 || { tail -n 40 "$build/apt.log"; fail "apt-get install"; }
+inside sh -c 'apt-get install -y -q --no-install-recommends /packages/*.deb make python3' > "$build/apt.log" 2>&1 || { tail -n 40 "$build/apt.log"; fail "apt-get install"; }
 [ -z "$(inside dpkg --audit)" ] || fail "dpkg finds the installation incomplete"
 
 echo "== a user's first steps"
-cp -r "$source/examples/t01_tank" "$root/packages/t01_tank"
+cp "$source/tests/docs/run_guide.py" "$source/docs/getting_started.md" "$root/packages"
 cat > "$root/packages/steps" << 'TXT'
 #!/bin/sh
 set -e
 cd "$HOME"
-/packages/t01_tank/run /usr --seconds 1
-# Nothing has to be set: programs, CMake and pkg-config find what lies in /usr.
+python3 /packages/run_guide.py /usr /packages/getting_started.md
+# Nothing else has to be set: programs, CMake and pkg-config find what lies in /usr.
+export OROCOS_TARGET=gnulinux
 orocreate-pkg mypkg component typekit
 cmake -S mypkg -B build -DCMAKE_INSTALL_PREFIX="$HOME/inst" -DBUILD_TESTING=OFF
 cmake --build build --target install
@@ -82,13 +84,12 @@ loadComponent("one", "Mypkg")
 one.configure()
 one.start()
 OPS
-RTT_COMPONENT_PATH=$HOME/inst/lib/orocos timeout -s INT 5 deployer -linfo -s app.ops < /dev/null > deploy.out 2>&1 || [ $? = 124 ]
+sleep 3 | RTT_COMPONENT_PATH=$HOME/inst/lib/orocos timeout 60 deployer -linfo -s app.ops > deploy.out 2>&1
 grep Mypkg deploy.out
 TXT
 chmod 755 "$root/packages/steps"
 inside useradd --create-home robot
 inside su - robot -c /packages/steps > "$build/steps.log" 2>&1 || { cat "$build/steps.log"; fail "the first steps"; }
-grep -q 'verdict:.*OK' "$build/steps.log" || { cat "$build/steps.log"; fail "no verdict of the tank"; }
 
 echo "== and away again"
 inside sh -c 'apt-get purge -y -q oroforge-runtime oroforge-dev oroforge-tools' > "$build/apt.log" 2>&1 || { cat "$build/apt.log"; fail "apt-get purge"; }
