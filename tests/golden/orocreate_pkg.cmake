@@ -50,6 +50,7 @@ if(TARGET orocos-rtt)
   foreach(case IN LISTS cases)
     oroforge_add_component_golden(${case})
   endforeach()
+  oroforge_add_test(golden-service-range SOURCES service_range_test.cpp LIBS golden-service_plugins LABELS golden)
   # The skeletons of all kinds compile, too; each is a plugin of its own, hence no single unit.
   set(files ${CMAKE_CURRENT_SOURCE_DIR}/package/all_kinds/expected/files/my-pkg)
   file(GLOB sources CONFIGURE_DEPENDS ${files}/src/*.cpp ${files}/tests/my-pkg*.cpp)
