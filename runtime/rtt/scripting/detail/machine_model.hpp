@@ -90,7 +90,7 @@ struct MachineState {
 struct MachineModel {
     std::string name;  ///< with the names of the machines it is part of
     std::string text;
-    unsigned firstLine = 1;  ///< of the text, in its file
+    unsigned firstLine = 1;           ///< of the text, in its file
     std::vector<RoutinePtr> initial;  ///< parameters and variables, in this order
     std::deque<MachineState> states;
     std::vector<MachineTransition> transitions;  ///< from any state
