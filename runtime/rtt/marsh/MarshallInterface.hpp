@@ -11,7 +11,8 @@ namespace marsh {
 /** Writes properties in some format. Not thread safe, not real-time safe. */
 class RTT_API MarshallInterface {
 public:
-    virtual ~MarshallInterface();
+    // Defined here: who derives from these needs nothing of the marshalling plugin.
+    virtual ~MarshallInterface() = default;
     virtual void serialize(base::PropertyBase* property) = 0;
     virtual void serialize(const PropertyBag& bag) = 0;
     /** Finishes what was serialized so far. */
@@ -21,7 +22,7 @@ public:
 /** Reads properties in some format. */
 class RTT_API DemarshallInterface {
 public:
-    virtual ~DemarshallInterface();
+    virtual ~DemarshallInterface() = default;
     /** Adds the properties read; the bag owns them. False if nothing, or only a part, could be read. */
     virtual bool deserialize(PropertyBag& bag) = 0;
 };

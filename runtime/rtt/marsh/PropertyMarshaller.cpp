@@ -10,9 +10,6 @@
 namespace RTT {
 namespace marsh {
 
-MarshallInterface::~MarshallInterface() = default;
-DemarshallInterface::~DemarshallInterface() = default;
-
 std::string detail::cpfElement(base::PropertyBase& property) { return cpfItem(property, 2); }
 
 std::string detail::cpfDocument(const std::string& elements) { return cpfFrame(elements); }
