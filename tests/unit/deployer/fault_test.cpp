@@ -86,13 +86,18 @@ TEST_F(Fault, AFileThatIsBeingSavedWhenTheProcessIsKilledIsWholeOrAsBefore) {
         "app.xml", page(component("well", "",
                                   "<simple name=\"UpdateProperties\" type=\"string\"><value>well.cpf</value></simple>\n"
                                   "<simple name=\"AutoSave\" type=\"boolean\"><value>1</value></simple>\n")));
+    Command program = command({"-s", "app.xml"});
+    program.program = RTTSCRIPT_PROGRAM;
+    directory_.write("well.cpf", before);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(0, run(program).status);
+    const auto undisturbed = std::chrono::steady_clock::now() - begin;
     int saved = 0;
-    for (int attempt = 0; attempt != 20; ++attempt) {
+    // Later and later, until one was not killed in time.
+    for (int attempt = 1; attempt != 21 || (saved == 0 && attempt != 200); ++attempt) {
         directory_.write("well.cpf", before);
-        Command program = command({"-s", "app.xml"});
-        program.program = RTTSCRIPT_PROGRAM;
         ChildProcess child(program);
-        std::this_thread::sleep_for(std::chrono::milliseconds(10 + 4 * attempt));
+        std::this_thread::sleep_for(undisturbed * attempt / 18);
         child.send(SIGKILL);
         (void)child.finish();
         const std::string after = readFile(directory_ / "well.cpf");
