@@ -17,30 +17,47 @@ namespace po = boost::program_options;
 namespace OCL::deploy {
 namespace {
 
+enum class Takes { Nothing, Word, Number, Words };
+
+const struct {
+    const char* name;
+    Takes value;
+    const char* text;
+} kOptions[] = {
+    {"help,h", Takes::Nothing, "show this text"},
+    {"version", Takes::Nothing, "show the version"},
+    {"start,s", Takes::Words, "deploy from this XML file (.xml, .cpf) or script (.ops, .osd, .lua); may be repeated"},
+    {"site-file", Takes::Word, "deploy from this file first; default: <name>-site.cpf, if there is one"},
+    {"log-level,l", Takes::Word,
+     "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL"},
+    {"no-consolelog", Takes::Nothing, "write the log to its file only"},
+    {"check", Takes::Nothing,
+     "check scripts without running them, load and configure what XML files describe, start nothing, clean up and end"},
+    {"dry-run", Takes::Nothing,
+     "check everything that files and installed libraries can tell, create no component, and end"},
+    {"dot", Takes::Word, "write the graph of the components to this file, for Graphviz"},
+    {"rt-check", Takes::Nothing,
+     "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
+     "the exit status is 255"},
+    {"daemon,d", Takes::Nothing, "run in the background, without the console"},
+    {"minNumberCPU", Takes::Number, "end with exit status 254 if this process has fewer processors"},
+    {"require-name-service", Takes::Nothing, "for programs with CORBA; has no effect here"},
+    {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
+    {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
+};
+
 po::options_description visibleOptions() {
     po::options_description options("Options");
-    options.add_options()("help,h", "show this text")("version", "show the version")(
-        "start,s", po::value<std::vector<std::string>>()->composing(),
-        "deploy from this XML file (.xml, .cpf) or script (.ops, .osd, .lua); may be repeated")(
-        "site-file", po::value<std::string>(),
-        "deploy from this file first; default: <name>-site.cpf, if there is one")(
-        "log-level,l", po::value<std::string>(),
-        "Never, Fatal, Critical, Error, Warning, Info, Debug or RealTime; overrides ORO_LOGLEVEL")(
-        "no-consolelog", "write the log to its file only")("check",
-                                                           "check scripts without running them, load and configure "
-                                                           "what XML files describe, start nothing, clean up and end")(
-        "dry-run", "check everything that files and installed libraries can tell, create no component, and end")(
-        "dot", po::value<std::string>(), "write the graph of the components to this file, for Graphviz")(
-        "daemon,d", "run in the background, without the console")(
-        "rt-check",
-        "tell at the end what components with a real-time scheduler allocated, locked or waited for in "
-        "updateHook(); then the exit status is 255")("minNumberCPU", po::value<int>(),
-                                                     "end with exit status 254 if this process has fewer processors")(
-        "require-name-service", "for programs with CORBA; has no effect here")(
-        "rtalloc-mem-size", po::value<std::string>(),
-        "size of the pool of real-time memory, with k, m or g for units; default: 512k")(
-        "DeployerName", po::value<std::vector<std::string>>()->composing(),
-        "name of the deployer; the option's name may be left out");
+    for (const auto& option : kOptions) {
+        switch (option.value) {
+            case Takes::Nothing: options.add_options()(option.name, option.text); break;
+            case Takes::Word: options.add_options()(option.name, po::value<std::string>(), option.text); break;
+            case Takes::Number: options.add_options()(option.name, po::value<int>(), option.text); break;
+            case Takes::Words:
+                options.add_options()(option.name, po::value<std::vector<std::string>>()->composing(), option.text);
+                break;
+        }
+    }
     return options;
 }
 
