@@ -5,9 +5,12 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/scripting/detail/parser.hpp>
+#include <rtt/scripting/detail/process.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace RTT {
@@ -17,6 +20,11 @@ namespace detail {
 namespace diag = oroforge::diag;
 
 namespace {
+
+constexpr unsigned kMostYields = 10000;
+// What a statement waits for is rarely there at once: after so many yields it waits a little with each.
+constexpr unsigned kEagerYields = 100;
+constexpr std::chrono::microseconds kPause(100);
 
 bool hasAlias(const Scope* scope) {
     for (; scope; scope = scope->parent())
@@ -59,6 +67,23 @@ bool ScriptReader::take(const ast::Item& item) {
 bool ScriptReader::parse() {
     file_->tree = detail::parse(file_->text, file_->name, sink_);
     return !sink_.hadErrors();
+}
+
+bool ScriptReader::execute(const Code& code) {
+    Process process(code);
+    for (unsigned yields = 0; yields <= kMostYields; ++yields) {
+        const Process::Outcome outcome = process.run();
+        if (outcome == Process::Outcome::Finished) return true;
+        if (outcome == Process::Outcome::Failed) {
+            error(process.place(), "OPS400", process.message());
+            return false;
+        }
+        if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);
+    }
+    error(process.place(), "OPS410",
+          "the statement yielded " + std::to_string(kMostYields) +
+              " times and did not end; what has to wait longer belongs into a program");
+    return false;
 }
 
 bool ScriptReader::isNew(const char* kind, const char* code, const ast::Identifier& name) {

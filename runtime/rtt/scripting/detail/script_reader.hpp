@@ -48,6 +48,9 @@ protected:
                                                            const Functions& known) const;
     std::shared_ptr<const MachineType> typeOf(const ast::Item& item, const ast::StateMachine& type) const;
 
+    /** To its end; false, with an error, if it fails or yields for too long. Waits a little between yields. */
+    bool execute(const Code& code);
+
     Surroundings surroundings(ExecutionEngine* caller);
     /** Of what is executed by the component's engine and may call these functions, which stay alive as long as it is used. */
     Surroundings inEngine(const Functions& functions);

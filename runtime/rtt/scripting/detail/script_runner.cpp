@@ -10,9 +10,7 @@
 #include <rtt/scripting/detail/machine_build.hpp>
 #include <rtt/scripting/detail/program.hpp>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 namespace RTT {
@@ -24,10 +22,6 @@ namespace diag = oroforge::diag;
 namespace {
 
 constexpr unsigned kDeepest = 50;
-constexpr unsigned kMostYields = 10000;
-// What a script waits for is rarely there at once: after so many yields it waits a little with each.
-constexpr unsigned kEagerYields = 100;
-constexpr std::chrono::microseconds kPause(100);
 
 thread_local const ScriptRunner* innermost = nullptr;
 // Scripts went too deep: none of them goes on, because each might try again and again.
@@ -97,23 +91,6 @@ void ScriptRunner::unload() {
 bool ScriptRunner::take(const ast::Item&, const ast::StatementPtr& statement) {
     const std::unique_ptr<Code> code = compiler_.statement(*statement, file_->scope);
     return code && execute(*code);
-}
-
-bool ScriptRunner::execute(const Code& code) {
-    Process process(code);
-    for (unsigned yields = 0; yields <= kMostYields; ++yields) {
-        const Process::Outcome outcome = process.run();
-        if (outcome == Process::Outcome::Finished) return true;
-        if (outcome == Process::Outcome::Failed) {
-            error(process.place(), "OPS400", process.message());
-            return false;
-        }
-        if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);
-    }
-    error(process.place(), "OPS410",
-          "the statement yielded " + std::to_string(kMostYields) +
-              " times and did not end; what has to wait longer belongs into a program");
-    return false;
 }
 
 bool ScriptRunner::take(const ast::Item& item, const ast::Function& function) {

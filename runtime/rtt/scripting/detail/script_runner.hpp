@@ -41,7 +41,6 @@ private:
     bool take(const ast::Item& item, const ast::Program& program) override;
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
-    bool execute(const Code& code);
     bool checkDepth();
     /** The programs and state machines of this text. */
     void unload();

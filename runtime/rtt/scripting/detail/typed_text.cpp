@@ -9,9 +9,7 @@
 #include <rtt/scripting/check.hpp>
 #include <rtt/scripting/detail/unit.hpp>
 
-#include <chrono>
 #include <exception>
-#include <thread>
 #include <utility>
 
 namespace RTT {
@@ -19,11 +17,6 @@ namespace scripting {
 namespace detail {
 
 namespace {
-
-constexpr unsigned kMostYields = 10000;
-// What a statement waits for is rarely there at once: after so many yields it waits a little with each.
-constexpr unsigned kEagerYields = 100;
-constexpr std::chrono::microseconds kPause(100);
 
 /** The code of an expression that is evaluated once. */
 struct Evaluation {
@@ -145,23 +138,6 @@ void TypedText::publish(const ast::Declarator& declarator) {
     if (made) component_.provides()->setValue(made.release());
     const Source copy = type.buildValue();
     if (copy && copy->update(entry->source.get())) answer(copy);
-}
-
-bool TypedText::execute(const Code& code) {
-    Process process(code);
-    for (unsigned yields = 0; yields <= kMostYields; ++yields) {
-        const Process::Outcome outcome = process.run();
-        if (outcome == Process::Outcome::Finished) return true;
-        if (outcome == Process::Outcome::Failed) {
-            error(process.place(), "OPS400", process.message());
-            return false;
-        }
-        if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);
-    }
-    error(process.place(), "OPS410",
-          "the statement yielded " + std::to_string(kMostYields) +
-              " times and did not end; what has to wait longer belongs into a program");
-    return false;
 }
 
 /** The service gets the item alone, at the place it has in the whole text. */

@@ -40,7 +40,6 @@ private:
     bool declare(const ast::Statement& statement, const ast::Declaration& declaration);
     bool isFree(const ast::Identifier& name);
     void publish(const ast::Declarator& declarator);
-    bool execute(const Code& code);
     bool define(const ast::Item& item);
     void answer(const Source& value);
 
