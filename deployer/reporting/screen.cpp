@@ -11,7 +11,8 @@ namespace OCL {
 
 bool ReportingComponent::screenComponent(const std::string& component) {
     RTT::log(RTT::Error) << "'" << getName() << "' does not say where the screen of '" << component
-                         << "' goes: screenComponent() is not implemented" << RTT::endlog();
+                         << "' goes, because this kind of reporter has no screenComponent() of its own"
+                         << RTT::endlog();
     return false;
 }
 

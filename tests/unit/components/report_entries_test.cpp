@@ -160,7 +160,7 @@ TEST_F(ReportEntries, BaseClassNeedsSomebodyWhoWrites) {
     EXPECT_FALSE(base.start());
     EXPECT_THAT(log(), HasSubstr("needs at least one marshaller"));
     EXPECT_FALSE(base.screenComponent("Machine"));
-    EXPECT_THAT(log(), HasSubstr("screenComponent() is not implemented"));
+    EXPECT_THAT(log(), HasSubstr("has no screenComponent() of its own"));
 }
 
 }  // namespace
