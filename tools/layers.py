@@ -84,7 +84,7 @@ MAY_INCLUDE = {
     "corba": OUTER,
     "mqueue": OUTER,
     "ros": OUTER | {"marsh"},
-    "ocl": API | {"umbrella", "plugin", "extras", "loader"},
+    "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
     "deployment": DEPLOYER | {"corba"},
     "console": DEPLOYER,
     "lua": DEPLOYER,
@@ -95,7 +95,7 @@ MAY_INCLUDE = {
     "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "rt_check", "corba"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
-    "adapters": LEAFS | {"render"},
+    "adapters": LEAFS,
     "clang": {"diag", "model", "adapters"},
     "check": LEAFS | {"model"},
     "merge": {"diag", "model"},
@@ -104,7 +104,7 @@ MAY_INCLUDE = {
     "view": LEAFS | {"model", "banner"},
     "render": {"diag"},
     "emit": {"diag", "banner"},
-    "report": {"diag", "render"},
+    "report": {"diag"},
     "driver": GENERATOR | {"xml"},
     "collect": {"diag", "model", "clang", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
@@ -144,9 +144,11 @@ SHARED_DETAIL = {
     # Components and plugins are found on one search path and opened by one function.
     "runtime/rtt/plugin/detail/": ["runtime/rtt/deployment/"],
     # Property files update bags as updateProperties() does, but report where in the file.
-    "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/"],
+    "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/", "deployer/deployment/"],
     # The deployer reads property structs that stand inside its own XML.
     "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
+    # ... and tells the syntax errors of scripts before it creates the components that they are for.
+    "runtime/rtt/scripting/detail/script_syntax.hpp": ["deployer/deployment/"],
     # The compiler of scripts says itself where a value is converted.
     "runtime/rtt/types/detail/conversion_watch.hpp": ["runtime/rtt/scripting/"],
     # Scripts compute with numbers as the constructors of the built-in types do.

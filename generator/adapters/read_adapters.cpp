@@ -8,13 +8,13 @@
 #include <set>
 
 #include <adapters/name_pattern.hpp>
-#include <render/embedded.hpp>
+#include <diag/embedded_files.hpp>
 #include <xml/document.hpp>
 
 #include "adapter_rules.hpp"
 
-namespace oroforge::render {
-EmbeddedFiles shippedAdapters();
+namespace oroforge::embedded {
+diag::EmbeddedFiles shippedAdapters();
 }
 
 namespace oroforge::adapters {
@@ -300,7 +300,7 @@ std::vector<Adapter> readAdapters(const std::vector<std::string>& files, diag::S
     for (const std::string& file : files) {
         if (seen.insert(file).second) add(xml::Document::parseFile(file, sink), false, result, sink);
     }
-    for (const render::EmbeddedFile& file : render::shippedAdapters())
+    for (const diag::EmbeddedFile& file : embedded::shippedAdapters())
         add(xml::Document::parseText(std::string(file.text), std::string(file.name), sink), true, result, sink);
     return result;
 }

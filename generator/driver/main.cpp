@@ -12,8 +12,8 @@
 #include <report/explain.hpp>
 #include <report/report.hpp>
 
-namespace oroforge::render {
-EmbeddedFiles componentTemplates();
+namespace oroforge::embedded {
+diag::EmbeddedFiles componentTemplates();
 }
 
 namespace {
@@ -21,8 +21,8 @@ namespace {
 using namespace oroforge;
 
 void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
-    if (options.explain) return report::explain(options.words, {"orocreate-pkg", "OC001"}, out, sink);
-    render::Templates templates(render::componentTemplates());
+    if (options.explain) return report::explanations().print(options.words, {"orocreate-pkg", "OC001"}, out, sink);
+    render::Templates templates(embedded::componentTemplates());
     if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
     if (options.list) return driver::listKinds(templates, out);
     if (options.upgrade) return driver::upgradePackages(options, out, sink);

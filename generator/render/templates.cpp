@@ -24,12 +24,12 @@ std::string withoutLeadingComment(const std::string& text) {
 
 }  // namespace
 
-Templates::Templates(const EmbeddedFiles& files) { add(files); }
+Templates::Templates(const diag::EmbeddedFiles& files) { add(files); }
 
 void Templates::add(const std::string& name, const std::string& text) { texts_[name] = withoutLeadingComment(text); }
 
-void Templates::add(const EmbeddedFiles& files) {
-    for (const EmbeddedFile& file : files) add(std::string(file.name), std::string(file.text));
+void Templates::add(const diag::EmbeddedFiles& files) {
+    for (const diag::EmbeddedFile& file : files) add(std::string(file.name), std::string(file.text));
 }
 
 bool Templates::overrideFrom(const std::string& directory, diag::Sink& sink) {

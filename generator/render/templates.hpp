@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <diag/embedded_files.hpp>
 #include <diag/sink.hpp>
-#include <render/embedded.hpp>
 
 namespace oroforge::render {
 
@@ -17,10 +17,10 @@ namespace oroforge::render {
 class Templates {
 public:
     Templates() = default;
-    explicit Templates(const EmbeddedFiles& files);
+    explicit Templates(const diag::EmbeddedFiles& files);
 
     void add(const std::string& name, const std::string& text);
-    void add(const EmbeddedFiles& files);
+    void add(const diag::EmbeddedFiles& files);
 
     /// Every *.mustache below `directory` replaces or joins the embedded ones; false and an error if unreadable.
     bool overrideFrom(const std::string& directory, diag::Sink& sink);

@@ -45,7 +45,7 @@ private:
             std::find_if(rules_.begin(), rules_.end(), [&](const Json& rule) { return rule["id"] == code; });
         if (known != rules_.end()) return static_cast<std::size_t>(known - rules_.begin());
         Json rule = {{"id", code}};
-        if (const Explanation* explanation = explanationOf(code)) {
+        if (const diag::Explanation* explanation = explanations().of(code)) {
             rule["shortDescription"] = textOf(explanation->title);
             rule["fullDescription"] = textOf(explanation->firstParagraph());
             rule["help"] = textOf(explanation->text);

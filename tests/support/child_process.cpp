@@ -97,6 +97,7 @@ ChildProcess::ChildProcess(const Command& command) : deadline_(Clock::now() + co
     if (pid_ == 0) {
         // Only async-signal-safe calls here: the test may have threads.
         ::setpgid(0, 0);
+        ::signal(SIGHUP, SIG_DFL);  // which nohup has ignored, if it is what the tests are run by
         ::dup2(input, 0);
         ::dup2(out.write, 1);
         ::dup2(err.write, 2);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <ostream>
 #include <set>
+#include <sstream>
 
 #include <adapters/read_adapters.hpp>
 #include <clang/type_reader.hpp>
@@ -28,8 +29,8 @@
 
 namespace fs = std::filesystem;
 
-namespace oroforge::render {
-EmbeddedFiles typekitTemplates();
+namespace oroforge::embedded {
+diag::EmbeddedFiles typekitTemplates();
 }
 
 namespace oroforge::typekit {
@@ -117,7 +118,7 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
         out << view.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
         return 0;
     }
-    render::Templates templates(render::typekitTemplates());
+    render::Templates templates(embedded::typekitTemplates());
     if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return 1;
     emit::Outputs outputs;
     try {
@@ -188,7 +189,7 @@ bool tellOnly(const Options& options, diag::Sink& sink, std::ostream& out) {
     } else if (options.version) {
         out << "typegen " << OROFORGE_VERSION << "\n";
     } else if (options.explain) {
-        report::explain(options.codes, {"typegen", "TK003"}, out, sink);
+        report::explanations().print(options.codes, {"typegen", "TK003"}, out, sink);
     } else {
         return false;
     }
@@ -201,17 +202,20 @@ int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& 
     const report::Format format = report::wantedFormat(words);
     const bool isText = format == report::Format::Text;
     diag::Sink sink;
+    std::ostringstream last;  // the verdict of --diff comes below the changes
     bool told = false;
     try {
         const auto options = parseOptions(words, sink);
         told = options && tellOnly(*options, sink, out);
         // A document for programs stands alone on standard output.
-        if (options && !told) run(*options, sink, isText ? out : err);
+        if (options && !told) run(*options, sink, options->diff ? last : isText ? out : err);
     } catch (const std::exception& failure) {
         sink.error({"typegen"}, "TK009", std::string("stopped by a failure that was not expected: ") + failure.what());
     }
     const bool complete = told && !sink.hadErrors();
-    if ((!complete && !report::write(format, {"typegen", OROFORGE_VERSION}, sink, out, err)) || !out.flush()) {
+    const bool written = complete || report::write(format, {"typegen", OROFORGE_VERSION}, sink, out, err);
+    (isText ? out : err) << last.str();
+    if (!written || !out.flush()) {
         err << "typegen: error: cannot write to standard output\n";
         return 1;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <diag/nearest_match.hpp>
+#include <diag/type_match.hpp>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,13 @@ TEST(NearestMatch, FindsNothingInStrangers) {
 TEST(DidYouMean, IsAHintOrNothing) {
     EXPECT_EQ(didYouMean("prot", {"port"}), "; did you mean 'port'?");
     EXPECT_EQ(didYouMean("colour", {"port"}), "");
+}
+
+TEST(DidYouMeanType, LooksForTheNameInNamespacesFirst) {
+    EXPECT_EQ(didYouMeanType("Arm", {"Art", "far::Farm", "robot::Arm"}), "; did you mean 'robot::Arm'?");
+    EXPECT_EQ(didYouMeanType("robot::Arm", {"Art", "Arm"}), "; did you mean 'Arm'?");
+    EXPECT_EQ(didYouMeanType("robot::Amr", {"robot::Arm"}), "; did you mean 'robot::Arm'?");
+    EXPECT_EQ(didYouMeanType("Arm", {"::Arm", "Wheel"}), "");
 }
 
 TEST(OneOf, JoinsChoices) {
