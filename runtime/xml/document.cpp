@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include <tinyxml2.h>
@@ -85,6 +87,14 @@ std::string wording(tinyxml2::XMLError error) {
     }
 }
 
+/// Blanks in the place of what the XML library does not take everywhere. Lines stay where they are.
+std::string withoutInstructions(std::string text, const detail::Places& places) {
+    for (const detail::Span& span : places.instructions)
+        for (std::size_t i = span.begin; i != span.end; ++i)
+            if (text[i] != '\n') text[i] = ' ';
+    return text;
+}
+
 /// The place of the byte at `offset`.
 diag::Location placeOf(const std::string& text, std::size_t offset, const std::string& name) {
     const auto at = text.begin() + static_cast<std::ptrdiff_t>(offset);
@@ -98,9 +108,13 @@ diag::Location placeOf(const std::string& text, std::size_t offset, const std::s
 
 std::optional<std::string> readText(const std::string& path, diag::Sink& sink) {
     std::ifstream in(path, std::ios::binary);
+    const int reason = errno;
     std::error_code ignored;
-    if (!in || std::filesystem::is_directory(path, ignored)) {
-        sink.error({path, 0, 0}, "XML001", "cannot read the file");
+    const bool isDirectory = std::filesystem::is_directory(path, ignored);
+    if (!in || isDirectory) {
+        sink.error(
+            {path, 0, 0}, "XML001",
+            "cannot read the file: " + (isDirectory ? "it is a directory" : std::generic_category().message(reason)));
         return std::nullopt;
     }
     std::string text;
@@ -128,7 +142,8 @@ std::optional<Document> Document::parseText(const std::string& text, const std::
     if (!detail::scan(text, name, sink, places)) return std::nullopt;
     // References are resolved here, because afterwards blanks that were written as such could not be told from others.
     tinyxml2::XMLDocument source(false);
-    if (source.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    const std::string parsed = withoutInstructions(text, places);
+    if (source.Parse(parsed.data(), parsed.size()) != tinyxml2::XML_SUCCESS) {
         sink.error({name, static_cast<unsigned>(source.ErrorLineNum()), 0}, "XML002", wording(source.ErrorID()));
         return std::nullopt;
     }

@@ -23,7 +23,12 @@ bool isNameLetter(char c) { return isNameStart(c) || (c >= '0' && c <= '9') || c
 class Scanner {
 public:
     Scanner(const std::string& text, const std::string& file, diag::Sink& sink, Places& places)
-        : text_(text), file_(file), sink_(sink), tags_(places.tags), attributes_(places.attributes) {}
+        : text_(text),
+          file_(file),
+          sink_(sink),
+          tags_(places.tags),
+          attributes_(places.attributes),
+          instructions_(places.instructions) {}
 
     bool run() {
         if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) position_ = lineStart_ = 3;
@@ -89,7 +94,7 @@ private:
     bool markup() {
         const char kind = position_ + 1 < text_.size() ? text_[position_ + 1] : '\0';
         if (kind == '/') return endTag();
-        if (kind == '?') return skipPast(2, "?>", "processing instruction");
+        if (kind == '?' || startsWith("<!DOCTYPE")) return instruction(kind);
         if (kind != '!') return startTag();
         if (startsWith("<!--")) return skipPast(4, "-->", "comment");
         if (startsWith("<![CDATA[")) {
@@ -99,6 +104,31 @@ private:
             return skipPast(9, "]]>", "CDATA section");
         }
         return skipPast(2, ">", "declaration");
+    }
+
+    bool instruction(char kind) {
+        const std::size_t begin = position_;
+        if (kind == '?' ? !skipPast(2, "?>", "processing instruction") : !documentType()) return false;
+        instructions_.push_back({begin, position_});
+        return true;
+    }
+
+    /// It may have declarations between brackets; these, quoted text and comments may have ends like its own.
+    bool documentType() {
+        bool inner = false;
+        for (std::size_t at = position_ + 2; at < text_.size(); ++at) {
+            const char letter = text_[at];
+            if (letter == '"' || letter == '\'')
+                at = text_.find(letter, at + 1);
+            else if (text_.compare(at, 4, "<!--") == 0)
+                at = text_.find("-->", at + 4);
+            else if (letter == '[' || letter == ']')
+                inner = letter == '[';
+            else if (letter == '>' && !inner)
+                return skipPast(at - position_, ">", "declaration");
+            if (at == std::string::npos) break;
+        }
+        return fail(here(), "XML003", "declaration is never closed; expected '>'");
     }
 
     /// `begin` is the length of what opens it.
@@ -215,6 +245,7 @@ private:
     diag::Sink& sink_;
     std::vector<TagPlace>& tags_;
     std::vector<AttributePlace>& attributes_;
+    std::vector<Span>& instructions_;
     std::vector<std::size_t> open_;  // indices into tags_, outermost first
     std::size_t position_ = 0;
     std::size_t lineStart_ = 0;

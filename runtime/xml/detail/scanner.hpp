@@ -35,9 +35,15 @@ struct TagPlace {
     std::size_t attributes_begin = 0, attributes_end = 0;  ///< in Places::attributes
 };
 
+/// Bytes of the text.
+struct Span {
+    std::size_t begin = 0, end = 0;
+};
+
 struct Places {
     std::vector<TagPlace> tags;
     std::vector<AttributePlace> attributes;  ///< of all tags, in the order of the source
+    std::vector<Span> instructions;          ///< processing instructions and document types, which say nothing to us
 };
 
 /// How deep elements may be nested; the XML library goes no deeper.

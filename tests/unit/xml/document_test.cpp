@@ -49,6 +49,13 @@ TEST(Document, PlacesAreRightAfterCommentsCdataAndDeclarations) {
     EXPECT_EQ(at(root.textWhere), "4:4");
 }
 
+TEST(Document, DeclarationsOfTheDocumentTypeAreReadOver) {
+    for (const char* const type :
+         {"<!DOCTYPE d [ <!-- [a]> --> <!ELEMENT d ANY> ]>", "<!DOCTYPE d SYSTEM \"a[b]>c.dtd\">",
+          "<!DOCTYPE d [ <!ENTITY e \"]>\"> ]>", "<!DOCTYPE d>"})
+        EXPECT_EQ(at(parsed(std::string(type) + "\n<a/>").where), "2:1") << type;
+}
+
 TEST(Document, TrimsTextAndResolvesEntities) {
     const Element root = parsed("<a x=\"&lt;&quot;\">\n   one &amp; two \n</a>");
 

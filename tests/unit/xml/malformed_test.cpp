@@ -64,7 +64,8 @@ TEST(Malformed, MissingFileIsReported) {
     diag::Sink sink;
 
     EXPECT_FALSE(Document::parseFile("/nowhere/f.xml", sink).has_value());
-    EXPECT_EQ(diag::toString(sink.all()[0]), "/nowhere/f.xml: error: [XML001] cannot read the file");
+    EXPECT_EQ(diag::toString(sink.all()[0]),
+              "/nowhere/f.xml: error: [XML001] cannot read the file: No such file or directory");
 }
 
 TEST(Malformed, DirectoryIsReported) {
