@@ -119,6 +119,7 @@ struct Followed {
     std::string serviceName;  ///< of a service class
     std::string doc;          ///< as Service::doc() set it
     std::vector<model::Requirement> required;
+    bool hasMore = false;  ///< ports or properties, or maybe, that could not be told
     std::optional<model::Activity> activity;
     model::InitialState initial = model::InitialState::Stopped;
     std::vector<clang::QualType> uses;  ///< types that others see

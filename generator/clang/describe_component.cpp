@@ -42,6 +42,7 @@ Followed ComponentDescriber::follow(const clang::CXXRecordDecl& type) {
     const clang::SourceManager& sources = sema_.getSourceManager();
     const clang::CXXConstructorDecl* constructor = constructorOf(type, sema_);
     Followed made;
+    made.hasMore = true;
     eachOwn(type, [&](const clang::CXXRecordDecl& one) { typekit_.addComponent(one); });
     if (constructor == nullptr) {
         remarks_.warning(nameOf(type).where, "OC023",
@@ -69,6 +70,7 @@ model::Component ComponentDescriber::component(const clang::CXXRecordDecl& type)
     component.required = std::move(made.required);
     component.activity = std::move(made.activity);
     component.initial = made.initial;
+    component.dynamic = made.hasMore;
     return component;
 }
 

@@ -210,7 +210,8 @@ private:
     std::vector<Frame> frames_;
     std::set<const clang::FunctionDecl*> invoked_;
     std::vector<std::pair<const clang::FunctionDecl*, Place>> lambdas_;  ///< and the objects they were made in
-    std::string late_;  ///< why what is followed does not happen while the component is made; empty: it does
+    bool hasMore_ = false;  ///< adds ports or properties, or maybe, that are not in the result
+    std::string late_;      ///< why what is followed does not happen while the component is made; empty: it does
     std::set<const clang::FunctionDecl*> unseen_;
     std::vector<std::string> undecided_;  ///< why, the innermost last
     std::optional<model::Activity> activity_;

@@ -114,6 +114,7 @@ Value Follower::unknownCall(const clang::CallExpr& expression, const clang::Func
     if (getsComponent && isUsers) {
         unseen_.insert(function);
         if (definitionOf(*function) == nullptr) {
+            hasMore_ |= late_.empty();
             remark(
                 expression.getBeginLoc(), "OC023",
                 "'" + function->getNameAsString() + "' gets the component, and its definition is in none of the files")
@@ -274,6 +275,7 @@ Value Follower::memberCall(const clang::CXXMemberCallExpr& expression) {
     const clang::CXXMethodDecl& called = qualified ? *method : overriderOf(*method, self);
     if (definitionOf(called) == nullptr && self == kRoot && !called.isPureVirtual()) {
         unseen_.insert(&called);
+        hasMore_ |= late_.empty();
         remark(expression.getExprLoc(), "OC023",
                "'" + name + "' is called while the component is made, and its definition is in none of the files")
             .note(locate(called.getLocation()), "declared here");

@@ -101,6 +101,7 @@ void Follower::add(const clang::CallExpr& expression, const std::string& what, c
     const bool isThere = name && std::any_of(scope.elements.begin(), scope.elements.end(),
                                              [&](const Place& other) { return elements_[other].name == name; });
     if (!late_.empty() && isThere) return;
+    hasMore_ |= (what == "port" || what == "property") && (!undecided_.empty() || element == nullptr || !name);
     if (!certain(expression, shown)) return;
     if (element == nullptr) {
         remark(expression.getExprLoc(), "OC021",
@@ -241,6 +242,7 @@ Value Follower::addService(const clang::CallExpr& expression, Scope& scope) {
     const Value value = eval(expression.getArg(0));
     Scope* added = scopeAt(value.text);
     if (added == nullptr) added = scopeAt(load(value).text);
+    hasMore_ |= added == nullptr || !undecided_.empty();  // whatever is in it
     if (!certain(expression, "service")) return {};
     if (added == nullptr) {
         remark(expression.getExprLoc(), "OC021", "which service this is cannot be told");
@@ -274,6 +276,7 @@ Value Follower::interfaceCall(const clang::CallExpr& expression, const clang::CX
         const Place made = fresh("service");
         constructScope(made, "Service", arguments, expression.getExprLoc());
         Scope* outer = arguments.size() > 1 ? scopeAt(arguments[1].text) : nullptr;
+        hasMore_ |= outer != nullptr && !undecided_.empty();
         if (outer != nullptr && certain(expression, "the service '" + scopes_[made]->name + "'"))
             outer->services.push_back(scopes_[made]);
         return Value::ofPlace(made);
@@ -291,8 +294,10 @@ Value Follower::interfaceCall(const clang::CallExpr& expression, const clang::CX
     // A variable for a service that the source does not tell. Of a call that gives one it was said already.
     if (scopeAt(object) == nullptr && beginsWith(name, "add") && !isGivenByCall(expression) &&
         (owner == "Service" || owner == "ConfigurationInterface" || owner == "DataFlowInterface" ||
-         owner == "ServiceRequester"))
+         owner == "ServiceRequester")) {
+        hasMore_ = true;
         remark(expression.getExprLoc(), "OC021", "where '" + name + "' adds this is not constant");
+    }
     if (owner == "PropertyBag" && beginsWith(object, kRoot) && (beginsWith(name, "add") || name == "ownProperty"))
         remark(expression.getExprLoc(), "OC025", "what a property holds that is a bag is not told");
     for (const Value& value : argumentsOf(expression, 0)) {

@@ -72,6 +72,7 @@ void Follower::followLate(const clang::CXXRecordDecl& made) {
             invokeLate(*definition, self, which);
         } else if (!isInvoked(*definition)) {
             VerbFinder finder([&](const clang::Expr& at, const std::string& verb) {
+                hasMore_ = true;
                 remarks_.warning(locate(at.getExprLoc()), "OC022",
                                  "what '" + verb + "' adds here is left out: it is " + which);
             });

@@ -166,6 +166,7 @@ void Follower::construct(const Place& at, const clang::CXXConstructorDecl& decla
         unseenObjects_[at] = &declared;
         if (!matters) return;
         unseen_.insert(&declared);
+        hasMore_ |= late_.empty();
         remark(declared.getLocation(), "OC023",
                "the constructor of '" + shownName(*declared.getParent()) + "' is in none of the files");
         return;

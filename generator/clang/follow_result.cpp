@@ -43,14 +43,17 @@ diag::Diagnostic& Follower::remark(clang::SourceLocation at, const char* code, c
 /// A class that computes for long, or for ever, is not worth it.
 bool Follower::isTooMuch(clang::SourceLocation at) {
     constexpr unsigned most = 1000000;
-    if (++steps_ == most)
+    if (++steps_ == most) {
+        hasMore_ |= late_.empty();
         remark(at, "OC022", "the constructor does more than is followed; what comes from here on is left out");
+    }
     return steps_ >= most;
 }
 
 bool Follower::isTooDeep(clang::SourceLocation at) {
     constexpr std::size_t deepest = 64;
     if (frames_.size() < deepest) return false;
+    hasMore_ |= late_.empty();
     remark(at, "OC022", "functions call each other deeper than is followed; what this one does is left out");
     return true;
 }
@@ -92,6 +95,7 @@ Followed Follower::follow(const clang::CXXConstructorDecl& constructor) {
     byName(made.required);
     made.uses = uses_;
     followLate(*constructor.getParent());
+    made.hasMore = hasMore_;
     return made;
 }
 

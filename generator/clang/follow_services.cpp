@@ -175,12 +175,14 @@ std::optional<Value> Follower::serviceCall(const clang::CallExpr& expression, co
     if (name == "provides" && count == 1) {
         const auto wanted = textOf(expression.getArg(0));
         if (!wanted) {
+            hasMore_ = true;
             remark(expression.getExprLoc(), "OC021", "the name of this service is not constant");
             return Value();
         }
         if (*wanted == "this") return Value::ofPlace(object);
         const bool isKnown = std::any_of(scope->services.begin(), scope->services.end(),
                                          [&](const Scope* one) { return one->name == *wanted; });
+        hasMore_ |= !isKnown && !undecided_.empty();
         if (!isKnown && !certain(expression, "the service '" + *wanted + "'")) return Value();
         return Value::ofPlace(serviceNamed(*scope, *wanted, expression));
     }

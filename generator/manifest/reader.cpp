@@ -189,6 +189,7 @@ model::Component readComponent(const Element& element) {
         component.required.push_back(readRequirement(*child));
     }
     component.hooks = readHooks(element);
+    component.dynamic = flag(element, "dynamic", false);
     component.where = element.where;
     return component;
 }

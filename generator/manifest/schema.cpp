@@ -35,7 +35,7 @@ std::vector<ElementRule> makeRules() {
          {required("class"), choice("initial", false, {"PreOperational", "Stopped"}),
           choice("activity", false, {"periodic", "nonperiodic", "sequential", "slave"}),
           optional("period", ValueKind::Number), optional("priority", ValueKind::Integer),
-          choice("scheduler", false, {"ORO_SCHED_RT", "ORO_SCHED_OTHER"})},
+          choice("scheduler", false, {"ORO_SCHED_RT", "ORO_SCHED_OTHER"}), optional("dynamic", ValueKind::Boolean)},
          {once("doc"), many("port"), many("property"), many("attribute"), many("operation"), many("requires"),
           many("provides"), once("hooks")}},
         {"service",

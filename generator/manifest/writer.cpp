@@ -167,6 +167,7 @@ Node componentNode(const model::Component& component) {
     node.set("class", component.className.value);
     node.setIf(component.initial == model::InitialState::PreOperational, "initial", "PreOperational");
     if (component.activity) addActivity(*component.activity, node);
+    node.setFlag("dynamic", component.dynamic, false);
     node.doc(component.doc);
     addInterface(component, node);
     for (const model::Requirement& required : component.required) {

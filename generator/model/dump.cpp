@@ -175,6 +175,7 @@ Json toJson(const Component& component) {
     Json json{{"class", component.className.value}, {"at", place(component.className.where)}};
     json["initial"] = component.initial == InitialState::Stopped ? "Stopped" : "PreOperational";
     if (component.activity) json["activity"] = toJson(*component.activity);
+    if (component.dynamic) json["dynamic"] = true;
     put(json, "doc", component.doc);
     putInterface(json, component);
     putList(json, "required", component.required);

@@ -146,6 +146,7 @@ struct Component : Interface {
     std::string doc;
     std::vector<Requirement> required;
     Hooks hooks;
+    bool dynamic = false;  ///< adds ports or properties besides, at run time
     diag::Location where;
 };
 

@@ -64,6 +64,20 @@ json classView(const model::Package& package, const model::Text& className, cons
     return view;
 }
 
+/// How a component is registered, and the constants that describe it.
+json describedView(const model::Component& component) {
+    const std::string qualified = component.className.value;
+    const std::string space = namespaceOf(qualified);
+    const std::string holder = (space.empty() ? "" : space + "::") + "OroDescriptionOf" + lastName(qualified);
+    json view{{"class", lastName(qualified)}, {"qualified", qualified}, {"namespace", orNull(space)}};
+    putInterface(view, component);
+    view["described"] = view["has_ports"] || view["has_properties"];
+    view["portTable"] = view["has_ports"] ? holder + "::oroPorts" : "{}";
+    view["propertyTable"] = view["has_properties"] ? holder + "::oroProperties" : "{}";
+    view["dynamic"] = component.dynamic ? "true" : "false";
+    return view;
+}
+
 json headersFor(std::vector<std::string> types) {
     types.push_back("std::string");
     return standardHeaders(types);
@@ -104,9 +118,8 @@ json registrationView(const model::Package& package, const std::string& manifest
     json view;
     view["banner"] = emit::banner(kTool, manifest);
     view["versionGuard"] = emit::versionGuard(kTool);
-    view["components"] = listOf(package.components, [](const model::Component& component) {
-        return json{{"class", lastName(component.className.value)}, {"qualified", component.className.value}};
-    });
+    view["package"] = package.name.value;
+    view["components"] = listOf(package.components, describedView);
     view["single"] = package.components.size() == 1;
     return view;
 }

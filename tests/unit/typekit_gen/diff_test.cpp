@@ -123,6 +123,17 @@ TEST(DiffOfAdaptedClasses, ComparesTheirElementsAndSizes) {
     EXPECT_EQ(gone.out, "breaking: 1 change breaks, 0 would not\n");
 }
 
+TEST(DiffOfFolders, TheVerdictIsTheLastLine) {
+    const TempDir dir;
+    const std::string old = dir.write("old.hpp", "#pragma once\nstruct S { int a; };\n").string();
+    const std::string now = dir.write("new.hpp", "#pragma once\nstruct S { float a; };\n").string();
+    std::ostringstream terminal;
+    EXPECT_EQ(oroforge::typekit::run({"--diff", old, now}, terminal, terminal), 1);
+    const std::string told = terminal.str();
+    EXPECT_NE(told.find("TK064"), std::string::npos) << told;
+    EXPECT_EQ(told.rfind(kOneBreaks), told.size() - sizeof kOneBreaks + 1) << told;
+}
+
 TEST(DiffOfFolders, IsADocumentForPrograms) {
     const TempDir dir;
     const std::string old = dir.write("old.hpp", "#pragma once\nstruct S { int a; };\n").string();

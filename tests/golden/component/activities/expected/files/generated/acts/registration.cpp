@@ -5,6 +5,7 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Slave.hpp"
 #include "FreeSlave.hpp"
@@ -16,3 +17,15 @@ ORO_LIST_COMPONENT_TYPE(acts::Slave)
 ORO_LIST_COMPONENT_TYPE(acts::FreeSlave)
 ORO_LIST_COMPONENT_TYPE(acts::Sequential)
 ORO_LIST_COMPONENT_TYPE(acts::Event)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"acts::Slave", "acts", {}, {}, false},
+    {"acts::FreeSlave", "acts", {}, {}, false},
+    {"acts::Sequential", "acts", {}, {}, false},
+    {"acts::Event", "acts", {}, {}, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

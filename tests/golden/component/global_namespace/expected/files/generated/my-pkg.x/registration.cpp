@@ -5,7 +5,17 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Plain.hpp"
 
 ORO_CREATE_COMPONENT(Plain)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"Plain", "my-pkg.x", {}, {}, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

@@ -5,7 +5,33 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Hand.hpp"
+#include "HandBase.hpp"
 
 ORO_CREATE_COMPONENT(gripper::Hand)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace gripper {
+namespace {
+struct OroDescriptionOfHand : HandBase {
+    static const RTT::internal::DescribedPort oroPorts[];
+    static const RTT::internal::DescribedProperty oroProperties[];
+};
+const RTT::internal::DescribedPort OroDescriptionOfHand::oroPorts[] = {
+    {"force", &typeid(double), true},
+    {"motion.target", &typeid(double), false},
+};
+const RTT::internal::DescribedProperty OroDescriptionOfHand::oroProperties[] = {
+    {"motion.speed", &typeid(double)},
+};
+}  // namespace
+}  // namespace gripper
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"gripper::Hand", "gripper", gripper::OroDescriptionOfHand::oroPorts, gripper::OroDescriptionOfHand::oroProperties, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

@@ -5,7 +5,17 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Client.hpp"
 
 ORO_CREATE_COMPONENT(services::Client)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"services::Client", "services", {}, {}, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

@@ -5,7 +5,33 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Controller.hpp"
+#include "ControllerBase.hpp"
 
 ORO_CREATE_COMPONENT(tank::Controller)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace tank {
+namespace {
+struct OroDescriptionOfController : ControllerBase {
+    static const RTT::internal::DescribedPort oroPorts[];
+    static const RTT::internal::DescribedProperty oroProperties[];
+};
+const RTT::internal::DescribedPort OroDescriptionOfController::oroPorts[] = {
+    {"level", &typeid(tank::LevelSample), false},
+    {"valve", &typeid(double), true},
+};
+const RTT::internal::DescribedProperty OroDescriptionOfController::oroProperties[] = {
+    {"gain", &typeid(double)},
+};
+}  // namespace
+}  // namespace tank
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"tank::Controller", "tank", tank::OroDescriptionOfController::oroPorts, tank::OroDescriptionOfController::oroProperties, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

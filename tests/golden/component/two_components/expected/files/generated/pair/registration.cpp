@@ -5,10 +5,47 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "Source.hpp"
 #include "Sink.hpp"
+#include "SourceBase.hpp"
+#include "SinkBase.hpp"
 
 ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(pair::Source)
 ORO_LIST_COMPONENT_TYPE(pair::Sink)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace pair {
+namespace {
+struct OroDescriptionOfSource : SourceBase {
+    static const RTT::internal::DescribedPort oroPorts[];
+    static const RTT::internal::DescribedProperty oroProperties[];
+};
+const RTT::internal::DescribedPort OroDescriptionOfSource::oroPorts[] = {
+    {"value", &typeid(double), true},
+};
+const RTT::internal::DescribedProperty OroDescriptionOfSource::oroProperties[] = {
+    {"step", &typeid(double)},
+};
+}  // namespace
+}  // namespace pair
+namespace pair {
+namespace {
+struct OroDescriptionOfSink : SinkBase {
+    static const RTT::internal::DescribedPort oroPorts[];
+};
+const RTT::internal::DescribedPort OroDescriptionOfSink::oroPorts[] = {
+    {"value", &typeid(double), false},
+};
+}  // namespace
+}  // namespace pair
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"pair::Source", "pair", pair::OroDescriptionOfSource::oroPorts, pair::OroDescriptionOfSource::oroProperties, false},
+    {"pair::Sink", "pair", pair::OroDescriptionOfSink::oroPorts, {}, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace

@@ -5,7 +5,42 @@
 #endif
 
 #include <rtt/Component.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
 
 #include "All.hpp"
+#include "AllBase.hpp"
 
 ORO_CREATE_COMPONENT(values::All)
+
+// What the manifest says of the components, as constants: deployers check files by it before they create anything. Types mean
+// here what they mean in the base classes, hence the derived ones, of which there are no objects.
+namespace values {
+namespace {
+struct OroDescriptionOfAll : AllBase {
+    static const RTT::internal::DescribedPort oroPorts[];
+    static const RTT::internal::DescribedProperty oroProperties[];
+};
+const RTT::internal::DescribedPort OroDescriptionOfAll::oroPorts[] = {
+    {"list", &typeid(std::vector<double>), true},
+};
+const RTT::internal::DescribedProperty OroDescriptionOfAll::oroProperties[] = {
+    {"flag", &typeid(bool)},
+    {"letter", &typeid(char)},
+    {"text", &typeid(std::string)},
+    {"tiny", &typeid(std::int8_t)},
+    {"byte", &typeid(unsigned char)},
+    {"count", &typeid(unsigned int)},
+    {"big", &typeid(std::int64_t)},
+    {"huge", &typeid(std::uint64_t)},
+    {"ratio", &typeid(float)},
+    {"whole", &typeid(double)},
+    {"numbers", &typeid(std::vector<double>)},
+};
+}  // namespace
+}  // namespace values
+namespace {
+const RTT::internal::ComponentDescription oroDescriptions[] = {
+    {"values::All", "values", values::OroDescriptionOfAll::oroPorts, values::OroDescriptionOfAll::oroProperties, false},
+};
+RTT::internal::ComponentDescriptions oroDescribed(oroDescriptions);
+}  // namespace
