@@ -6,6 +6,8 @@
 #include <rtt/Handle.hpp>
 #include <rtt/internal/DataSource.hpp>
 
+#include <mutex>
+
 namespace RTT {
 
 OperationInterfacePart::~OperationInterfacePart() = default;
@@ -27,14 +29,14 @@ OperationInterface::~OperationInterface() = default;
 
 std::vector<std::string> OperationInterface::getNames() const {
     std::vector<std::string> names;
-    for (const auto& entry : parts_) names.push_back(entry.first);
+    for (const auto& entry : parts()) names.push_back(entry.first);
     return names;
 }
 
-bool OperationInterface::hasMember(const std::string& name) const { return parts_.count(name) != 0; }
+bool OperationInterface::hasMember(const std::string& name) const { return parts().count(name) != 0; }
 
 OperationInterfacePart* OperationInterface::getPart(const std::string& name) const {
-    const auto found = parts_.find(name);
+    const auto found = parts().find(name);
     return found == parts_.end() ? nullptr : found->second.get();
 }
 
@@ -77,8 +79,46 @@ const types::TypeInfo* OperationInterface::getCollectType(const std::string& nam
 }
 bool OperationInterface::isSynchronous(const std::string& name) const { return part(name).isSynchronous(); }
 
-void OperationInterface::add(const std::string& name, OperationInterfacePart* part) { parts_[name].reset(part); }
-void OperationInterface::remove(const std::string& name) { parts_.erase(name); }
-void OperationInterface::clear() { parts_.clear(); }
+void OperationInterface::add(const std::string& name, OperationInterfacePart* part) {
+    completeFor(name);
+    parts_[name].reset(part);
+}
+
+void OperationInterface::remove(const std::string& name) {
+    completeFor(name);
+    parts_.erase(name);
+}
+
+void OperationInterface::clear() {
+    common_ = Common::None;
+    parts_.clear();
+}
+
+bool OperationInterface::isCommon(const std::string&) const { return false; }
+void OperationInterface::addCommon() {}
+
+const OperationInterface::Parts& OperationInterface::parts() const {
+    // What is added here was there all the time for those who look.
+    if (common_.load(std::memory_order_acquire) != Common::None) const_cast<OperationInterface*>(this)->complete();
+    return parts_;
+}
+
+void OperationInterface::completeFor(const std::string& added) {
+    if (common_ == Common::Later && isCommon(added)) complete();
+}
+
+void OperationInterface::complete() {
+    static std::recursive_mutex completing;  // of all services: each is completed once
+    const std::lock_guard<std::recursive_mutex> lock(completing);
+    if (common_ != Common::Later) return;
+    common_ = Common::Now;
+    try {
+        addCommon();
+    } catch (...) {
+        common_ = Common::Later;  // who looks the next time tries again
+        throw;
+    }
+    common_.store(Common::None, std::memory_order_release);
+}
 
 }  // namespace RTT

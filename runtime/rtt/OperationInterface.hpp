@@ -5,13 +5,17 @@
 
 #include <rtt/OperationInterfacePart.hpp>
 
+#include <atomic>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace RTT {
 
-/** The operations of a service by name. Not thread safe, not real-time safe. */
+/**
+ * The operations of a service by name. Not thread safe, not real-time safe; any number of threads may look for operations
+ * while none is added or removed.
+ */
 class RTT_API OperationInterface {
 public:
     typedef OperationInterfacePart Factory;
@@ -54,9 +58,28 @@ public:
     void remove(const std::string& name);
     virtual void clear();
 
+protected:
+    typedef std::map<std::string, boost::shared_ptr<OperationInterfacePart>> Parts;
+
+    /** Has addCommon() called once, when somebody looks for operations, or adds or removes one that is common. */
+    void addCommonLater() { common_ = Common::Later; }
+    /** Has that done now if an operation of this name is to come by it. */
+    void completeFor(const std::string& added);
+    /** Those added until now. */
+    const Parts& partsNow() const { return parts_; }
+
 private:
+    /** Operations that many services have alike, each of which few users ever look for. */
+    virtual bool isCommon(const std::string& name) const;
+    virtual void addCommon();
+
+    const Parts& parts() const;
     OperationInterfacePart& part(const std::string& name) const;
-    std::map<std::string, boost::shared_ptr<OperationInterfacePart>> parts_;
+    void complete();
+
+    Parts parts_;
+    enum class Common { None, Later, Now };
+    std::atomic<Common> common_{Common::None};
 };
 
 }  // namespace RTT

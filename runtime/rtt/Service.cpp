@@ -21,6 +21,15 @@ Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner)
     return made;
 }
 
+namespace {
+
+/** Null if it is none of this process. */
+const internal::OperationPart* localOperation(const OperationInterfacePart* part) {
+    return dynamic_cast<const internal::OperationPart*>(part);
+}
+
+}  // namespace
+
 Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterface(this), name_(name) {
     knowOwner(owner);
 }
@@ -28,14 +37,25 @@ Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterfac
 Service::~Service() { clear(); }
 
 void Service::setOwner(TaskContext* owner) {
+    // A component's own service becomes one of another component's: with the operations of the first one.
+    if (owner && getOwner() && owner != owner_) (void)hasMember(name_);
     knowOwner(owner);
-    for (auto& entry : implementations_) entry.second->setThread(entry.second->getThread(), getOwnerExecutionEngine());
+    for (const auto& entry : partsNow())
+        if (const internal::OperationPart* const part = localOperation(entry.second.get()))
+            part->caller()->setThread(part->caller()->getThread(), getOwnerExecutionEngine());
     for (auto& entry : services_) entry.second->setOwner(owner);
 }
 
 void Service::knowOwner(TaskContext* owner) {
     owner_ = owner;
     owner_gate_ = owner ? owner->engine()->gate() : nullptr;
+}
+
+bool Service::isCommon(const std::string& name) const { return TaskContext::isStandardOperation(name); }
+
+void Service::addCommon() {
+    TaskContext* const owner = getOwner();
+    if (owner && owner->provides().get() == this) owner->addStandardOperations();
 }
 
 ExecutionEngine* Service::getOwnerExecutionEngine() const { return getOwner() ? owner_->engine() : nullptr; }
@@ -112,7 +132,6 @@ void Service::clear() {
     DataFlowInterface::clear();
     ConfigurationInterface::clear();
     OperationInterface::clear();
-    implementations_.clear();
     owned_.clear();
     while (!services_.empty()) removeService(services_.begin()->first);
 }
@@ -129,16 +148,15 @@ base::DisposableInterface::shared_ptr Service::getLocalOperation(const std::stri
 }
 
 bool Service::setOperationThread(const std::string& name, ExecutionThread et) {
-    const auto found = implementations_.find(name);
-    if (found == implementations_.end()) return false;
-    found->second->setThread(et, found->second->getOwner());
+    const internal::OperationPart* const part = localOperation(getPart(name));
+    if (!part) return false;
+    part->caller()->setThread(et, part->caller()->getOwner());
     return true;
 }
 
 bool Service::resetOperation(const std::string& name, base::OperationBase* operation) {
-    const auto found = implementations_.find(name);
-    const auto* const part = dynamic_cast<const internal::OperationPart*>(getPart(name));
-    if (found == implementations_.end() || !part) {
+    const internal::OperationPart* const part = localOperation(getPart(name));
+    if (!part) {
         log(Error) << "operation '" << name << "' of '" << name_ << "' was not reset: there is no such operation"
                    << endlog();
         return false;
@@ -150,17 +168,15 @@ bool Service::resetOperation(const std::string& name, base::OperationBase* opera
         return false;
     }
     operation->setOwner(getOwnerExecutionEngine());
-    found->second = operation->implementation();
     OperationInterface::add(name, reset);
     return true;
 }
 
 void Service::removeOperation(const std::string& name) {
+    const internal::OperationPart* const part = localOperation(getPart(name));
+    const auto implementation = part ? part->caller() : nullptr;
     OperationInterface::remove(name);
-    const auto found = implementations_.find(name);
-    if (found == implementations_.end()) return;
-    const auto implementation = found->second;
-    implementations_.erase(found);
+    if (!implementation) return;
     owned_.erase(std::remove_if(owned_.begin(), owned_.end(),
                                 [&](const auto& kept) { return kept->implementation() == implementation; }),
                  owned_.end());
@@ -182,14 +198,16 @@ bool Service::registerOperation(base::OperationBase& operation, bool callOnly) {
         log(Error) << "operation '" << name << "' was not added to '" << name_ << "': it has no function" << endlog();
         return false;
     }
-    const auto present = implementations_.find(name);
-    if (hasMember(name) && (present == implementations_.end() || present->second != operation.implementation())) {
+    completeFor(name);
+    const auto present = partsNow().find(name);
+    const internal::OperationPart* const part =
+        present == partsNow().end() ? nullptr : localOperation(present->second.get());
+    if (present != partsNow().end() && (!part || part->caller() != operation.implementation())) {
         log(Warning) << "operation '" << name << "' of '" << name_ << "' replaces an earlier one of that name"
                      << endlog();
         removeOperation(name);
     }
     operation.setOwner(getOwnerExecutionEngine());
-    implementations_[name] = operation.implementation();
     OperationInterface::add(name, operation.makePart(callOnly));
     return true;
 }

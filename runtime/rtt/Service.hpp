@@ -70,6 +70,8 @@ public:
     TaskContext* getOwner() const { return owner_gate_ && owner_gate_->closed() ? nullptr : owner_; }
     /** For the component: its services do not outlive it as its services. */
     void setOwner(TaskContext* owner);
+    /** For the component: the operations that every component has are added when somebody looks for one. */
+    void addStandardLater() { addCommonLater(); }
     ExecutionEngine* getOwnerExecutionEngine() const;
     /** Null for the root. */
     shared_ptr getParent() const;
@@ -175,14 +177,14 @@ private:
     friend class internal::PortOperation;
     void adopt(base::OperationBase* operation, internal::CalleeBase* function, ExecutionThread et, bool callOnly);
     bool registerOperation(base::OperationBase& operation, bool callOnly);
+    bool isCommon(const std::string& name) const override;
+    void addCommon() override;
     void leaveComponent();
     void knowOwner(TaskContext* owner);
 
     typedef std::map<std::string, shared_ptr> Services;
     Services services_;
-    std::vector<std::unique_ptr<base::OperationBase>> owned_;
-    // Not the operation objects: one that belongs to the component may be gone before its service.
-    std::map<std::string, base::OperationCallerInterface::shared_ptr> implementations_;
+    std::vector<std::unique_ptr<base::OperationBase>> owned_;  // the others belong to the component
     std::string name_, doc_;
     TaskContext* owner_;
     boost::intrusive_ptr<const internal::EngineGate>

@@ -5,6 +5,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
+#include <rtt/internal/DeferredActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
 #include <rtt/os/ThreadInterface.hpp>
@@ -18,9 +19,15 @@ base::ActivityInterface* makeDefaultActivity(const std::string& name) {
     static_cast<void>(name);
     return new extras::SequentialActivity;
 #else
+    if (internal::ActivityFollows::take(name)) return new internal::DeferredActivity(name);
     // Without the engine, which others may be triggering while its constructor runs.
     return new Activity(nullptr, name);
 #endif
+}
+
+bool isMadeBy(const base::ActivityInterface* owned, const base::ActivityInterface* activity) {
+    const auto* const deferred = dynamic_cast<const internal::DeferredActivity*>(owned);
+    return deferred && deferred->ifMade() == activity;
 }
 
 }  // namespace
@@ -32,7 +39,12 @@ TaskContext::TaskContext(const std::string& name, TaskState initial_state)
     port_step_ = &TaskContext::portStep;
     service_->setOwner(this);
     service_->doc("The interface of this TaskContext.");
-    addStandardInterface();
+    addAttribute("TriggerOnStart", mTriggerOnStart);
+    addAttribute("CycleCounter", mCycleCounter);
+    addAttribute("IOCounter", mIOCounter);
+    addAttribute("TimeOutCounter", mTimeOutCounter);
+    addAttribute("TriggerCounter", mTriggerCounter);
+    service_->addStandardLater();
     setActivity(nullptr);
 }
 
@@ -66,7 +78,8 @@ void TaskContext::releaseProviders() {
 const std::string& TaskContext::getName() const { return service_->getName(); }
 
 bool TaskContext::setActivity(base::ActivityInterface* new_act) {
-    if (new_act && new_act == activity_.get()) return true;  // and owned already
+    if (new_act && (new_act == activity_.get() || isMadeBy(activity_.get(), new_act)))
+        return true;  // and owned already
     base::ActivityInterface::shared_ptr owned(new_act);
     const char* why = nullptr;
     if (isRunning())
@@ -88,7 +101,7 @@ bool TaskContext::setActivity(base::ActivityInterface* new_act) {
 }
 
 void TaskContext::forceActivity(base::ActivityInterface* new_act) {
-    if (!new_act || new_act == activity_.get()) return;
+    if (!new_act || new_act == activity_.get() || isMadeBy(activity_.get(), new_act)) return;
     if (activity_) activity_->stop();
     exchangeActivity(base::ActivityInterface::shared_ptr(new_act));
 }
@@ -142,7 +155,11 @@ void TaskContext::releaseActivity() {
     activity_.reset();
 }
 
-base::ActivityInterface* TaskContext::getActivity() { return activity_.get(); }
+// Who looks at it may want to do so as an Activity.
+base::ActivityInterface* TaskContext::getActivity() {
+    auto* const deferred = dynamic_cast<internal::DeferredActivity*>(activity_.get());
+    return deferred ? deferred->made() : activity_.get();
+}
 
 bool TaskContext::start() { return !isRunning() && TaskCore::start(); }
 bool TaskContext::stop() { return TaskCore::stop(); }
@@ -225,10 +242,13 @@ void TaskContext::portStep(base::TaskCore& task, base::PortInterface* port) {
 
 // stop() changes the target first and then waits for the step in progress, so every later step sees the change. After it
 // the sub-class may be under destruction, so that its functions, too, are out of reach; unless its own hook wants to be called
-// while it is stopped.
+// while it is stopped. A port that was removed after it had been queued is nobody's any more, and may be destroyed.
 void TaskContext::callbackOf(base::PortInterface* port) {
+    typedef internal::PortCallbacks::Announced Announced;
+    const Announced announced = port_callbacks_.announced(port);
+    if (announced == Announced::Not) return;
     const bool running = TaskCore::getTaskState() >= Running && TaskCore::getTargetState() >= Running;
-    if (running || !port_callbacks_.wasRunning(port))
+    if (running || announced == Announced::WhileStopped)
         dataOnPortCallback(port);
     else
         port_callbacks_.call(port, false);

@@ -183,13 +183,15 @@ protected:
 
 private:
     friend class DataFlowInterface;
+    friend class Service;
     static void portStep(base::TaskCore& task, base::PortInterface* port);
     void callbackOf(base::PortInterface* port);
     void dataOnPort(base::PortInterface* port);
     void setDataOnPortCallback(base::InputPortInterface* port, const SlotFunction& callback);
     void dataOnPortRemoved(base::PortInterface* port);
 
-    void addStandardInterface();
+    static bool isStandardOperation(const std::string& name);
+    void addStandardOperations();
     void exchangeActivity(base::ActivityInterface::shared_ptr next);
     void releaseActivity();
     void releaseProviders();

@@ -9,6 +9,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/deployment/detail/package_import.cpp
   rtt/deployment/detail/ros_packages.cpp
   rtt/deployment/startup.cpp
+  rtt/internal/ComponentDescription.cpp
   rtt/plugin/PluginLoader.cpp
   rtt/plugin/detail/plugin_table.cpp
   rtt/plugin/detail/search_path.cpp

@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The operations and attributes that every component has.
+// The operations that every component has.
 #include <rtt/TaskContext.hpp>
+
+#include <algorithm>
+#include <iterator>
 
 namespace RTT {
 
-void TaskContext::addStandardInterface() {
+namespace {
+
+const char* const kStandardOperations[] = {
+    "activate",     "cleanup",        "configure", "error",        "getCpuAffinity", "getPeriod",   "inException",
+    "inFatalError", "inRunTimeError", "isActive",  "isConfigured", "isRunning",      "loadService", "setCpuAffinity",
+    "setPeriod",    "start",          "stop",      "trigger",      "update"};
+
+}  // namespace
+
+bool TaskContext::isStandardOperation(const std::string& name) {
+    return std::find(std::begin(kStandardOperations), std::end(kStandardOperations), name) !=
+           std::end(kStandardOperations);
+}
+
+void TaskContext::addStandardOperations() {
     // Called through pointers to members of the base, so that overriding functions are found.
     addOperation("configure", &TaskContext::configure, this).doc("Makes the component ready to run (configureHook).");
     addOperation("isConfigured", &TaskContext::isConfigured, this).doc("Has the component been configured?");
@@ -37,11 +54,6 @@ void TaskContext::addStandardInterface() {
     addOperation("loadService", &TaskContext::loadService, this)
         .doc("Loads a service into this component.")
         .arg("service_name", "The name of the service");
-    addAttribute("TriggerOnStart", mTriggerOnStart);
-    addAttribute("CycleCounter", mCycleCounter);
-    addAttribute("IOCounter", mIOCounter);
-    addAttribute("TimeOutCounter", mTimeOutCounter);
-    addAttribute("TriggerCounter", mTriggerCounter);
 }
 
 }  // namespace RTT

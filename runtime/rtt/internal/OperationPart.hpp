@@ -31,6 +31,8 @@ public:
     bool isSynchronous() const override { return call_only_; }
     base::DisposableInterface::shared_ptr getLocalOperation() const override { return caller_; }
 
+    const Caller& caller() const { return caller_; }
+
     Source produce(const Args& args, ExecutionEngine* caller) const override;
     Source produceSend(const Args& args, ExecutionEngine* caller) const override;
     Source produceHandle() const override;

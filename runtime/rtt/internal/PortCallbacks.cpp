@@ -94,10 +94,11 @@ void PortCallbacks::queued(base::PortInterface* port, std::uint64_t announcement
     if (Entry* entry = find(port)) entry->queuedRound.store(announcement, std::memory_order_release);
 }
 
-bool PortCallbacks::wasRunning(base::PortInterface* port) const {
+PortCallbacks::Announced PortCallbacks::announced(base::PortInterface* port) const {
     Reclaimer::Guard guard;
     const Entry* entry = find(port);
-    return entry && entry->whileRunning.load(std::memory_order_relaxed);
+    if (!entry) return Announced::Not;
+    return entry->whileRunning.load(std::memory_order_relaxed) ? Announced::WhileRunning : Announced::WhileStopped;
 }
 
 void PortCallbacks::call(base::PortInterface* port, bool running) {

@@ -47,8 +47,9 @@ public:
     std::uint64_t announce(base::PortInterface* port, bool running);
     /** From here on nobody else needs to queue the port before its callback begins. Any thread; real-time safe. */
     void queued(base::PortInterface* port, std::uint64_t announcement);
-    /** Whether the component was running when the port was announced last. */
-    bool wasRunning(base::PortInterface* port) const;
+    enum class Announced { Not, WhileRunning, WhileStopped };
+    /** What the component was when the port was announced last; `Not` if the port was removed since. */
+    Announced announced(base::PortInterface* port) const;
     /** Calls the callback of a port that waits for it; nothing happens if it does not (several had queued it). What was
         announced while the component was running is dropped when it no longer is: it may be on its way to
         destruction. In the component's thread. */

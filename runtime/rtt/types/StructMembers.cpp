@@ -9,6 +9,7 @@
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
 #include <rtt/types/detail/member_update.hpp>
+#include <boost/core/demangle.hpp>
 #include <istream>
 #include <ostream>
 
@@ -91,7 +92,7 @@ SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) c
     const TypeInfo* type = typeOf(member);
     if (!type || !type->getThunks()) {
         log(Error) << "member " << member.name << " of type " << item->getTypeName()
-                   << " is out of reach: its C++ type " << member.type()
+                   << " is out of reach: its C++ type " << boost::core::demangle(member.type())
                    << (member.count ? " is not registered as an array element" : " is not registered") << endlog();
         return nullptr;
     }

@@ -3,8 +3,10 @@
 // Components and event ports that come and go while samples flow through them.
 #include "samples.hpp"
 
+#include <rtt/OperationCaller.hpp>
 #include <rtt/Port.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
 #include <gtest/gtest.h>
@@ -185,6 +187,60 @@ TEST(EventPortRemoval, WithinTheCallbackDoesNotWaitForItself) {
     EXPECT_TRUE(soon([&] { return removed.load(); }));
     component.stop();
     EXPECT_FALSE(out.connected());
+}
+
+namespace {
+
+/** Counts what it is told about its ports, and can be held up within a message. */
+class Held final : public TaskContext {
+public:
+    explicit Held(bool stops) : TaskContext("held"), stops_(stops) {
+        addOperation("hold", &Held::hold, this, OwnThread);
+        addEventPort(*in);
+    }
+    ~Held() override { stop(); }
+
+    std::unique_ptr<InputPort<int>> in{new InputPort<int>("in")};
+    std::atomic<bool> entered{false}, leave{false};
+    std::atomic<int> told{0};
+
+protected:
+    void dataOnPortCallback(base::PortInterface* port) override {
+        ++told;
+        TaskContext::dataOnPortCallback(port);
+    }
+
+private:
+    void hold() {
+        entered = true;
+        while (!leave) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (stops_) stop();
+    }
+    const bool stops_;
+};
+
+}  // namespace
+
+// Its pointer may dangle; and where the component has stopped meanwhile its class may be under destruction.
+TEST(EventPortRemoval, APortThatIsQueuedIsForgotten) {
+    for (const bool stops : {false, true}) {
+        SCOPED_TRACE(stops ? "in a component that stops" : "in a running component");
+        OutputPort<int> out("out");
+        Held component(stops);
+        ASSERT_TRUE(out.connectTo(component.in.get()));
+        ASSERT_TRUE(component.start());
+        OperationCaller<void()> hold(component.getOperation("hold"), internal::GlobalEngine::Instance());
+        const SendHandle<void()> held = hold.send();
+        ASSERT_TRUE(soon([&] { return component.entered.load(); }));
+        out.write(1);
+        component.in.reset();
+        component.leave = true;
+        ASSERT_EQ(held.collect(), SendSuccess);
+        component.stop();
+        component.start();  // what was queued has been looked at
+        component.stop();
+        EXPECT_EQ(component.told, 0);
+    }
 }
 
 TEST(EventPortRemoval, OfEachOthersPortsWithinTwoCallbacksEnds) {

@@ -132,6 +132,10 @@ TEST_F(ComponentLoading, MisspeltTypeIsAnsweredWithTheNearest) {
     std::string error;
     EXPECT_EQ(nullptr, loader_->loadComponent("f", "loading_test::Frist", error));
     EXPECT_THAT(error, HasSubstr("did you mean 'loading_test::First'?"));
+    EXPECT_EQ(nullptr, loader_->loadComponent("f", "First", error));
+    EXPECT_THAT(error, HasSubstr("did you mean 'loading_test::First'?"));
+    EXPECT_EQ(nullptr, loader_->loadComponent("f", "elsewhere::Thing", error));
+    EXPECT_EQ("unknown component type 'elsewhere::Thing'; import the package that has it first", error);
 }
 
 TEST_F(ComponentLoading, ForeignComponentIsNotDeleted) {

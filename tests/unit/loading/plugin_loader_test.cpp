@@ -5,6 +5,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <support/temp_dir.hpp>
 
 #include <gmock/gmock.h>
 
@@ -103,6 +104,8 @@ TEST_F(PluginLoading, LibraryOfWhichAPartIsMissingIsRefused) {
     }
     std::filesystem::resize_file(part, 10);
     EXPECT_THAT(errorOf(part), HasSubstr("file too short"));
+    oroforge::test::writeFile(part, "!<arch>\n");
+    EXPECT_EQ("it is a static library, which can only be linked into a program", errorOf(part));
 }
 
 TEST_F(PluginLoading, LibraryOutsideOfPluginsAndTypesIsRefused) {

@@ -78,6 +78,16 @@ TEST(Services, MayOutliveTheirComponent) {
     EXPECT_TRUE(main->getOperationNames().empty());
 }
 
+TEST(Services, OfAComponentKeepItsOperationsInAnother) {
+    TaskContext a("a"), b("b");
+    ASSERT_TRUE(a.provides()->addService(b.provides()));
+    EXPECT_TRUE(a.provides("b")->hasOperation("getPeriod"));
+    OperationInterfacePart* const start = a.provides()->getPart("start");
+    EXPECT_TRUE(a.provides("b")->hasOperation("start"));
+    EXPECT_EQ(a.provides()->getPart("start"), start);
+    a.provides()->removeService("b");
+}
+
 TEST(Services, MemberOperationsMayDieBeforeTheComponent) {
     struct WithMember : Probe {
         Operation<int()> op{"op", [] { return 1; }};

@@ -5,6 +5,7 @@
 #include "probe.hpp"
 
 #include <rtt/Activity.hpp>
+#include <rtt/OperationCaller.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
 
@@ -187,6 +188,43 @@ TEST_F(StandardInterface, AttributesHaveTheirTypesAndFollowTheComponent) {
     EXPECT_EQ(Attribute<unsigned>(c.getAttribute("TimeOutCounter")).get(), 1u);
     EXPECT_EQ(Attribute<unsigned>(c.getAttribute("TriggerCounter")).get(), 0u);
     EXPECT_EQ(Attribute<unsigned>(c.getAttribute("IOCounter")).get(), 0u);
+}
+
+// Operations that a component has like all others are added when somebody looks for them.
+TEST(StandardOperation, GivesWayToTheUsersOwnOfThatName) {
+    for (const std::string& name : TaskContext("any").provides()->getNames()) {
+        TaskContext c("own");
+        c.addOperation(name, [] { return 42; });
+        OperationCaller<int()> own(c.getOperation(name));
+        ASSERT_TRUE(own.ready()) << name;
+        EXPECT_EQ(own(), 42) << name;
+        EXPECT_EQ(c.provides()->getNames().size(), 19U) << name;
+    }
+}
+
+TEST(StandardOperation, IsRemovedBeforeAnybodyLookedForIt) {
+    TaskContext c("without");
+    c.provides()->removeOperation("update");
+    EXPECT_FALSE(c.provides()->hasOperation("update"));
+    EXPECT_TRUE(c.provides()->hasOperation("trigger"));
+    TaskContext cleared("cleared");
+    cleared.clear();
+    EXPECT_THAT(cleared.provides()->getNames(), ElementsAre());
+}
+
+TEST(StandardOperation, IsFoundByAllWhoLookAtTheSameTime) {
+    for (int round = 0; round < 50; ++round) {
+        TaskContext c("c");
+        std::atomic<int> found{0};
+        std::vector<std::thread> users;
+        for (int i = 0; i < 4; ++i)
+            users.emplace_back([&] {
+                found += c.provides()->hasOperation("isRunning") && c.getOperation("getPeriod") &&
+                         c.provides()->getNames().size() == 19U && !c.provides()->hasOperation("other");
+            });
+        for (std::thread& user : users) user.join();
+        EXPECT_EQ(found, 4);
+    }
 }
 
 }  // namespace

@@ -17,6 +17,10 @@ TEST(ScriptDefinition, Functions) {
     EXPECT_EQ(parsed("double f\n{\n}"), "local double f() {}");
 }
 
+TEST(ScriptDefinition, FunctionsWithoutParenthesesMayHaveTypesThatResembleKeywords) {
+    EXPECT_EQ(parsed("Friction f { }"), "local Friction f() {}");
+}
+
 TEST(ScriptDefinition, ScopesOfFunctions) {
     EXPECT_EQ(parsed("export ints[] f() { }"), "export ints[] f() {}");
     EXPECT_EQ(parsed("export function f {}"), "export void f() {}");

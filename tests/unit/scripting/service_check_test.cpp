@@ -137,6 +137,18 @@ TEST_F(CheckedScripts, ATypeOfStateMachinesMayComeFromAnotherScript) {
         << "and nothing about what follows from that";
 }
 
+TEST_F(CheckedScripts, EventsMayBeThoseOfComponentsThatTheScriptMakes) {
+    const auto machine = [](const std::string& event) {
+        return "StateMachine T {\n  var string s\n  initial state a { transition " + event +
+               " select b }\n  final state b { }\n}\nRootMachine T m\n";
+    };
+    EXPECT_THAT(check(machine("robot.moved(s)")), StartsWith("x.ops:3:32: error: [OPS311]"));
+    EXPECT_THAT(check("note(\"a\")\n" + machine("robot.moved(s)")), IsEmpty());
+    EXPECT_THAT(check(machine("moved(s)")), StartsWith("x.ops:3:32: error: [OPS312]"));
+    EXPECT_THAT(check("note(\"a\")\n" + machine("moved(s)")), IsEmpty());
+    EXPECT_THAT(check("note(\"a\")\n" + machine("note(s)")), StartsWith("x.ops:4:32: error: [OPS313]"));
+}
+
 TEST_F(CheckedScripts, AComponentThatRanTheScriptMayCheckIt) {
     const std::string text = "void f() { }\nprogram p { f() }\n";
     EXPECT_TRUE(eval(text));

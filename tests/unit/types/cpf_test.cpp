@@ -73,7 +73,7 @@ TEST_F(Cpf, MissingFileAndWrongRoot) {
     std::ofstream(file) << "<things/>";
     EXPECT_FALSE(readFile(file, bag, sink));
     EXPECT_EQ(
-        "test.cpf: error: [XML001] cannot read the file\n"
+        "test.cpf: error: [XML001] cannot read the file: No such file or directory\n"
         "test.cpf:1:1: error: [CPF001] found <things>, expected <properties>\n",
         said());
 }

@@ -6,7 +6,7 @@
 #include <rtt/internal/Reclaimer.hpp>
 #include <rtt/plugin/detail/search_path.hpp>
 
-#include <diag/nearest_match.hpp>
+#include <diag/type_match.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -208,7 +208,9 @@ ComponentLoaderSignature ComponentTable::reserve(const std::string& name, const 
     if (!known.create) {
         std::vector<std::string> names;
         for (const auto& candidate : allTypes()) names.push_back(candidate.first);
-        error = "unknown component type '" + type + "'" + oroforge::diag::didYouMean(type, names);
+        const std::string proposal = oroforge::diag::didYouMeanType(type, names);
+        error = "unknown component type '" + type + "'" +
+                (proposal.empty() ? "; import the package that has it first" : proposal);
         return nullptr;
     }
     for (const Component& component : components_)

@@ -87,6 +87,7 @@ struct SimpleType {
     void (*read)(SimpleValue& result, const Text& text);
 };
 
+/** The names of the format, then those of scripts, which files of many projects use as well. */
 constexpr SimpleType simpleTypes[] = {
     {"boolean", &readBool},
     {"char", &readChar<char>},
@@ -101,6 +102,9 @@ constexpr SimpleType simpleTypes[] = {
     {"double", &readNumber<double>},
     {"float", &readNumber<float>},
     {"string", &readString},
+    {"bool", &readBool},
+    {"int", &readNumber<int>},
+    {"uint", &readNumber<unsigned int>},
 };
 
 /** The shortest text that reads back as the same number. */

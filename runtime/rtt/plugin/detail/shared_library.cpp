@@ -49,14 +49,22 @@ std::uint64_t expectedSize(int file) {
     return size;
 }
 
-/** Why the file must not be given to the linker, which would end the process: it touches what is not there. */
-std::string missingPart(const std::string& path) {
+bool isArchive(int file) {
+    const char magic[] = {'!', '<', 'a', 'r', 'c', 'h', '>', '\n'};
+    char begin[sizeof magic];
+    return pread(file, begin, sizeof begin, 0) == sizeof begin && std::memcmp(begin, magic, sizeof magic) == 0;
+}
+
+/** Why the file is not given to the linker: it would end the process, touching what is not there, or speak of headers. */
+std::string whyUnusable(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return std::string();  // the linker says why
+    const bool archive = isArchive(file);
     struct stat status;
     const std::uint64_t size = fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
     const std::uint64_t expected = expectedSize(file);
     close(file);
+    if (archive) return "it is a static library, which can only be linked into a program";
     if (size >= expected) return std::string();
     return "the file is cut short: it has " + std::to_string(size) + " bytes, expected " + std::to_string(expected);
 }
@@ -66,7 +74,7 @@ std::string missingPart(const std::string& path) {
 SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& error) {
     // Without a slash the linker would search its own path instead of opening this file.
     const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
-    error = missingPart(path);
+    error = whyUnusable(path);
     if (!error.empty()) return;
     handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
     if (!handle_) {

@@ -218,6 +218,24 @@ bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     return true;
 }
 
+namespace {
+
+/** What `make` makes; in its exceptions the first argument, which the script does not write, is not counted. */
+template <class Make>
+auto withoutFirst(Make make) -> decltype(make()) {
+    try {
+        return make();
+    } catch (wrong_types_of_args_exception& e) {
+        --e.whicharg;
+        throw;
+    } catch (non_lvalue_args_exception& e) {
+        --e.whicharg;
+        throw;
+    }
+}
+
+}  // namespace
+
 bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     if (name.parts.size() != 2) return false;
     const std::string& what = name.parts[1].text;
@@ -239,9 +257,11 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
         error(at, "OPS142",
               "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
                   counted(sources.size() - 1));
-    result = fromSource(
-        made(name, at, [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); }),
-        at);
+    const auto collected = [&] {
+        return withoutFirst(
+            [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
+    };
+    result = fromSource(made(name, at, collected), at);
     ++executions_;
     return true;
 }

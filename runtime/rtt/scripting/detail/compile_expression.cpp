@@ -12,6 +12,7 @@
 
 #include <diag/nearest_match.hpp>
 
+#include <algorithm>
 #include <type_traits>
 
 namespace RTT {
@@ -161,6 +162,9 @@ Operand Unit::member(const Operand& of, const ast::Identifier& name) {
         return fromSource(part, of.at);
     std::vector<std::string> known = whole->getMemberNames();
     if (const auto* const bag = internal::DataSource<PropertyBag>::narrow(whole.get())) known = bag->rvalue().list();
+    if (std::find(known.begin(), known.end(), name.text) != known.end())
+        error(name.at, "OPS123",
+              "member '" + name.text + "' of type " + typeName(of) + " has itself a type that no loaded typekit knows");
     error(name.at, "OPS123",
           "type " + typeName(of) + " has no member '" + name.text + "'" + oroforge::diag::didYouMean(name.text, known));
 }

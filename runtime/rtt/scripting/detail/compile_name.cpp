@@ -5,10 +5,13 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/Types.hpp>
 
 #include <diag/nearest_match.hpp>
+
+#include <algorithm>
 
 namespace RTT {
 namespace scripting {
@@ -28,6 +31,11 @@ base::DataSourceBase::shared_ptr valueIn(const ConfigurationInterface& values, c
 void addNames(const ConfigurationInterface& values, std::vector<std::string>& names) {
     for (const auto& name : values.getAttributeNames()) names.push_back(name);
     for (const auto& name : values.properties()->list()) names.push_back(name);
+}
+
+bool isInstalledService(const std::string& name) {
+    const std::vector<std::string> services = plugin::PluginLoader::Instance()->listServices();
+    return std::find(services.begin(), services.end(), name) != services.end();
 }
 
 std::string text(const std::vector<ast::Identifier>& parts, std::size_t count) {
@@ -198,6 +206,7 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
     for (const Scope* scope = scope_; scope; scope = scope->parent())
         for (const auto& entry : scope->entries()) known.push_back(entry.first);
     addNames(*types::GlobalsRepository::Instance(), known);
+    known.insert(known.end(), {"true", "false"});
     return known;
 }
 
@@ -231,10 +240,12 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
                                  : name.called ? "no operation '"
                                                : "no value or operation '";
     const unsigned later = parts.size() == 1 ? lineOfLaterFunction(part) : 0;
+    const bool canBeLoaded = !isLast && last.component && isInstalledService(part.text);
     error(part.at, isLast && name.called ? "OPS134" : "OPS133",
           owner + " has " + expected + part.text + "'" +
-              (later ? " yet: the function is defined later, in line " + std::to_string(later)
-                     : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))));
+              (later         ? " yet: the function is defined later, in line " + std::to_string(later)
+               : canBeLoaded ? "; loadService() loads a service of that name"
+                             : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))));
 }
 
 /** Where the function of that name is defined, which cannot be called before; 0 if there is none. */

@@ -33,6 +33,9 @@ bool Parser::atFunction() const {
     const Token name = ahead.next();
     if (name.kind != TokenKind::Word || name.newLine || !standsAsName(name)) return false;
     const Token open = ahead.next();
+    // `While true {` and the like are no functions.
+    for (const std::string_view value : {"true", "false", "not"})
+        if (open.kind == TokenKind::OpenBrace && text(name) == value) return false;
     if (open.kind == TokenKind::OpenParen) return !isLiteral(ahead.next().kind);
     return open.kind == TokenKind::OpenBrace;
 }

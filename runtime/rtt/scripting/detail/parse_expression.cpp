@@ -42,6 +42,19 @@ Operator binaryOperator(TokenKind kind, std::string_view text) {
     return {0, nullptr};
 }
 
+/** What to write instead, for those who are used to other languages: `found` stands where a value is expected, right behind `before`. */
+const char* habit(const Token& found, std::string_view before) {
+    const auto endsWith = [before](std::string_view end) {
+        return before.size() >= end.size() && before.substr(before.size() - end.size()) == end;
+    };
+    if (endsWith("++") || endsWith("--")) return "there are no '++' and '--'; write 'i = i + 1'";
+    const bool opens = found.kind == TokenKind::OpenBrace || found.kind == TokenKind::OpenBracket;
+    if (opens && endsWith("=")) return "a sequence is made by its type: 'array(1.0, 2.0)'";
+    if (opens && endsWith("try")) return "'try' takes one statement: 'try a.move() catch { … }'";
+    const bool computes = endsWith("+") || endsWith("-") || endsWith("*") || endsWith("/") || endsWith("%");
+    return found.kind == TokenKind::Assign && computes ? "there are no '+=' and the like; write 'i = i + 1'" : nullptr;
+}
+
 bool isDot(TokenKind kind) { return kind == TokenKind::Dot || kind == TokenKind::Colon; }
 
 }  // namespace
@@ -97,6 +110,9 @@ Parser::Tree Parser::binary(int least) {
 
 /** Each sign at most once, in this order. */
 Parser::Tree Parser::unary() {
+    // `i++` at the end of a line is not meant to go on in the next one.
+    const bool sign = token().kind == TokenKind::Plus || token().kind == TokenKind::Minus;
+    if (sign && repeated() && lastEnd() == token().begin && following().newLine) return primary();
     const ast::Place plus = place();
     const bool hasPlus = accept(TokenKind::Plus);
     const ast::Place minus = place();
@@ -154,7 +170,11 @@ Parser::Tree Parser::primary() {
     }
     oroforge::diag::Diagnostic* error = fail("a value");
     const bool sign = token().kind == TokenKind::Plus || token().kind == TokenKind::Minus;
-    if (error && sign && repeated()) error->hint("there are no '++' and '--'; write 'i = i + 1'");
+    Token before = token();
+    before.end = lastEnd();
+    before.begin = before.end - std::min<std::size_t>(before.end, 3);
+    const char* const meant = habit(token(), sign && repeated() ? "++" : text(before));
+    if (error && meant) error->hint(meant);
     return {};
 }
 

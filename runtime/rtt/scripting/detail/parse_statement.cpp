@@ -16,12 +16,22 @@ std::string pathOf(const ast::Name& name) {
     return path;
 }
 
-std::string meantKeyword(const std::string& word) {
-    if (word.size() < 3) return "";
+/** The keyword that `word` resembles. Before a literal it is one that takes a value, before a block one that has one. */
+std::string meantKeyword(const std::string& word, bool beforeLiteral, bool beforeBlock) {
+    if (word.size() < 3) return word == "If" || word == "IF" ? "; did you mean 'if'?" : "";
+    if (word == "elsif" || word == "elseif" || word == "elif") return "; write 'else if'";
+    if (beforeLiteral) return oroforge::diag::didYouMean(word, {"return"});
+    if (beforeBlock)
+        return oroforge::diag::didYouMean(
+            word, {"while", "for", "else", "catch", "program", "function", "export", "StateMachine"});
     return oroforge::diag::didYouMean(
         word, {"var",      "const",  "alias",  "param", "set",          "call",        "return",
                "while",    "for",    "try",    "else",  "catch",        "yield",       "program",
                "function", "export", "global", "local", "StateMachine", "RootMachine", "SubMachine"});
+}
+
+bool isLiteral(TokenKind kind) {
+    return kind == TokenKind::Number || kind == TokenKind::Text || kind == TokenKind::Letter;
 }
 
 bool beginsPlain(std::string_view word) {
@@ -140,7 +150,10 @@ ast::StatementPtr Parser::forStatement() {
 void Parser::forHeader(ast::For& loop) {
     const Token open = token();
     expect(TokenKind::OpenParen, "'('");
-    loop.first = atDeclaration() ? declaration() : plainStatement();
+    if (at(TokenKind::Semicolon))
+        loop.first = makeStatement(place(), ast::Nothing{});
+    else
+        loop.first = atDeclaration() ? declaration() : plainStatement();
     if (!accept(TokenKind::Semicolon)) explainNameAfter(loop.first.get(), fail("';' and the condition"));
     loop.condition = expression();
     expect(TokenKind::Semicolon, "';' and what to do after each round");
@@ -173,18 +186,23 @@ void Parser::endAfter(const ast::StatementPtr& statement) { explainNameAfter(sta
 
 /** `statement` is followed by something that does not fit: was its name meant as a keyword or a type? */
 void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
-    const auto* only = statement ? std::get_if<ast::Do>(&statement->what) : nullptr;
-    if (!error || !only || !only->expression) return;
-    const auto* name = std::get_if<ast::Name>(&only->expression->what);
-    if (!name || name->called) {
-        if (token().kind == TokenKind::OpenParen) error->hint("only what has a name can be called");
-        return;
-    }
+    if (!error || !statement) return;
+    if (std::holds_alternative<ast::Declaration>(statement->what) && token().kind == TokenKind::OpenBracket)
+        error->hint("a size stands in parentheses: 'var array v(3)'");
+    const auto* only = std::get_if<ast::Do>(&statement->what);
+    const auto* name = only && only->expression ? std::get_if<ast::Name>(&only->expression->what) : nullptr;
+    if (only && token().kind == TokenKind::OpenParen && (!name || name->called))
+        error->hint("only what has a name can be called");
+    const bool blockFollows = token().kind == TokenKind::OpenBrace || text() == "then";
+    if (!name || (name->called && !blockFollows)) return;
     const std::string& first = name->parts.front().text;
-    const std::string meant = name->parts.size() == 1 ? meantKeyword(first) : "";
+    const bool literal = isLiteral(token().kind) && lastEnd() != token().begin;
+    const std::string meant = name->parts.size() == 1 ? meantKeyword(first, literal, blockFollows) : "";
     if (!meant.empty()) {
         error->hint("'" + first + "' is taken for a name" + meant);
-    } else if (token().kind == TokenKind::Word && !isReserved(text())) {
+    } else if (literal) {
+        error->hint("arguments stand in parentheses: '" + pathOf(*name) + "(…)'");
+    } else if (!name->called && token().kind == TokenKind::Word && !isReserved(text())) {
         error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(text()) + "'");
     }
 }

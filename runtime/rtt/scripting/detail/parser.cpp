@@ -4,9 +4,28 @@
 
 #include <rtt/scripting/detail/parse_rules.hpp>
 
+#include <diag/nearest_match.hpp>
+
 namespace RTT {
 namespace scripting {
 namespace detail {
+
+namespace {
+
+/** `progam p {` is no function of type progam: the keyword that `word` was to be; empty if that cannot be. `next` reads
+    what is behind it. */
+std::string meantDefinition(std::string_view word, Lexer next) {
+    for (const std::string_view known : {"function", "export", "global", "local", "program", "StateMachine"})
+        if (word == known) return "";
+    next.next();
+    if (next.next().kind != TokenKind::OpenBrace) return "";
+    // Types may have names that resemble these: only a slip, or another case, is taken for a keyword.
+    for (const char* const keyword : {"program", "function", "StateMachine"})
+        if (oroforge::diag::editDistance(std::string(word), keyword) <= 1) return keyword;
+    return "";
+}
+
+}  // namespace
 
 ast::Script parse(const std::string& text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink) {
     return Parser(text, name, sink).script();
@@ -34,9 +53,14 @@ void Parser::item(ast::Script& script) {
     result.begin = token().begin;
     loops_ = 0;
     too_deep_ = false;
-    if (atWordBeforeName("program")) {
+    const std::string meant = atFunction() ? meantDefinition(text(), lexerHere()) : "";
+    if (!meant.empty())
+        report(
+            result.at, "OPS001",
+            "found '" + std::string(text()) + "', expected a definition or a statement; did you mean '" + meant + "'?");
+    if (atWordBeforeName("program") || meant == "program") {
         result.what = program();
-    } else if (atWordBeforeName("StateMachine")) {
+    } else if (atWordBeforeName("StateMachine") || meant == "StateMachine") {
         result.what = stateMachine();
     } else if (atWordBeforeName("RootMachine")) {
         result.what = instance();

@@ -26,7 +26,8 @@ const char* const kProgram = "program";
 const char* const kMachine = "state machine";
 
 /** Of errors that are none if somebody adds a name in time. */
-const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146", "OPS148", "OPS305"};
+const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146",
+                                     "OPS148", "OPS305", "OPS311", "OPS312", "OPS317"};
 
 bool isAboutNames(const diag::Diagnostic& error) {
     return std::find(std::begin(kUnknownNames), std::end(kUnknownNames), error.code) != std::end(kUnknownNames);

@@ -21,6 +21,10 @@ namespace scripting_corpus {
 struct Point {
     double x = 0, y = 0;
 };
+/** Its array is of a type that nobody registers. */
+struct Spread {
+    short values[2] = {};
+};
 enum Colour { Red = 1, Green = 2 };
 
 }  // namespace scripting_corpus
@@ -31,6 +35,11 @@ template <class Archive>
 void serialize(Archive& archive, scripting_corpus::Point& point, unsigned int) {
     archive& make_nvp("x", point.x);
     archive& make_nvp("y", point.y);
+}
+
+template <class Archive>
+void serialize(Archive& archive, scripting_corpus::Spread& spread, unsigned int) {
+    archive& make_nvp("values", spread.values);
 }
 
 }  // namespace boost::serialization
@@ -72,6 +81,7 @@ void addTypes() {
     types::Types()->addType(new types::SequenceTypeInfo<std::vector<std::string>>("strings"));
     types::Types()->addType(new types::SequenceTypeInfo<std::vector<int>>("ints"));
     types::Types()->addType(new types::StructTypeInfo<Point>("geo.Point"));
+    types::Types()->addType(new types::StructTypeInfo<Spread>("geo.Spread"));
     types::Types()->type("geo.Point")->addConstructor(types::newConstructor(&pointOf));
     types::Types()->addType(new types::SequenceTypeInfo<std::vector<Point>>("/geo/Path"));
     types::Types()->addType(new types::SequenceTypeInfo<std::vector<float>>("vector<float>"));
