@@ -10,6 +10,7 @@ add_library(orocos-rtcheck SHARED
   rt_check/locks.c
   rt_check/memory.c
   rt_check/next.c
+  rt_check/raw_calls.c
   rt_check/streams.c
   rt_check/symbols.cpp
   rt_check/system_calls.c

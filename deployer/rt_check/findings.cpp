@@ -14,25 +14,30 @@ Finding findings[kFindings];
 
 namespace {
 
-std::size_t hashOf(const Call& call) noexcept {
+std::atomic<unsigned> addressGeneration{0};
+
+std::size_t hashOf(const Call& call, unsigned generation) noexcept {
     std::uint64_t hash = 1469598103934665603u;
     const auto add = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
     for (const char* c = call.component; *c; ++c) add(static_cast<unsigned char>(*c));
     for (const char* c = call.function; *c; ++c) add(static_cast<unsigned char>(*c));
+    add(generation);
     for (unsigned i = 0; i != call.depth; ++i) add(reinterpret_cast<std::uintptr_t>(call.frames[i]));
     return static_cast<std::size_t>(hash ^ hash >> 32);
 }
 
 }  // namespace
 
-bool Finding::isOf(const Call& call, std::size_t itsHash) const noexcept {
-    return hash == itsHash && fault == call.fault && depth == call.depth && std::strcmp(function, call.function) == 0 &&
+bool Finding::isOf(const Call& call, std::size_t itsHash, unsigned itsGeneration) const noexcept {
+    return hash == itsHash && generation == itsGeneration && fault == call.fault && depth == call.depth &&
+           std::strcmp(function, call.function) == 0 &&
            std::strncmp(component, call.component, kLongestName - 1) == 0 &&
            std::equal(frames, frames + depth, call.frames);
 }
 
-void Finding::fill(const Call& call, std::size_t itsHash) noexcept {
+void Finding::fill(const Call& call, std::size_t itsHash, unsigned itsGeneration) noexcept {
     hash = itsHash;
+    generation = itsGeneration;
     std::strncpy(component, call.component, kLongestName - 1);
     fault = call.fault;
     function = call.function;
@@ -47,12 +52,13 @@ bool Finding::isAllowed() const noexcept {
 bool count(const Call& whole) noexcept {
     Call call = whole;
     call.depth = std::min(call.depth, Finding::kMaxFrames);
-    const std::size_t hash = hashOf(call);
+    const unsigned generation = addressGeneration.load(std::memory_order_relaxed);
+    const std::size_t hash = hashOf(call, generation);
     for (std::size_t i = 0; i != kFindings; ++i) {
         Finding& finding = findings[(hash + i) % kFindings];
         int state = finding.state.load(std::memory_order_acquire);
         if (state == Finding::kFree && finding.state.compare_exchange_strong(state, Finding::kBeingMade)) {
-            finding.fill(call, hash);
+            finding.fill(call, hash, generation);
             finding.count.store(1, std::memory_order_relaxed);
             // Release: who sees the state sees the rest.
             finding.state.store(Finding::kMade, std::memory_order_release);
@@ -60,12 +66,14 @@ bool count(const Call& whole) noexcept {
         }
         // One that another thread is making is passed by, because that thread may be waiting for this one's processor. If it
         // is the same, there are two of it then, which the report adds up.
-        if (state != Finding::kMade || !finding.isOf(call, hash)) continue;
+        if (state != Finding::kMade || !finding.isOf(call, hash, generation)) continue;
         finding.count.fetch_add(1, std::memory_order_relaxed);
         return true;
     }
     return false;
 }
+
+void beginAddressesAnew() noexcept { addressGeneration.fetch_add(1, std::memory_order_relaxed); }
 
 void describeFindings() {
     forEachFinding([](Finding& finding) {

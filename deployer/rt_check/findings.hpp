@@ -27,8 +27,8 @@ struct Finding {
     static constexpr std::size_t kLongestName = 96;
     static constexpr unsigned kMaxFrames = 30;
 
-    bool isOf(const Call& call, std::size_t hash) const noexcept;
-    void fill(const Call& call, std::size_t hash) noexcept;
+    bool isOf(const Call& call, std::size_t hash, unsigned generation) const noexcept;
+    void fill(const Call& call, std::size_t hash, unsigned generation) noexcept;
     /** What is done to the pool of real-time memory is no fault: its lock is held for a bounded number of instructions. */
     bool isAllowed() const noexcept;
 
@@ -36,6 +36,7 @@ struct Finding {
     std::atomic<int> state{kFree};
     std::atomic<unsigned long> count{0};
     std::size_t hash = 0;
+    unsigned generation = 0;  // of the addresses in frames
     char component[kLongestName] = {};
     oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION;
     const char* function = nullptr;
@@ -46,6 +47,9 @@ struct Finding {
 
 /** Any thread. False if there is no room. */
 bool count(const Call& call) noexcept;
+
+/** A library has left the process: something else may come to the addresses that calls were made from. */
+void beginAddressesAnew() noexcept;
 
 /** For one thread at a time: makes the texts that are not made yet. */
 void describeFindings();

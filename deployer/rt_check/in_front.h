@@ -24,6 +24,11 @@ static inline int oroforge_rt_watching(void) { return oroforge_rt_watched != 0 &
 void oroforge_rt_note(enum oroforge_rt_fault fault, const char* function, const void* caller);
 /* Finds out what the frames of all findings are, before the library that they are in may go. */
 void oroforge_rt_resolve(void);
+/* After a library was closed, and may have gone. */
+void oroforge_rt_closed(void);
+
+/* Whether a call that uses this descriptor may block. */
+int oroforge_rt_may_block(int fd);
 
 /* The function of that name in the libraries behind this one, kept in `slot`. Null only for a function that is
    needed to find it. A version is tried first, for functions of which libc has older ones: of these, dlsym() gives the oldest. */

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* What a real-time component must not do; the number of the code RTC00n in the report. */
+/* What a real-time component must not do. */
 enum oroforge_rt_fault {
     OROFORGE_RT_ALLOCATION = 1,
     OROFORGE_RT_RELEASE = 2,

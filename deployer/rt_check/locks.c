@@ -6,15 +6,12 @@
  */
 #include "in_front.h"
 
-#include <linux/futex.h>
 #include <poll.h>
 #include <pthread.h>
 #include <semaphore.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <sys/epoll.h>
 #include <sys/select.h>
-#include <sys/syscall.h>
 #include <threads.h>
 #include <time.h>
 #include <unistd.h>
@@ -56,6 +53,7 @@ OROFORGE_WATCH(WAIT, int, sem_clockwait, (sem_t* s, clockid_t c, Time t), (s, c,
 OROFORGE_WATCH(WAIT, int, pthread_barrier_wait, (pthread_barrier_t* b), (b))
 OROFORGE_WATCH(WAIT, int, pthread_join, (pthread_t t, void** result), (t, result))
 OROFORGE_WATCH(WAIT, int, pthread_timedjoin_np, (pthread_t t, void** result, Time until), (t, result, until))
+OROFORGE_WATCH(WAIT, int, pthread_clockjoin_np, (pthread_t t, void** result, clockid_t c, Time until), (t, result, c, until))
 OROFORGE_WATCH(WAIT, int, thrd_join, (thrd_t t, int* result), (t, result))
 
 OROFORGE_WATCH_IF(WAIT, int, nanosleep, (Time t, struct timespec* rest), (t, rest), IS_LATER(t))
@@ -77,6 +75,9 @@ OROFORGE_WATCH_IF(WAIT, int, select, (int n, fd_set* r, fd_set* w, fd_set* e, st
 OROFORGE_WATCH_IF(WAIT, int, pselect, (int n, fd_set* r, fd_set* w, fd_set* e, Time t, Signals s), (n, r, w, e, t, s), IS_LATER(t))
 OROFORGE_WATCH_IF(WAIT, int, epoll_wait, (int fd, Events e, int n, int ms), (fd, e, n, ms), ms != 0)
 OROFORGE_WATCH_IF(WAIT, int, epoll_pwait, (int fd, Events e, int n, int ms, Signals s), (fd, e, n, ms, s), ms != 0)
+#if __GLIBC_PREREQ(2, 35)
+OROFORGE_WATCH_IF(WAIT, int, epoll_pwait2, (int fd, Events e, int n, Time t, Signals s), (fd, e, n, t, s), IS_LATER(t))
+#endif
 
 /* Called instead where a package is built with _FORTIFY_SOURCE. */
 extern int __poll_chk(Polled, nfds_t, int, size_t);
@@ -84,38 +85,3 @@ extern int __ppoll_chk(Polled, nfds_t, Time, Signals, size_t);
 OROFORGE_WATCH_IF(WAIT, int, __poll_chk, (Polled p, nfds_t n, int ms, size_t size), (p, n, ms, size), ms != 0)
 OROFORGE_WATCH_IF(WAIT, int, __ppoll_chk, (Polled p, nfds_t n, Time t, Signals s, size_t size), (p, n, t, s, size), IS_LATER(t))
 /* clang-format on */
-
-static int waits(long number, long operation) {
-    if (number != SYS_futex) return 0;
-    switch (operation & FUTEX_CMD_MASK) {
-        case FUTEX_WAIT:
-        case FUTEX_WAIT_BITSET:
-        case FUTEX_LOCK_PI:
-        case FUTEX_WAIT_REQUEUE_PI: return 1;
-        default: return 0;
-    }
-}
-
-static int is_input_or_output(long number) {
-    static const long numbers[] = {SYS_read,   SYS_write,   SYS_readv, SYS_writev, SYS_openat,  SYS_sendmsg,
-                                   SYS_sendto, SYS_recvmsg, SYS_fsync, SYS_ioctl,  SYS_recvfrom};
-    for (unsigned i = 0; i != sizeof numbers / sizeof *numbers; ++i)
-        if (numbers[i] == number) return 1;
-    return 0;
-}
-
-/* The runtime itself waits by futex, and so does the C++ library (std::atomic::wait()). */
-OROFORGE_IN_FRONT long syscall(long number, ...) {
-    /* As libc does: six are taken, however many were given. */
-    va_list list;
-    va_start(list, number);
-    long a[6];
-    for (int i = 0; i < 6; ++i) a[i] = va_arg(list, long);
-    va_end(list);
-    if (oroforge_rt_watching()) {
-        if (waits(number, a[1])) oroforge_rt_note(OROFORGE_RT_WAIT, "futex", __builtin_return_address(0));
-        if (is_input_or_output(number))
-            oroforge_rt_note(OROFORGE_RT_SYSTEM_CALL, "syscall", __builtin_return_address(0));
-    }
-    return OROFORGE_NEXT_OF(syscall, 0)(number, a[0], a[1], a[2], a[3], a[4], a[5]);
-}

@@ -4,8 +4,11 @@
 #include "in_front.h"
 
 #include <malloc.h>
+#include <stdarg.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 /* libc's own: while the others are being looked for. */
 extern void* __libc_malloc(size_t);
@@ -53,5 +56,19 @@ OROFORGE_WATCH(ALLOCATION, void*, valloc, (size_t size), (size))
 OROFORGE_WATCH(ALLOCATION, void*, pvalloc, (size_t size), (size))
 OROFORGE_WATCH(ALLOCATION, int, posix_memalign, (void** block, size_t alignment, size_t size), (block, alignment, size))
 OROFORGE_WATCH(ALLOCATION, void*, mmap, (void* at, size_t size, int access, int flags, int fd, off_t from), (at, size, access, flags, fd, from))
+OROFORGE_WATCH(ALLOCATION, void*, mmap64, (void* at, size_t size, int access, int flags, int fd, off64_t from), (at, size, access, flags, fd, from))
+OROFORGE_WATCH(ALLOCATION, void*, sbrk, (intptr_t more), (more))
+OROFORGE_WATCH(ALLOCATION, int, mlock, (const void* at, size_t size), (at, size))
+OROFORGE_WATCH(ALLOCATION, int, mlockall, (int flags), (flags))
 OROFORGE_WATCH(RELEASE, int, munmap, (void* at, size_t size), (at, size))
 /* clang-format on */
+
+OROFORGE_IN_FRONT void* mremap(void* block, size_t size, size_t wanted, int flags, ...) {
+    va_list list;
+    va_start(list, flags);
+    void* const to = va_arg(list, void*);
+    va_end(list);
+    const __typeof__(&mremap) next_ = OROFORGE_NEXT_OF(mremap, 0);
+    NOTE(ALLOCATION, "mremap");
+    return next_(block, size, wanted, flags, to);
+}

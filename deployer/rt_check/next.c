@@ -33,6 +33,7 @@ OROFORGE_IN_FRONT int dlclose(void* library) {
     oroforge_rt_resolve();
     --oroforge_rt_inside;
     const int result = next_(library);
+    oroforge_rt_closed();
     OROFORGE_COUNTED();
     return result;
 }

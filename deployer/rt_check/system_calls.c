@@ -13,9 +13,12 @@
 #include <pthread.h>
 #include <spawn.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/sendfile.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -23,14 +26,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static int may_block(int fd) {
+int oroforge_rt_may_block(int fd) {
     const int flags = fcntl(fd, F_GETFL);
     if (flags < 0) return 0; /* not open: the call fails at once */
     if (!(flags & O_NONBLOCK)) return 1;
     struct stat status;
     return fstat(fd, &status) == 0 && (S_ISREG(status.st_mode) || S_ISBLK(status.st_mode) || S_ISDIR(status.st_mode));
 }
-#define SOCKET_MAY_BLOCK (!(flags & MSG_DONTWAIT) && may_block(s))
+#define SOCKET_MAY_BLOCK (!(flags & MSG_DONTWAIT) && oroforge_rt_may_block(s))
 #define QUEUE_MAY_BLOCK queue_may_block(q)
 
 static int queue_may_block(mqd_t q) {
@@ -44,7 +47,7 @@ typedef struct sockaddr* Address;
 typedef const struct timespec* Time;
 
 /* clang-format off */
-#define WATCH_FD(RESULT, NAME, PARAMETERS, ARGUMENTS) OROFORGE_WATCH_IF(SYSTEM_CALL, RESULT, NAME, PARAMETERS, ARGUMENTS, may_block(fd))
+#define WATCH_FD(RESULT, NAME, PARAMETERS, ARGUMENTS) OROFORGE_WATCH_IF(SYSTEM_CALL, RESULT, NAME, PARAMETERS, ARGUMENTS, oroforge_rt_may_block(fd))
 WATCH_FD(ssize_t, read, (int fd, void* to, size_t size), (fd, to, size))
 WATCH_FD(ssize_t, write, (int fd, const void* from, size_t size), (fd, from, size))
 WATCH_FD(ssize_t, readv, (int fd, Parts parts, int n), (fd, parts, n))
@@ -58,7 +61,13 @@ WATCH_FD(int, fsync, (int fd), (fd))
 WATCH_FD(int, fdatasync, (int fd), (fd))
 WATCH_FD(int, ftruncate, (int fd, off_t size), (fd, size))
 WATCH_FD(int, close, (int fd), (fd))
+WATCH_FD(ssize_t, preadv, (int fd, Parts parts, int n, off_t at), (fd, parts, n, at))
+WATCH_FD(ssize_t, pwritev, (int fd, Parts parts, int n, off_t at), (fd, parts, n, at))
+WATCH_FD(int, syncfs, (int fd), (fd))
+WATCH_FD(int, fallocate, (int fd, int how, off_t at, off_t size), (fd, how, at, size))
+WATCH_FD(int, posix_fallocate, (int fd, off_t at, off_t size), (fd, at, size))
 OROFORGE_WATCH_IF(SYSTEM_CALL, int, flock, (int fd, int what), (fd, what), !(what & (LOCK_NB | LOCK_UN)))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, lockf, (int fd, int what, off_t size), (fd, what, size), what == F_LOCK)
 
 #define WATCH_SOCKET(NAME, PARAMETERS, ARGUMENTS) OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, NAME, PARAMETERS, ARGUMENTS, SOCKET_MAY_BLOCK)
 WATCH_SOCKET(send, (int s, const void* from, size_t size, int flags), (s, from, size, flags))
@@ -83,23 +92,47 @@ OROFORGE_WATCH(SYSTEM_CALL, int, creat, (const char* path, mode_t mode), (path, 
 OROFORGE_WATCH(SYSTEM_CALL, int, stat, (const char* path, struct stat* to), (path, to))
 OROFORGE_WATCH(SYSTEM_CALL, int, lstat, (const char* path, struct stat* to), (path, to))
 OROFORGE_WATCH(SYSTEM_CALL, int, access, (const char* path, int what), (path, what))
+OROFORGE_WATCH(SYSTEM_CALL, int, fstatat, (int at, const char* path, struct stat* to, int flags), (at, path, to, flags))
+OROFORGE_WATCH(SYSTEM_CALL, int, truncate, (const char* path, off_t size), (path, size))
+OROFORGE_WATCH(SYSTEM_CALL, ssize_t, readlink, (const char* path, char* to, size_t size), (path, to, size))
+OROFORGE_WATCH(SYSTEM_CALL, int, chdir, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, int, unlink, (const char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, int, unlinkat, (int at, const char* path, int flags), (at, path, flags))
+OROFORGE_WATCH(SYSTEM_CALL, int, remove, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, int, rename, (const char* path, const char* to), (path, to))
 OROFORGE_WATCH(SYSTEM_CALL, int, mkdir, (const char* path, mode_t mode), (path, mode))
 OROFORGE_WATCH(SYSTEM_CALL, int, rmdir, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, DIR*, opendir, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, struct dirent*, readdir, (DIR* d), (d))
+OROFORGE_WATCH(SYSTEM_CALL, int, msync, (void* at, size_t size, int flags), (at, size, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, shm_open, (const char* name, int flags, mode_t mode), (name, flags, mode))
 
 OROFORGE_WATCH(SYSTEM_CALL, pid_t, fork, (void), ())
 OROFORGE_WATCH_IF(SYSTEM_CALL, pid_t, waitpid, (pid_t p, int* status, int how), (p, status, how), !(how & WNOHANG))
 OROFORGE_WATCH(SYSTEM_CALL, pid_t, wait, (int* status), (status))
+OROFORGE_WATCH_IF(SYSTEM_CALL, pid_t, wait4, (pid_t p, int* status, int how, struct rusage* used), (p, status, how, used), !(how & WNOHANG))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, waitid, (idtype_t kind, id_t id, siginfo_t* got, int how), (kind, id, got, how), !(how & WNOHANG))
 OROFORGE_WATCH(SYSTEM_CALL, int, system, (const char* command), (command))
 OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawn,
     (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
 OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.15", int, posix_spawnp,
     (pid_t* p, const char* path, const posix_spawn_file_actions_t* f, const posix_spawnattr_t* a, char* const* words, char* const* environment), (p, path, f, a, words, environment), 1)
 OROFORGE_WATCH(SYSTEM_CALL, int, pthread_create, (pthread_t* t, const pthread_attr_t* a, void* (*entry)(void*), void* argument), (t, a, entry, argument))
+
+/* Called instead where a package is built with _FILE_OFFSET_BITS=64, and by the C++ library. */
+WATCH_FD(ssize_t, sendfile64, (int out, int fd, off64_t* at, size_t size), (out, fd, at, size))
+WATCH_FD(ssize_t, preadv64, (int fd, Parts parts, int n, off64_t at), (fd, parts, n, at))
+WATCH_FD(ssize_t, pwritev64, (int fd, Parts parts, int n, off64_t at), (fd, parts, n, at))
+WATCH_FD(int, ftruncate64, (int fd, off64_t size), (fd, size))
+WATCH_FD(int, fallocate64, (int fd, int how, off64_t at, off64_t size), (fd, how, at, size))
+WATCH_FD(int, posix_fallocate64, (int fd, off64_t at, off64_t size), (fd, at, size))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, lockf64, (int fd, int what, off64_t size), (fd, what, size), what == F_LOCK)
+OROFORGE_WATCH(SYSTEM_CALL, int, creat64, (const char* path, mode_t mode), (path, mode))
+OROFORGE_WATCH(SYSTEM_CALL, int, truncate64, (const char* path, off64_t size), (path, size))
+OROFORGE_WATCH(SYSTEM_CALL, int, stat64, (const char* path, struct stat64* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, lstat64, (const char* path, struct stat64* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, fstatat64, (int at, const char* path, struct stat64* to, int flags), (at, path, to, flags))
+OROFORGE_WATCH(SYSTEM_CALL, struct dirent64*, readdir64, (DIR* d), (d))
 
 /* Called instead where a package is built with _FORTIFY_SOURCE. */
 extern ssize_t __read_chk(int, void*, size_t, size_t);
@@ -158,13 +191,30 @@ OPEN(open64)
 OPEN_AT(openat)
 OPEN_AT(openat64)
 
+/* Most of what it does is done at once; a lock is waited for. */
+#define FCNTL(NAME)                                                                     \
+    OROFORGE_IN_FRONT int NAME(int fd, int what, ...) {                                 \
+        va_list list;                                                                   \
+        va_start(list, what);                                                           \
+        void* const argument = va_arg(list, void*);                                     \
+        va_end(list);                                                                   \
+        const __typeof__(&NAME) next_ = OROFORGE_NEXT_OF(NAME, 0);                      \
+        if (what != F_SETLKW && what != F_OFD_SETLKW) return next_(fd, what, argument); \
+        OROFORGE_COUNT(SYSTEM_CALL, #NAME);                                             \
+        const int result = next_(fd, what, argument);                                   \
+        OROFORGE_COUNTED();                                                             \
+        return result;                                                                  \
+    }
+FCNTL(fcntl)
+FCNTL(fcntl64)
+
 OROFORGE_IN_FRONT int ioctl(int fd, unsigned long request, ...) {
     va_list list;
     va_start(list, request);
     void* const argument = va_arg(list, void*);
     va_end(list);
     const __typeof__(&ioctl) next_ = OROFORGE_NEXT_OF(ioctl, 0);
-    if (!oroforge_rt_watching() || !may_block(fd)) return next_(fd, request, argument);
+    if (!oroforge_rt_watching() || !oroforge_rt_may_block(fd)) return next_(fd, request, argument);
     OROFORGE_COUNT(SYSTEM_CALL, "ioctl");
     const int result = next_(fd, request, argument);
     OROFORGE_COUNTED();

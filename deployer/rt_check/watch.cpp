@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <execinfo.h>
+#include <link.h>
 #include <mutex>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -70,8 +73,9 @@ void note(oroforge_rt_fault fault, const char* function, const void* caller) {
         callsLost.fetch_add(1, std::memory_order_relaxed);
 }
 
-std::mutex& textMutex() {
-    static std::mutex& mutex = *new std::mutex;  // libraries are closed by destructors of static objects as well
+std::timed_mutex& textMutex() {
+    static std::timed_mutex& mutex =
+        *new std::timed_mutex;  // libraries are closed by destructors of static objects as well
     return mutex;
 }
 
@@ -87,7 +91,7 @@ std::vector<std::string> textsOf(const Finding& finding) {
 
 bool isSamePlace(const Finding& a, const Finding& b) {
     return a.fault == b.fault && a.depth == b.depth && std::strcmp(a.component, b.component) == 0 &&
-           std::strcmp(a.function, b.function) == 0 && std::equal(a.frames, a.frames + a.depth, b.frames);
+           std::strcmp(a.function, b.function) == 0 && textsOf(a) == textsOf(b);
 }
 
 std::vector<Row> sortedRows() {
@@ -112,6 +116,21 @@ std::vector<Row> sortedRows() {
     };
     std::sort(rows.begin(), rows.end(), before);
     return rows;
+}
+
+/** The name that a program calls it by: headers give some functions another one, as for _FORTIFY_SOURCE. */
+const char* plainName(std::string name) {
+    const auto drop = [&name](const std::string& suffix) {
+        if (name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+            name.resize(name.size() - suffix.size());
+    };
+    if (name.compare(0, 2, "__") == 0) {
+        name.erase(0, name.compare(0, 9, "__isoc99_") == 0 ? 9 : 2);
+        drop("_chk");
+        drop("_2");
+    }
+    static std::set<std::string>& names = *new std::set<std::string>;
+    return names.insert(name).first->c_str();
 }
 
 /** While one exists, what this thread calls is not reported. */
@@ -139,8 +158,21 @@ void oroforge_rt_note(oroforge_rt_fault fault, const char* function, const void*
 
 void oroforge_rt_resolve() {
     const Unwatched unwatched;
-    const std::lock_guard<std::mutex> lock(textMutex());
-    describeFindings();
+    // Whoever has it may be waiting for the loader, whose lock this thread may have: then the texts are left to that one.
+    const std::unique_lock<std::timed_mutex> lock(textMutex(), std::chrono::seconds(1));
+    if (lock) describeFindings();
+}
+
+void oroforge_rt_closed() {
+    const Unwatched unwatched;
+    static std::atomic<unsigned long long> known{0};
+    unsigned long long now = 0;
+    const auto countRemoved = [](dl_phdr_info* info, std::size_t, void* to) {
+        *static_cast<unsigned long long*>(to) = info->dlpi_subs;
+        return 1;  // it says the same for all
+    };
+    dl_iterate_phdr(countRemoved, &now);
+    if (known.exchange(now) != now) beginAddressesAnew();
 }
 
 OROFORGE_IN_FRONT void oroforge_rt_check_begin(const char* component, int real_time) {
@@ -167,7 +199,7 @@ OROFORGE_IN_FRONT oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visi
     oroforge_rt_resolve();
     for (const Row& row : sortedRows()) {
         const Finding& finding = *row.finding;
-        const oroforge_rt_finding found = {finding.component, finding.fault, finding.function,
+        const oroforge_rt_finding found = {finding.component, finding.fault, plainName(finding.function),
                                            row.count,         finding.depth, finding.texts};
         visit(to, &found);
     }

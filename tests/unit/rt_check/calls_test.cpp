@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Each function that --rt-check stands in front of: it does what it is there for, and is counted once, as the fault that it
-// is, if it may block. The program links the library, so that its functions come before libc's.
-#include <rt_check/interface.h>
+// is, if it may block.
+#include "counted_calls.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <atomic>
 #include <cerrno>
@@ -13,12 +13,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
-#include <map>
+#include <cwchar>
+#include <filesystem>
 #include <string>
 #include <thread>
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <linux/futex.h>
 #include <malloc.h>
@@ -40,34 +39,7 @@
 
 namespace {
 
-using Counts = std::map<std::string, unsigned long>;
-
-/** What was counted so far: "RTC001 malloc". */
-Counts counts() {
-    Counts result;
-    oroforge_rt_check_findings(
-        [](void* to, const oroforge_rt_finding* finding) {
-            (*static_cast<Counts*>(to))["RTC00" + std::to_string(finding->fault) + " " + finding->function] +=
-                finding->count;
-        },
-        &result);
-    return result;
-}
-
-/** What is counted of a watched call, each with how often: "RTC001 malloc 1, RTC002 free 1". */
-std::string counted(const std::function<void()>& call, int realTime = 1) {
-    const Counts before = counts();
-    oroforge_rt_check_begin("c", realTime);
-    call();
-    oroforge_rt_check_end();
-    std::string text;
-    for (const auto& [name, count] : counts()) {
-        const auto was = before.find(name);
-        const unsigned long more = count - (was == before.end() ? 0 : was->second);
-        if (more != 0) text += (text.empty() ? "" : ", ") + name + " " + std::to_string(more);
-    }
-    return text;
-}
+using rt_check_test::counted;
 
 void* volatile block;
 const timespec kSoon = {0, 1000}, kNow = {0, 0}, kPast = {1, 0};
@@ -100,6 +72,16 @@ TEST(Memory, IsCounted) {
     EXPECT_EQ("RTC001 malloc 1, RTC002 free 1", counted([] { std::free(block = strdup("text")); }));  // within libc
     EXPECT_EQ("RTC001 mmap 1, RTC002 munmap 1",
               counted([] { munmap(mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0), 4096); }));
+}
+
+TEST(Memory, OfPagesIsCounted) {
+    constexpr int kAccess = PROT_READ, kFlags = MAP_PRIVATE | MAP_ANONYMOUS;
+    EXPECT_EQ("RTC001 mmap64 1", counted([] { block = mmap64(nullptr, 4096, kAccess, kFlags, -1, 0); }));
+    EXPECT_EQ("RTC001 mremap 1", counted([] { block = mremap(block, 4096, 8192, MREMAP_MAYMOVE); }));
+    EXPECT_NE(MAP_FAILED, block);
+    EXPECT_EQ("RTC001 mlock 1", counted([] { (void)mlock(block, 4096); }));
+    munmap(block, 8192);
+    EXPECT_EQ("RTC001 sbrk 1", counted([] { EXPECT_NE(nullptr, sbrk(0)); }));
 }
 
 TEST(Locks, AreCountedButNotAttempts) {
@@ -165,6 +147,7 @@ TEST(Waits, ForThreadsAreCounted) {
     static std::atomic<int> word{1};
     EXPECT_EQ("RTC004 futex 1", counted([] { syscall(SYS_futex, &word, FUTEX_WAIT, 1, &kSoon, nullptr, 0); }));
     EXPECT_EQ("", counted([] { syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0); }));
+    EXPECT_EQ("RTC004 syscall 1", counted([] { syscall(SYS_nanosleep, &kSoon, nullptr); }));
 }
 
 TEST(Waits, ForTimesAndDescriptorsAreCounted) {
@@ -230,6 +213,33 @@ TEST(SystemCalls, OnFilesAreCounted) {
     EXPECT_EQ("RTC005 rmdir 1", counted([&] { EXPECT_EQ(0, rmdir(path.c_str())); }));
 }
 
+TEST(SystemCalls, OnFilesWithLargeOffsetsAreCounted) {
+    char name[] = "/tmp/oroforge-calls-XXXXXX";
+    static int file = -1;
+    file = mkstemp64(name);
+    const std::string path = name;
+    struct stat64 status {};
+    EXPECT_EQ("RTC005 ftruncate64 1", counted([] { EXPECT_EQ(0, ftruncate64(file, 5)); }));
+    EXPECT_EQ("RTC005 stat64 1", counted([&] { EXPECT_EQ(0, stat64(path.c_str(), &status)); }));
+    EXPECT_EQ(5, status.st_size);
+    EXPECT_EQ("RTC005 lstat64 1", counted([&] { EXPECT_EQ(0, lstat64(path.c_str(), &status)); }));
+    char bytes[8] = "";
+    iovec part = {bytes, 4};
+    EXPECT_EQ("RTC005 preadv 1", counted([&] { EXPECT_EQ(4, preadv(file, &part, 1, 0)); }));
+    EXPECT_EQ("RTC005 posix_fallocate 1", counted([] { EXPECT_EQ(0, posix_fallocate(file, 0, 100)); }));
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    EXPECT_EQ("RTC005 fcntl 1", counted([&] { EXPECT_EQ(0, fcntl(file, F_SETLKW, &whole)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(0, fcntl(file, F_SETLK, &whole)); }));
+    EXPECT_EQ("RTC005 lockf 1", counted([] { EXPECT_EQ(0, lockf(file, F_LOCK, 0)); }));
+    EXPECT_EQ("", counted([] { EXPECT_EQ(0, lockf(file, F_TLOCK, 0)); }));
+    EXPECT_EQ("RTC005 syscall 1", counted([] { EXPECT_EQ(2, syscall(SYS_write, file, "xy", 2)); }));
+    close(file);
+    EXPECT_EQ("RTC005 remove 1", counted([&] { EXPECT_EQ(0, remove(path.c_str())); }));
+    // What the C++ library does.
+    EXPECT_THAT(counted([&] { EXPECT_FALSE(std::filesystem::exists(path)); }), testing::HasSubstr("RTC005 stat"));
+}
+
 TEST(SystemCalls, OnPipesAndSocketsAreCountedIfTheyMayBlock) {
     int pair[2], quiet[2];
     ASSERT_EQ(0, socketpair(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0, pair));
@@ -253,6 +263,7 @@ TEST(SystemCalls, OnPipesAndSocketsAreCountedIfTheyMayBlock) {
     EXPECT_EQ("", counted([&] { EXPECT_EQ(0, ioctl(quiet[0], FIONREAD, &waiting)); }));
     EXPECT_EQ("", counted([&] { EXPECT_EQ(1, write(quiet[1], &byte, 1)); }));
     EXPECT_EQ("", counted([&] { EXPECT_EQ(1, read(quiet[0], &byte, 1)); }));
+    EXPECT_EQ("", counted([&] { EXPECT_EQ(1, syscall(SYS_write, quiet[1], &byte, 1)); }));
     EXPECT_EQ("", counted([] { EXPECT_EQ(-1, write(-1, "x", 1)); }));  // fails at once
     EXPECT_EQ(EBADF, errno);
     for (const int fd : {pair[0], pair[1], quiet[0], quiet[1]}) close(fd);
@@ -287,11 +298,19 @@ TEST(Streams, AreCountedOnceWhateverTheyDo) {
     EXPECT_EQ("RTC006 fflush 1", counted([] { EXPECT_EQ(0, std::fflush(stream)); }));
     char text[10];
     EXPECT_EQ("RTC006 fgets 1", counted([&] { EXPECT_EQ(nullptr, std::fgets(text, 10, stream)); }));
+    int number = 0;
+    EXPECT_EQ("RTC006 fscanf 1", counted([&] { EXPECT_EQ(EOF, std::fscanf(stream, "%d", &number)); }));
+    EXPECT_EQ("RTC006 rewind 1", counted([] { std::rewind(stream); }));
+    EXPECT_EQ("RTC003 flockfile 1", counted([] { flockfile(stream), funlockfile(stream); }));
     EXPECT_EQ("RTC006 fclose 1", counted([] { EXPECT_EQ(0, std::fclose(stream)); }));
     EXPECT_EQ("RTC006 printf 1", counted([] { EXPECT_EQ(4, std::printf("%s\n", "xyz")); }));
     EXPECT_EQ("RTC006 puts 1", counted([] { std::puts("puts"); }));
     EXPECT_EQ("RTC006 dprintf 1", counted([] { EXPECT_EQ(3, dprintf(1, "%d\n", 42)); }));
     EXPECT_EQ("", counted([&] { EXPECT_EQ(2, std::snprintf(text, 10, "%d", 42)); }));
+    stream = std::fopen("/dev/null", "r+");
+    EXPECT_EQ("RTC006 fwprintf 1", counted([] { EXPECT_EQ(3, std::fwprintf(stream, L"%d\n", 42)); }));
+    EXPECT_EQ("RTC006 fputws 1", counted([] { std::fputws(L"text", stream); }));
+    std::fclose(stream);
 }
 
 extern "C" {
@@ -303,75 +322,10 @@ int __open_2(const char*, int);
 TEST(Fortified, FunctionsAreCountedToo) {
     static int file = -1;
     char byte = 0;
-    EXPECT_EQ("RTC005 __open_2 1", counted([] { file = __open_2("/dev/zero", O_RDONLY | O_CLOEXEC); }));
-    EXPECT_EQ("RTC005 __read_chk 1", counted([&] { EXPECT_EQ(1, __read_chk(file, &byte, 1, 1)); }));
-    EXPECT_EQ("RTC006 __printf_chk 1", counted([] { EXPECT_EQ(3, __printf_chk(1, "%d\n", 42)); }));
+    EXPECT_EQ("RTC005 open 1", counted([] { file = __open_2("/dev/zero", O_RDONLY | O_CLOEXEC); }));
+    EXPECT_EQ("RTC005 read 1", counted([&] { EXPECT_EQ(1, __read_chk(file, &byte, 1, 1)); }));
+    EXPECT_EQ("RTC006 printf 1", counted([] { EXPECT_EQ(3, __printf_chk(1, "%d\n", 42)); }));
     close(file);
-}
-
-TEST(Watch, CoversWhatIsNestedAndNothingElse) {
-    const auto allocate = [] { block = std::malloc(10); };
-    EXPECT_EQ("", counted(allocate, 0));
-    EXPECT_EQ("RTC001 malloc 2", counted([&] {
-                  oroforge_rt_check_begin("inner", 0);  // in the thread of one that is watched
-                  allocate();
-                  oroforge_rt_check_end();
-                  allocate();
-              }));
-    EXPECT_EQ("RTC001 malloc 1", counted(
-                                     [&] {
-                                         oroforge_rt_check_begin("inner", 1);
-                                         allocate();
-                                         oroforge_rt_check_end();
-                                         allocate();
-                                     },
-                                     0));
-    EXPECT_EQ("RTC001 malloc 20", counted([&] {
-                  for (int i = 0; i != 20; ++i) oroforge_rt_check_begin("deep", 0), allocate();
-                  for (int i = 0; i != 20; ++i) oroforge_rt_check_end();
-              }));
-    EXPECT_EQ("", counted([] {}));
-}
-
-TEST(Watch, CoversItsOwnThreadOnly) {
-    std::atomic<int> stage{0};
-    std::thread other([&stage] {
-        while (stage != 1) std::this_thread::yield();
-        block = std::malloc(10);
-        stage = 2;
-    });
-    EXPECT_EQ("", counted([&stage] {
-                  stage = 1;
-                  while (stage != 2) sched_yield();
-              }));
-    other.join();
-}
-
-TEST(Watch, KnowsWhatWasInALibraryThatIsClosedNow) {
-    void* const library = dlopen(CLOSED_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-    ASSERT_NE(nullptr, library) << dlerror();
-    const auto allocate = reinterpret_cast<void* (*)()>(dlsym(library, "allocateInClosedLibrary"));
-    oroforge_rt_check_begin("closed", 1);
-    block = allocate();
-    oroforge_rt_check_end();
-    std::free(block);
-    ASSERT_EQ(0, dlclose(library));
-    ASSERT_EQ(nullptr, dlopen(CLOSED_LIBRARY, RTLD_NOW | RTLD_NOLOAD)) << "it is still there";
-    std::string frame;
-    oroforge_rt_check_findings(
-        [](void* to, const oroforge_rt_finding* finding) {
-            if (std::strcmp(finding->component, "closed") == 0) *static_cast<std::string*>(to) = finding->frames[0];
-        },
-        &frame);
-    EXPECT_EQ(0u, frame.find("'allocateInClosedLibrary' (" CLOSED_LIBRARY "+0x")) << frame;
-}
-
-TEST(Watch, KeepsTheErrorNumber) {
-    counted([] {
-        errno = 99;
-        block = std::malloc(10);
-        EXPECT_EQ(99, errno);
-    });
 }
 
 }  // namespace

@@ -60,9 +60,8 @@ protected:
     static std::string finding(const Outcome& outcome, const std::string& text) {
         const std::size_t begin = outcome.err.find(text);
         if (begin == std::string::npos) return {};
-        std::size_t end = outcome.err.find('\n', begin) + 1;
-        while (outcome.err.compare(end, 6, "note: ") == 0) end = outcome.err.find('\n', end) + 1;
-        return outcome.err.substr(begin, end - begin);
+        const std::size_t next = outcome.err.find("error: ", begin + 1);
+        return outcome.err.substr(begin, std::min(next, outcome.err.find(": --rt-check: ", begin)) - begin);
     }
 
     static std::ptrdiff_t errors(const Outcome& outcome) {
@@ -91,7 +90,7 @@ TEST_P(RtCheckFault, IsReportedWithItsNumberAndPlace) {
                                                    message.substr(code) + ", 10 times\n");
     // The last frame is the component's: neither we nor what led to it is shown.
     EXPECT_THAT(found, ContainsRegex(
-                           "note: called by '"
+                           "plantedfaults\\.cpp:[0-9]+: note: called by '"
                            "(virtual thunk to )?plantedfaults::" +
                            type + "::(work|updateHook)\\(\\)' \\([^)]*libplantedfaults-[^)]*\\.so\\+0x[0-9a-f]+\\)\n"))
         << outcome.err;
@@ -114,6 +113,15 @@ TEST_F(RtCheck, EachComponentIsToldOfByItself) {
     EXPECT_EQ(255, outcome.status);
     EXPECT_EQ(2, errors(outcome)) << outcome.err;
     EXPECT_LT(outcome.err.find("component 'locker'"), outcome.err.find("component 'sleeper'"));
+    EXPECT_THAT(outcome.err, ContainsRegex("--rt-check: 2 findings in [0-9]+ executions of updateHook\\(\\)\n"));
+}
+
+TEST_F(RtCheck, EachPlaceIsToldOfByItself) {
+    const Outcome outcome = check(realTime("twoPlaces"));
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_EQ(2, errors(outcome)) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("called by 'plantedfaults::TwoPlaces::one()'"),
+                                   HasSubstr("called by 'plantedfaults::TwoPlaces::other()'")));
     EXPECT_THAT(outcome.err, ContainsRegex("--rt-check: 2 findings in [0-9]+ executions of updateHook\\(\\)\n"));
 }
 

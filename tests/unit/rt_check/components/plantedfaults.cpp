@@ -66,6 +66,15 @@ class Locker : public Working {
     std::mutex mutex_;
 };
 
+/** Does the same in two places. */
+class TwoPlaces : public Working {
+    using Working::Working;
+    [[gnu::noinline]] void one() { mutex_.lock(), mutex_.unlock(); }
+    [[gnu::noinline]] void other() { mutex_.lock(), mutex_.unlock(); }
+    void work() override { one(), other(); }
+    std::mutex mutex_;
+};
+
 /** Has its mutex locked by others, so that only the wait is its own. */
 class ConditionWaiter : public Working {
     using Working::Working;
@@ -196,6 +205,7 @@ ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Allocator)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Releaser)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Locker)
+ORO_LIST_COMPONENT_TYPE(plantedfaults::TwoPlaces)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::ConditionWaiter)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Sleeper)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Writer)
