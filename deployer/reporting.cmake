@@ -8,6 +8,7 @@ oroforge_component_library(reporting
   reporting/components.cpp
   reporting/leaf_kinds.cpp
   reporting/other_value.cpp
+  reporting/record_queue.cpp
   reporting/record_ring.cpp
   reporting/report_entries.cpp
   reporting/row_text.cpp

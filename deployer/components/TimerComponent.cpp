@@ -5,13 +5,20 @@
 #include <ocl/Component.hpp>
 #include <rtt/Activity.hpp>
 #include <rtt/OutputPort.hpp>
+#include <rtt/os/Condition.hpp>
+#include <rtt/os/Mutex.hpp>
+#include <rtt/os/MutexLock.hpp>
 #include <rtt/os/threads.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace OCL {
 
+using RTT::os::MutexLock;
 using RTT::os::Timer;
 
-/** The timers, and the ports that they write to. */
+/** The timers, and the ports that they write to. Its own waits end with stop() as well, after which nothing expires. */
 class TimerComponent::PortTimer : public Timer {
 public:
     static constexpr TimerId kPorts = 32;
@@ -26,18 +33,58 @@ public:
     void timeout(TimerId id) override {
         any_.write(id);
         if (id < kPorts) each_[id].write(id);
+        const MutexLock lock(mutex_);
+        if (isKnown(id)) ++expiries_[static_cast<std::size_t>(id)];
+        changed_.broadcast();
+    }
+
+    bool kill(TimerId id) {
+        const bool known = Timer::killTimer(id);
+        const MutexLock lock(mutex_);
+        changed_.broadcast();
+        return known;
+    }
+    void setMax(TimerId timers) {
+        Timer::setMaxTimers(timers);
+        const MutexLock lock(mutex_);
+        if (timers > 0 && !isKnown(timers - 1)) expiries_.resize(static_cast<std::size_t>(timers));
+        changed_.broadcast();
+    }
+    bool waitUntilExpired(TimerId id) {
+        const MutexLock lock(mutex_);
+        if (!running_ || !isKnown(id) || !isArmed(id)) return false;
+        const std::size_t index = static_cast<std::size_t>(id);
+        const unsigned before = expiries_[index];
+        while (running_ && expiries_[index] == before && isArmed(id)) changed_.wait(mutex_);
+        return running_ || expiries_[index] != before;
+    }
+    bool isRunning() {
+        const MutexLock lock(mutex_);
+        return running_;
+    }
+    void setRunning(bool running) {
+        const MutexLock lock(mutex_);
+        running_ = running;
+        changed_.broadcast();
     }
 
 private:
+    bool isKnown(TimerId id) const { return id >= 0 && static_cast<std::size_t>(id) < expiries_.size(); }
+
     RTT::OutputPort<int> any_;
     RTT::OutputPort<int> each_[kPorts];
+    // Taken before the timers' own one, which is free when they call timeout().
+    RTT::os::Mutex mutex_;
+    RTT::os::Condition changed_;
+    std::vector<unsigned> expiries_ = std::vector<unsigned>(kPorts);  // so far, of each timer
+    bool running_ = false;
 };
 
 TimerComponent::TimerComponent(std::string name)
     : RTT::TaskContext(name, PreOperational),
       timer_(new PortTimer(*this)),
       thread_(new RTT::Activity(ORO_SCHED_RT, RTT::os::HighestPriority, 0.0, timer_.get(), name + ".Timer")) {
-    Timer* const timer = timer_.get();
+    PortTimer* const timer = timer_.get();
     const char* const id = "timerId";
     const char* const number = "The number of the timer, from 0";
     addOperation("arm", &Timer::arm, timer).doc("Lets a timer expire once.").arg(id, number).arg("delay", "In seconds");
@@ -45,13 +92,13 @@ TimerComponent::TimerComponent(std::string name)
         .doc("Lets a timer expire again and again.")
         .arg(id, number)
         .arg("period", "In seconds");
-    addOperation("killTimer", &Timer::killTimer, timer).doc("Stops a timer.").arg(id, number);
+    addOperation("killTimer", &PortTimer::kill, timer).doc("Stops a timer.").arg(id, number);
     addOperation("isArmed", &Timer::isArmed, timer).doc("Whether a timer is going to expire.").arg(id, number);
-    addOperation("setMaxTimers", &Timer::setMaxTimers, timer)
+    addOperation("setMaxTimers", &PortTimer::setMax, timer)
         .doc("Changes the number of timers. Those from 32 on have no port of their own.")
         .arg("timers", "How many; at first there are 32");
-    addOperation("waitFor", &Timer::waitFor, timer)
-        .doc("Blocks until a timer expires or is killed; false if it is not armed.")
+    addOperation("waitFor", &PortTimer::waitUntilExpired, timer)
+        .doc("Blocks until a timer expires or is killed; false if it is not armed, or stop() came first.")
         .arg(id, number);
     addOperation("wait", &TimerComponent::wait, this)
         .doc("Lets a timer expire once and blocks until then.")
@@ -65,14 +112,22 @@ TimerComponent::~TimerComponent() {
 }
 
 bool TimerComponent::wait(Timer::TimerId timer, double delay) {
-    if (!timer_->arm(timer, delay)) return false;
-    (void)timer_->waitFor(timer);  // false if it has expired by now: then there is nothing to wait for
-    return true;
+    if (!timer_->isRunning() || !timer_->arm(timer, delay)) return false;
+    // Not armed any more: it has expired by now, and there is nothing to wait for.
+    return timer_->waitUntilExpired(timer) || (timer_->isRunning() && !timer_->isArmed(timer));
 }
 
-bool TimerComponent::startHook() { return thread_->start(); }
+bool TimerComponent::startHook() {
+    timer_->setRunning(true);
+    if (thread_->start()) return true;
+    timer_->setRunning(false);
+    return false;
+}
 
-void TimerComponent::stopHook() { thread_->stop(); }
+void TimerComponent::stopHook() {
+    thread_->stop();
+    timer_->setRunning(false);
+}
 
 }  // namespace OCL
 

@@ -5,17 +5,12 @@
 
 #include <ocl/OCL.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/marsh/MarshallInterface.hpp>
 #include <rtt/rtt-config.h>
 
 #include <iosfwd>
 #include <memory>
 #include <string>
-
-namespace RTT {
-namespace marsh {
-class MarshallInterface;
-}
-}  // namespace RTT
 
 namespace OCL {
 
@@ -39,7 +34,8 @@ public:
     ~ReportingComponent() override;
 
     /** Has each report written by these too, both of which it owns from now on: the header gets the first row once, the body
-        gets every row. One of them may be null; false if both are. They allocate and are called in this component's thread. */
+        gets every row. One of them may be null; false if both are. They allocate and are called in this component's thread. Not
+        while the component runs. */
     bool addMarshaller(RTT::marsh::MarshallInterface* header, RTT::marsh::MarshallInterface* body);
     bool removeMarshallers();
 
@@ -55,7 +51,8 @@ public:
     /** Reports an output port of a peer; `port` may name one of a service: "service.port". */
     bool reportPort(const std::string& component, const std::string& port);
     bool unreportPort(const std::string& component, const std::string& port);
-    /** Writes a row now, unless the activity is periodic or the component does not run. */
+    /** Writes a row now, unless the activity is periodic or the component does not run. For this component's own thread, in
+        which the operation is executed. */
     void snapshot();
 
 protected:

@@ -19,6 +19,7 @@ FileReporting::~FileReporting() { stop(); }
 
 bool FileReporting::startHook() {
     std::string error;
+    writeTo(nullptr);  // of a start that failed: it has the file
     writeTo(reporting::openFile(reportFile_, error));
     if (!error.empty())
         RTT::log(RTT::Error) << "could not open file '" << reportFile_ << "' for reporting: " << error << RTT::endlog();

@@ -124,6 +124,7 @@ bool ReportingComponent::startHook() {
         log(RTT::Error) << "'" << getName() << "' needs at least one marshaller to write reports" << endlog();
         return false;
     }
+    impl_->findValuesAnew();
     impl_->lostRows = 0;
     impl_->report.reset(
         new RunningReport(impl_->sources, impl_->options(), std::move(impl_->target), impl_->marshallers));

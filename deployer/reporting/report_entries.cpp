@@ -66,6 +66,12 @@ bool ReportingComponent::Impl::isReported(const std::string& name) const {
     return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source->name() == name; });
 }
 
+bool ReportingComponent::Impl::isConnected(const std::string& name) const {
+    return std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
+        return source->name() == name && (!source->port() || source->port()->connected());
+    });
+}
+
 bool ReportingComponent::Impl::remove(const std::string& name) {
     const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) { return s->name() == name; });
     if (found == sources.end()) return false;
@@ -77,10 +83,10 @@ bool ReportingComponent::Impl::remove(const std::string& name) {
 bool ReportingComponent::Impl::addComponent(const std::string& component) {
     TaskContext* const peer = peerOf(self, component);
     if (!peer) return false;
-    bool good = true;
+    // A port of a type that no typekit has is said to be left out: the others of such a component have their columns.
     for (RTT::base::PortInterface* port : peer->ports()->getPorts())
-        if (dynamic_cast<OutputPortInterface*>(port)) good &= addPort(component, port->getName());
-    return good;
+        if (dynamic_cast<OutputPortInterface*>(port)) (void)addPort(component, port->getName());
+    return true;
 }
 
 bool ReportingComponent::Impl::addPort(const std::string& component, const std::string& path) {
@@ -114,7 +120,7 @@ bool ReportingComponent::Impl::addPort(const std::string& component, const std::
     input->doc("Reports " + name);
     self.ports()->addLocalEventPort(*input);
     input->signalInterface(false);  // until the component runs
-    sources.push_back(std::make_shared<Source>(name, std::move(input), sample));
+    sources.push_back(std::make_shared<Source>(component, path, std::move(input), sample));
     return true;
 }
 
@@ -131,8 +137,26 @@ bool ReportingComponent::Impl::addData(const std::string& component, const std::
     const DataSourceBase::shared_ptr sample = placeFor(value->getTypeInfo(), name);
     if (!sample) return false;
     (void)remove(name);
-    sources.push_back(std::make_shared<Source>(name, value, sample));
+    sources.push_back(std::make_shared<Source>(component, data, value, sample));
     return true;
+}
+
+void ReportingComponent::Impl::findValuesAnew() {
+    for (const std::shared_ptr<Source>& source : reporting::Sources(sources)) {
+        if (source->port()) continue;
+        TaskContext* const peer = self.getPeer(source->component());
+        const DataSourceBase::shared_ptr value = peer ? valueOf(*peer, source->path()) : nullptr;
+        if (value == source->original()) continue;
+        const auto at = std::find(sources.begin(), sources.end(), source);
+        const DataSourceBase::shared_ptr sample = value ? placeFor(value->getTypeInfo(), source->name()) : nullptr;
+        if (sample) {
+            *at = std::make_shared<Source>(source->component(), source->path(), value, sample);
+            continue;
+        }
+        log(RTT::Error) << "'" << self.getName() << "' no longer reports '" << source->name()
+                        << "': no such peer, or it has no such property or attribute any more" << endlog();
+        sources.erase(at);
+    }
 }
 
 bool ReportingComponent::Impl::removeAllOf(const std::string& component) {
@@ -154,10 +178,10 @@ bool ReportingComponent::Impl::addEntries() {
     if (reportData.empty()) {
         log(RTT::Error) << "'" << self.getName() << "': the property ReportData is empty: there is nothing to report"
                         << endlog();
-        log(RTT::Error)
-            << "fill it from a file by LoadProperties or marshalling.loadProperties(), or use the operations "
-               "reportComponent, reportPort and reportData"
-            << endlog();
+        log(RTT::Error) << "fill it by Properties or LoadProperties of the deployment file or by "
+                           "marshalling.loadProperties(), or use "
+                           "the operations reportComponent, reportPort and reportData"
+                        << endlog();
         return false;
     }
     bool good = true;
@@ -187,8 +211,9 @@ bool ReportingComponent::Impl::addEntry(const RTT::base::PropertyBase& entry) {
                         << (kind == "Port" ? "ports" : "properties or attributes") << endlog();
         return false;
     }
-    // By an operation that was called before configure().
-    if (isReported(value)) return true;
+    // By an operation that was called before configure(). A port that has gone since is looked for again.
+    if (isConnected(value)) return true;
+    if (kind == "Port") (void)remove(value);
     const std::string component = value.substr(0, dot), name = value.substr(dot + 1);
     return kind == "Port" ? addPort(component, name) : addData(component, name);
 }

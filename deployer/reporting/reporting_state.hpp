@@ -24,6 +24,10 @@ struct ReportingComponent::Impl {
     bool addPort(const std::string& component, const std::string& port);
     bool addData(const std::string& component, const std::string& data);
     bool isReported(const std::string& name) const;
+    /** Reported, and not by a port whose component has gone. */
+    bool isConnected(const std::string& name) const;
+    /** Properties and attributes: their component may have gone, or been replaced, since they were added. */
+    void findValuesAnew();
     bool remove(const std::string& name);
     bool removeAllOf(const std::string& component);
     /** What ReportData says; reports all its errors. */

@@ -3,7 +3,7 @@
 #ifndef ORO_OCL_REPORTING_ROW_WRITER_HPP
 #define ORO_OCL_REPORTING_ROW_WRITER_HPP
 
-#include "record_ring.hpp"
+#include "record_queue.hpp"
 #include "text_target.hpp"
 
 #include <rtt/Activity.hpp>
@@ -21,7 +21,7 @@ class Record;
 /**
  * The thread that makes text of records and writes it.
  *
- *     component: Record ──push──► RecordRing ──pop──► text ──write──► TextTarget        (this thread)
+ *     component: Record ──push──► RecordQueue ──pop──► text ──write──► TextTarget       (this thread)
  *
  * Lines are written whole and in order, some milliseconds after the row was taken.
  */
@@ -32,9 +32,15 @@ public:
     /** As finish(). */
     ~RowWriter() override;
 
-    /** False if there is no room, the row is lost then. For one thread at a time. Real-time safe. */
+    // For one thread at a time.
+    /** False if there is no room, the row is lost then. Real-time safe. */
     bool push(const Record& record);
-    /** Waits until everything has been written, and ends the thread. */
+    /** Bytes that there is room for now, with the records that wait. */
+    std::size_t room() const { return queue_.capacity(); }
+    /** Room for that many bytes, besides the records that wait. Allocates. */
+    void makeRoom(std::size_t bytes) { queue_.makeRoom(bytes); }
+
+    /** Waits until everything has been written, and ends the thread. If that takes long, the log says what is waited for. */
     void finish();
     /** Rows for which there was no room, or that could not be written. */
     unsigned long lost() const { return lost_.load(std::memory_order_relaxed); }
@@ -47,11 +53,12 @@ private:
     void writeAll();
     void writeOut();
     void waitForRows();
+    void waitUntilDone();
     void lose(unsigned long rows);
 
     const std::unique_ptr<TextTarget> target_;
     const int digits_;
-    RecordRing ring_;
+    RecordQueue queue_;
     std::atomic<unsigned long> lost_{0};
     std::atomic<bool> asleep_{false};  // the thread waits, or is about to wait, for wake_
     std::atomic<bool> ending_{false};

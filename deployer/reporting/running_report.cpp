@@ -18,6 +18,8 @@ const char* const kTimeStamp = "TimeStamp";
 constexpr std::size_t kRowsBehind = 2000;
 constexpr std::size_t kLeastRoom = std::size_t(1) << 20;
 constexpr std::size_t kMostRoom = std::size_t(1) << 26;
+/** However long they are: a sequence may hold an image. */
+constexpr std::size_t kFewestRows = 4;
 
 void write(RTT::marsh::MarshallInterface* marshaller, const RTT::PropertyBag& bag) {
     if (!marshaller) return;
@@ -25,7 +27,9 @@ void write(RTT::marsh::MarshallInterface* marshaller, const RTT::PropertyBag& ba
     marshaller->flush();
 }
 
-std::size_t roomFor(std::size_t row) { return std::clamp(row * kRowsBehind, kLeastRoom, kMostRoom); }
+std::size_t roomFor(std::size_t row) {
+    return std::max(std::clamp(row * kRowsBehind, kLeastRoom, kMostRoom), row * kFewestRows);
+}
 
 }  // namespace
 
@@ -128,6 +132,9 @@ void RunningReport::fill(RTT::PropertyBag& bag, double time) {
 }
 
 void RunningReport::push(const Record& record) {
+    // Not for each byte that a row grows: while it grows to twice its size, half of the room is enough.
+    const std::size_t room = roomFor(record.size());
+    if (writer_->room() < room / 2) writer_->makeRoom(room);
     if (writer_->push(record) || std::exchange(everLost_, true)) return;
     RTT::log(RTT::Error) << "a row of the report of '" << options_.component
                          << "' is lost: its file or console does not take them as fast as they come" << RTT::endlog();

@@ -6,15 +6,20 @@
 
 namespace OCL::reporting {
 
-Source::Source(std::string name, std::unique_ptr<RTT::base::InputPortInterface> port, Value sample)
-    : name_(std::move(name)),
+Source::Source(const std::string& component, std::string path, std::unique_ptr<RTT::base::InputPortInterface> port,
+               Value sample)
+    : component_(component),
+      path_(std::move(path)),
+      name_(component_ + "." + path_),
       port_(std::move(port)),
       link_(new RTT::internal::PortLink(*port_)),
       sample_(std::move(sample)),
       address_(sample_->getRawPointer()) {}
 
-Source::Source(std::string name, Value original, Value sample)
-    : name_(std::move(name)),
+Source::Source(const std::string& component, std::string path, Value original, Value sample)
+    : component_(component),
+      path_(std::move(path)),
+      name_(component_ + "." + path_),
       original_(std::move(original)),
       sample_(std::move(sample)),
       address_(sample_->getRawPointer()) {}

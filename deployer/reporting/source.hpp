@@ -17,15 +17,21 @@ class Source {
 public:
     typedef RTT::base::DataSourceBase::shared_ptr Value;
 
-    /** What comes in through `port`. */
-    Source(std::string name, std::unique_ptr<RTT::base::InputPortInterface> port, Value sample);
-    /** A value of another component, which must live as long as it is read. */
-    Source(std::string name, Value original, Value sample);
+    /** What a peer sends, which comes in through `port`. */
+    Source(const std::string& component, std::string path, std::unique_ptr<RTT::base::InputPortInterface> port,
+           Value sample);
+    /** A value of a peer, which must live as long as it is read. */
+    Source(const std::string& component, std::string path, Value original, Value sample);
 
-    /** "Component.port" */
+    /** "Component.service.port" */
     const std::string& name() const { return name_; }
+    const std::string& component() const { return component_; }
+    /** "service.port" */
+    const std::string& path() const { return path_; }
     /** Null for values. */
     RTT::base::InputPortInterface* port() const { return port_.get(); }
+    /** Null for ports. */
+    const Value& original() const { return original_; }
     const Value& sample() const { return sample_; }
 
     /** The first read(). If a port has no sample yet, its value gets the size that the writer announced by setDataSample(). */
@@ -37,7 +43,7 @@ public:
     void clear();
 
 private:
-    const std::string name_;
+    const std::string component_, path_, name_;
     const std::unique_ptr<RTT::base::InputPortInterface> port_;
     const std::unique_ptr<RTT::internal::PortLink> link_;  // reads without looking the type up each time
     const Value original_;

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <ostream>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -12,6 +14,11 @@ namespace OCL::reporting {
 namespace {
 
 std::string systemError() { return std::generic_category().message(errno); }
+
+bool isRegular(int file) {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+}
 
 class FileTarget : public TextTarget {
 public:
@@ -42,7 +49,9 @@ public:
 
     std::string write(const char* text, std::size_t size) override {
         stream_.write(text, static_cast<std::streamsize>(size)).flush();
-        return stream_ ? std::string() : "the stream does not take it";
+        if (stream_) return {};
+        stream_.clear();  // others write there, too
+        return "the stream does not take it";
     }
     std::string name() const override { return "the console"; }
 
@@ -53,12 +62,20 @@ private:
 }  // namespace
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
-    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (file < 0) {
         error = systemError();
         return nullptr;
     }
-    return std::unique_ptr<TextTarget>(new FileTarget(file, name));
+    std::unique_ptr<TextTarget> target(new FileTarget(file, name));
+    if (!isRegular(file)) return target;
+    // Its rows would be gone, and ours among those that follow. Not all file systems have locks: without, nobody knows.
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        error = "another reporter is writing to it";
+    else if (::ftruncate(file, 0) != 0)
+        error = systemError();
+    if (!error.empty()) target.reset();
+    return target;
 }
 
 std::unique_ptr<TextTarget> useStream(std::ostream& stream) {

@@ -20,7 +20,7 @@ public:
     virtual std::string name() const = 0;
 };
 
-/** Begins the file anew; null, and `error` says why, if it cannot be opened. */
+/** Begins the file anew; null, and `error` says why, if it cannot be opened, or has a target already in whatever process. */
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error);
 /** A stream that must outlive the target. */
 std::unique_ptr<TextTarget> useStream(std::ostream& stream);

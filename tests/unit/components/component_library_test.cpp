@@ -12,6 +12,9 @@
 #include <rtt/OutputPort.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 
+#include <chrono>
+#include <future>
+
 namespace {
 
 using namespace components_test;
@@ -140,6 +143,33 @@ TEST_F(Timers, RepeatUntilTheyAreKilled) {
     EXPECT_FALSE(operation<bool(int)>("waitFor")(3));
     timer.stop();
     EXPECT_GE(all(third).size(), 3u);
+}
+
+TEST_F(Timers, StopEndsWaits) {
+    ASSERT_TRUE(timer.configure());
+    EXPECT_FALSE(operation<bool(int, double)>("wait")(3, 0.0)) << "nothing expires in a component that does not run";
+    ASSERT_TRUE(timer.start());
+    EXPECT_TRUE(operation<bool(int, double)>("arm")(4, 1000.0));
+    std::future<bool> waits[] = {
+        std::async(std::launch::async, [this] { return operation<bool(int, double)>("wait")(3, 1000.0); }),
+        std::async(std::launch::async, [this] { return operation<bool(int)>("waitFor")(4); })};
+    for (std::future<bool>& wait : waits)
+        EXPECT_EQ(std::future_status::timeout, wait.wait_for(std::chrono::milliseconds(50)));
+    timer.stop();
+    for (std::future<bool>& wait : waits) EXPECT_FALSE(wait.get());
+    EXPECT_TRUE(operation<bool(int)>("isArmed")(4));
+    // Killing ends them as before.
+    ASSERT_TRUE(timer.start());
+    std::promise<void> waiting;
+    std::future<bool> killed = std::async(std::launch::async, [this, &waiting] {
+        waiting.set_value();
+        return operation<bool(int)>("waitFor")(4);
+    });
+    waiting.get_future().wait();
+    EXPECT_EQ(std::future_status::timeout, killed.wait_for(std::chrono::milliseconds(50)));
+    EXPECT_TRUE(operation<bool(int)>("killTimer")(4));
+    EXPECT_TRUE(killed.get());
+    timer.stop();
 }
 
 TEST_F(Timers, MoreThanThirtyTwoUseTheCommonPort) {

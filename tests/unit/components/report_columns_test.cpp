@@ -3,6 +3,8 @@
 // What a report looks like: header, rows, columns of values of all kinds.
 #include "reporter_fixture.hpp"
 
+#include <cmath>
+
 namespace {
 
 using namespace components_test;
@@ -147,6 +149,30 @@ TEST_F(ReportColumns, HeaderIsRepeatedForOtherColumnsIfWanted) {
         " 1  3 \n"
         " 1.5  3 \n",
         report());
+}
+
+TEST_F(ReportColumns, RowsThatBecomeMuchLongerFindRoom) {
+    constexpr int kElements = 400000;  // an image
+    ASSERT_TRUE(reporter->reportPort("Machine", "levels"));
+    ASSERT_TRUE(reporter->start());
+    machine.levels.write(std::vector<double>(kElements, 7));
+    for (int i = 0; i < 3; ++i) cycle();
+    machine.levels.write({8});
+    cycle();
+    std::string image = "  ";
+    for (int i = 0; i < kElements; ++i) image += "7 ";
+    const std::string rows = report();
+    EXPECT_TRUE(rows ==
+                " TimeStamp Machine.levels[0]\n 0  \n 0.5" + image + "\n 1" + image + "\n 1.5" + image + "\n 2  8 \n")
+        << rows.size() << " bytes: " << rows.substr(0, 100);
+}
+
+TEST_F(ReportColumns, NumbersThatAreNoneAreWrittenAsStreamsDo) {
+    machine.levels.write({std::nan(""), HUGE_VAL, -HUGE_VAL, -0.0});
+    ASSERT_TRUE(reporter->reportPort("Machine", "levels"));
+    property<bool>("WriteHeader") = false;
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" 0  nan inf -inf -0 \n", report());
 }
 
 TEST_F(ReportColumns, SequencesOfStructsGrowAndShrink) {

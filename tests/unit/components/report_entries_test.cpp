@@ -78,6 +78,19 @@ TEST_F(ReportEntries, PortsOfUnknownTypesAreRefused) {
     EXPECT_EQ(nullptr, reporter->getPort("Machine_strange"));
 }
 
+TEST_F(ReportEntries, AComponentIsReportedWithoutItsPortsOfUnknownTypes) {
+    const LogText log;
+    RTT::OutputPort<Unregistered> strange("strange");
+    machine.addPort(strange);
+    EXPECT_TRUE(reporter->reportComponent("Machine"));
+    EXPECT_THAT(log(), HasSubstr("could not report 'Machine.strange': unknown type"));
+    EXPECT_EQ("Component=Machine ", entries());
+    ASSERT_TRUE(reporter->cleanup());
+    entry("Component", "Machine");
+    EXPECT_TRUE(reporter->configure());
+    EXPECT_EQ(" TimeStamp Machine.speed Machine.place Machine.levels Machine.tank Machine.mode", header());
+}
+
 TEST_F(ReportEntries, OperationsKeepReportDataUpToDate) {
     ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
     ASSERT_TRUE(reporter->reportData("Machine", "gain"));
@@ -112,6 +125,31 @@ TEST_F(ReportEntries, ConfigureKeepsWhatWasReportedBefore) {
     EXPECT_EQ(" TimeStamp Machine.speed", header());
 }
 
+TEST_F(ReportEntries, ConfigureConnectsAPortAnewWhoseComponentWasReplaced) {
+    auto other = std::make_unique<Machine>();
+    reporter->removePeer("Machine");
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    other = std::make_unique<Machine>();
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_TRUE(other->speed.connected());
+    EXPECT_EQ("Port=Machine.speed ", entries());
+    EXPECT_EQ(" TimeStamp Machine.speed", header());
+    reporter->removePeer("Machine");
+}
+
+TEST_F(ReportEntries, ConfigureRefusesAPortWhoseComponentHasGone) {
+    const LogText log;
+    auto other = std::make_unique<Machine>();
+    reporter->removePeer("Machine");
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    other.reset();
+    EXPECT_FALSE(reporter->configure());
+    EXPECT_THAT(log(), HasSubstr("could not report component 'Machine': no such peer"));
+}
+
 TEST_F(ReportEntries, CleanupForgetsEverything) {
     ASSERT_TRUE(reporter->reportComponent("Machine"));
     ASSERT_TRUE(reporter->cleanup());
@@ -128,6 +166,31 @@ TEST_F(ReportEntries, WhatIsUnreportedWhileRunningKeepsItsColumnUntilTheNextStar
     machine.speed.write(2);
     cycle();
     EXPECT_EQ(" TimeStamp Machine.speed\n 0 1 \n 0.5 1 \n", report());
+}
+
+TEST_F(ReportEntries, ValuesAreLookedForAgainAtEachStart) {
+    const LogText log;
+    auto other = std::make_unique<RTT::TaskContext>("Other");
+    double gone = 1, kept = 2;
+    other->addProperty("gone", gone);
+    other->addProperty("kept", kept);
+    reporter->addPeer(other.get());
+    for (const char* name : {"gone", "kept"}) ASSERT_TRUE(reporter->reportData("Other", name));
+    ASSERT_TRUE(reporter->reportData("Machine", "gain"));
+    // Removed, and another one of that name added.
+    other.reset(new RTT::TaskContext("Other"));
+    std::string anotherType = "three";
+    other->addProperty("kept", anotherType);
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->start());
+    other->properties()->removeProperty(other->getProperty("kept"));
+    EXPECT_EQ(" TimeStamp Other.kept Machine.gain\n 0 three 1.5 \n", report());
+    EXPECT_THAT(log(),
+                HasSubstr("'Reporter' no longer reports 'Other.gone': no such peer, or it has no such property"));
+    other.reset();
+    text.str("");
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" TimeStamp Machine.gain\n 0 1.5 \n", report());
 }
 
 TEST_F(ReportEntries, ReportPolicyDecidesHowPortsAreConnected) {

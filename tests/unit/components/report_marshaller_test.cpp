@@ -3,8 +3,6 @@
 // Reporters of users' own, which bring marshallers.
 #include "reporter_fixture.hpp"
 
-#include <rtt/marsh/MarshallInterface.hpp>
-
 namespace {
 
 using namespace components_test;

@@ -117,6 +117,18 @@ TEST_F(FileReporter, WritesEverySampleOnceAndAllBeforeItStops) {
         ASSERT_EQ(first + static_cast<double>(i) - 1, numbersIn(lines[i]).at(1));
 }
 
+TEST_F(FileReporter, ReportsWhatTheDeploymentFileItselfNames) {
+    Application application;
+    application.ports = 3;
+    application.reporterOptions =
+        "<struct name='Properties' type='PropertyBag'>"
+        "<struct name='ReportData' type='PropertyBag'>" +
+        simple("Port", "string", "counter.n0") + simple("Port", "string", "counter.n2") + "</struct></struct>";
+    const Outcome outcome = runUntilTold(application, "<properties/>", SIGTERM);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_EQ(" TimeStamp counter.n0 counter.n2", linesOf(reports()).at(0));
+}
+
 TEST_F(FileReporter, ReportsAThousandPortsAThousandTimesASecond) {
     Application application;
     application.ports = 1000;

@@ -2,14 +2,24 @@
 // Copyright Oroforge contributors
 #include <reporting/record.hpp>
 #include <reporting/row_writer.hpp>
+#include <support/temp_dir.hpp>
+
+#include <rtt/Logger.hpp>
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <condition_variable>
+#include <csignal>
+#include <fcntl.h>
+#include <iostream>
+#include <memory>
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 namespace {
 
@@ -98,6 +108,27 @@ TEST(RowWriter, RowsThatFindNoRoomAreCounted) {
     EXPECT_EQ(taken * 4, text.size());  // " 1 \n"
 }
 
+TEST(RowWriter, SaysWhatItWaitsForAtTheEnd) {
+    std::ostringstream log;
+    RTT::Logger::Instance()->setStdStream(log);
+    std::string text;
+    auto* const gate = new Gate(text, true);
+    RowWriter writer("writer", std::unique_ptr<TextTarget>(gate), kRoom, 6);
+    ASSERT_TRUE(writer.push(row(1)));
+    std::thread opener([gate] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2300));
+        gate->open();
+    });
+    writer.finish();
+    opener.join();
+    RTT::Logger::Instance()->setStdStream(std::cerr);
+    EXPECT_EQ(" 1 \n", text);
+    const std::string said = log.str();
+    const std::size_t first = said.find("waiting for the gate to take the last rows of a report");
+    EXPECT_NE(std::string::npos, first) << said;
+    EXPECT_EQ(std::string::npos, said.find("waiting for", first + 1)) << said;
+}
+
 TEST(RowWriter, NothingFollowsALineThatCouldNotBeWritten) {
     std::string text;
     auto* const gate = new Gate(text, false);
@@ -113,6 +144,91 @@ TEST(RowWriter, FileThatCannotBeOpenedSaysWhy) {
     std::string error;
     EXPECT_EQ(nullptr, openFile("/no/such/folder/reports.dat", error));
     EXPECT_EQ("No such file or directory", error);
+}
+
+/** A file of the test. */
+class ReportFile : public testing::Test {
+protected:
+    static void put(TextTarget& target, const std::string& text) {
+        EXPECT_EQ("", target.write(text.data(), text.size()));
+    }
+    const oroforge::test::TempDir directory_;
+    const std::string name_ = (directory_.path() / "reports.dat").string();
+    std::string error_;
+};
+
+TEST_F(ReportFile, BeginsAnewEachTime) {
+    for (const char* text : {"a long text\n", "short\n"}) {
+        const std::unique_ptr<TextTarget> file = openFile(name_, error_);
+        ASSERT_NE(nullptr, file) << error_;
+        put(*file, text);
+    }
+    EXPECT_EQ("short\n", oroforge::test::readFile(name_));
+}
+
+TEST_F(ReportFile, BelongsToOneReporterAtATime) {
+    std::unique_ptr<TextTarget> first = openFile(name_, error_);
+    ASSERT_NE(nullptr, first);
+    put(*first, "a row\n");
+    EXPECT_EQ(nullptr, openFile(name_, error_));
+    EXPECT_EQ("another reporter is writing to it", error_);
+    EXPECT_EQ("a row\n", oroforge::test::readFile(name_));
+    first.reset();
+    error_.clear();
+    EXPECT_NE(nullptr, openFile(name_, error_));
+    EXPECT_EQ("", error_);
+}
+
+TEST_F(ReportFile, OfADeviceBelongsToAll) {
+    const std::unique_ptr<TextTarget> one = openFile("/dev/null", error_), other = openFile("/dev/null", error_);
+    EXPECT_TRUE(one && other) << error_;
+}
+
+/** Which of these signals its writer does not take. */
+class Signals : public TextTarget {
+public:
+    explicit Signals(std::string& text) : text_(text) {}
+
+    std::string write(const char*, std::size_t) override {
+        sigset_t blocked;
+        pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+        if (sigismember(&blocked, SIGPIPE) == 1) text_ += "SIGPIPE ";
+        if (sigismember(&blocked, SIGXFSZ) == 1) text_ += "SIGXFSZ ";
+        if (sigismember(&blocked, SIGTERM) == 1) text_ += "SIGTERM ";
+        return {};
+    }
+    std::string name() const override { return "the signals"; }
+
+private:
+    std::string& text_;
+};
+
+TEST(RowWriter, WritingToWhatTakesNoMoreIsAnErrorAndNoSignal) {
+    std::string text;
+    RowWriter writer("writer", std::make_unique<Signals>(text), kRoom, 6);
+    ASSERT_TRUE(writer.push(row(1)));
+    writer.finish();
+    EXPECT_EQ("SIGPIPE SIGXFSZ ", text);
+}
+
+TEST(RowWriter, APipeWithoutReaderIsAnErrorInTheLog) {
+    const oroforge::test::TempDir folder;
+    const std::string pipe = folder / "pipe";
+    ASSERT_EQ(0, mkfifo(pipe.c_str(), 0600));
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_LE(0, reader);
+    std::string error;
+    std::unique_ptr<TextTarget> target = openFile(pipe, error);
+    close(reader);
+    ASSERT_EQ("", error);
+    std::ostringstream log;
+    RTT::Logger::Instance()->setStdStream(log);
+    RowWriter writer("writer", std::move(target), kRoom, 6);
+    ASSERT_TRUE(writer.push(row(1)));
+    writer.finish();
+    RTT::Logger::Instance()->setStdStream(std::cerr);
+    EXPECT_EQ(1u, writer.lost());
+    EXPECT_NE(std::string::npos, log.str().find("pipe': Broken pipe; no further rows are written")) << log.str();
 }
 
 }  // namespace

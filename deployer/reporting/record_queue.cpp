@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "record_queue.hpp"
+
+#include <utility>
+
+namespace OCL::reporting {
+
+RecordQueue::RecordQueue(std::size_t room) : filling_(new Part(room)), emptying_(filling_) {}
+
+RecordQueue::~RecordQueue() {
+    while (emptying_) delete std::exchange(emptying_, emptying_->next.load(std::memory_order_acquire));
+}
+
+void RecordQueue::makeRoom(std::size_t room) {
+    Part* const next = new Part(room);
+    // Release, pairs with pop() and empty(): who sees the new ring sees all that the old one will ever have.
+    filling_->next.store(next, std::memory_order_release);
+    filling_ = next;
+}
+
+bool RecordQueue::pop(std::vector<char>& record) {
+    for (;;) {
+        // Looked at first: only then does an empty ring stay empty.
+        Part* const next = emptying_->next.load(std::memory_order_acquire);
+        if (emptying_->ring.pop(record)) return true;
+        if (!next) return false;
+        delete std::exchange(emptying_, next);
+    }
+}
+
+bool RecordQueue::empty() const { return !emptying_->next.load(std::memory_order_acquire) && emptying_->ring.empty(); }
+
+}  // namespace OCL::reporting
