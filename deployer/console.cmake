@@ -9,14 +9,18 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/commands.cpp
   console/completion.cpp
   console/console.cpp
+  console/cursor_row.cpp
   console/dot_commands.cpp
+  console/end_notice.cpp
   console/end_signals.cpp
   console/help_text.cpp
   console/history.cpp
   console/interface_text.cpp
+  console/kept_terminal.cpp
   console/line_editor.cpp
   console/line_source.cpp
   console/listing.cpp
+  console/output_above.cpp
   console/place.cpp
   console/port_table.cpp
   console/program_listing.cpp

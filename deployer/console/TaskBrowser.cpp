@@ -3,9 +3,11 @@
 #include <ocl/TaskBrowser.hpp>
 
 #include "console.hpp"
+#include "end_notice.hpp"
 #include "end_signals.hpp"
 #include "history.hpp"
 #include "line_editor.hpp"
+#include "table.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +26,16 @@ bool wantsColors() {
     return TaskBrowser::onTerminal() && !(none && *none) && terminal && std::strcmp(terminal, "dumb") != 0;
 }
 
+void greet() {
+    std::cout << '\n';
+    for (const char* const text :
+         {"Type an expression, a piece of script or a command; 'help' tells more, 'ls' shows what is here.",
+          "TAB completes, Ctrl-R searches what was typed before, Ctrl-D or 'quit' leaves."})
+        for (const std::string& line : console::wrapped(text, console::widthOfTerminal() - 2))
+            std::cout << "  " << line << '\n';
+    std::cout << std::endl;
+}
+
 RTT::TaskContext& checked(RTT::TaskContext* component) {
     if (!component) throw std::invalid_argument("a TaskBrowser needs a component");
     return *component;
@@ -33,7 +45,10 @@ RTT::TaskContext& checked(RTT::TaskContext* component) {
 
 struct TaskBrowser::Impl {
     Impl(TaskBrowser& self, RTT::TaskContext& component)
-        : console(self, component, std::cout, std::cerr, onTerminal() ? "console" : "stdin") {}
+        : typed(isatty(STDIN_FILENO) != 0),
+          console(self, component, std::cout, std::cerr, onTerminal() ? "console" : "stdin") {}
+
+    const bool typed;  // asked once: a terminal that hangs up is none any more
 
     console::Console console;
     int endsOn = -1;
@@ -49,6 +64,8 @@ TaskBrowser::TaskBrowser(RTT::TaskContext* component)
 }
 
 TaskBrowser::~TaskBrowser() = default;
+
+bool TaskBrowser::failed() const { return !impl_->typed && impl_->console.screen().failed; }
 
 bool TaskBrowser::onTerminal() { return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO); }
 
@@ -78,13 +95,15 @@ void TaskBrowser::loop() {
     if (impl_->endsOn < 0) signals.emplace();
     const int endsOn = signals ? signals->descriptor() : impl_->endsOn;
     std::unique_ptr<LineSource> source;
-    console::History history(onTerminal() ? console::historyFile() : "");
-    if (onTerminal()) {
+    std::optional<console::EndNotice> notice;
+    const bool edits = onTerminal();
+    console::History history(edits ? console::historyFile() : "");
+    if (edits) {
+        notice.emplace(endsOn);
         source = std::make_unique<console::LineEditor>(
             history, [&lines](const std::string& line) { return lines.complete(line); }, endsOn);
-        std::cout
-            << "\n  Type an expression, a piece of script or a command; 'help' tells more, 'ls' shows what is here.\n"
-               "  TAB completes, Ctrl-R searches what was typed before, Ctrl-D or 'quit' leaves.\n\n";
+        greet();
+        if (const std::string problem = history.problem(); !problem.empty()) std::cerr << problem << '\n';
     } else {
         source = std::make_unique<console::InputLines>(STDIN_FILENO, endsOn);
     }
@@ -93,12 +112,15 @@ void TaskBrowser::loop() {
         const std::string prompt = lines.prompt();
         const LineSource::Outcome outcome = lines.quits() ? LineSource::Outcome::End : source->read(prompt, line);
         if (outcome == LineSource::Outcome::End) break;
-        if (outcome == LineSource::Outcome::Dropped)
+        if (outcome == LineSource::Outcome::Dropped) {
             lines.forget();
-        else
-            lines.execute(line);
+            continue;
+        }
+        if (notice) notice->executing(true);
+        lines.execute(line);
+        if (notice) notice->executing(false);
     }
-    if (onTerminal())
+    if (edits)
         lines.forget();
     else
         lines.finish();

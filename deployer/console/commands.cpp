@@ -10,6 +10,7 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/internal/GlobalService.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 
@@ -40,7 +41,10 @@ bool helpForCommand(Session& session, const std::string& word) {
     for (const auto* const all : {&commands(), &dotCommands()})
         for (const Command& command : *all)
             if (word == command.word) {
-                session.screen.out << command.word << ' ' << command.arguments << "  " << command.help << '\n';
+                Table table({Style::Plain, Style::Plain}, Table::Wrap);
+                table.add(
+                    {command.word + std::string(*command.arguments ? " " : "") + command.arguments, command.help});
+                table.write(session.screen.out, session.screen.theme, "", session.screen.tableWidth());
                 return true;
             }
     return false;
@@ -72,9 +76,12 @@ std::vector<std::string> memberNames(RTT::Service& service) {
     return names;
 }
 
+bool isGlobals(const std::string& name) { return name == "GlobalsRepository"; }
+
 void help(Session& session, const Input& input) {
     if (input.words.size() < 2) return writeHelp(session.screen);
-    const Word& word = input.words[1];
+    if (isGlobals(input.words[1].text)) return describeGlobals(session.screen);
+    const Word word = {withoutLastDot(input.words[1].text), input.words[1].begin};
     if (helpForCommand(session, word.text) || helpForMember(session, word.text)) return;
     Lookup lookup = lookUp(*session.context(), word.text);
     if (lookup.target.service) return describeInterface(session.screen, lookup.target);
@@ -89,6 +96,7 @@ void help(Session& session, const Input& input) {
 
 void ls(Session& session, const Input& input) {
     const Word path = input.words.size() > 1 ? input.words[1] : Word{};
+    if (isGlobals(path.text)) return describeGlobals(session.screen);
     const Lookup lookup = lookUp(*session.context(), path.text);
     if (!lookup.target.service) return complainOf(session, input, path.begin, lookup);
     list(session.screen, lookup.target);
@@ -147,7 +155,9 @@ bool isNumber(const std::string& text) {
 
 void listProgram(Session& session, const Input& input) {
     const auto number = [&](std::size_t i) {
-        return i < input.words.size() ? std::atoi(input.words[i].text.c_str()) : 0;
+        constexpr long kMost = 1000000000;
+        const long found = i < input.words.size() ? std::strtol(input.words[i].text.c_str(), nullptr, 10) : 0;
+        return static_cast<int>(std::min(found, kMost));
     };
     RTT::TaskContext& component = *session.context();
     if (input.words.size() < 2 || isNumber(input.words[1].text)) {
@@ -211,6 +221,17 @@ const Command* commandIn(const Input& input) {
         for (const Command& command : *all)
             if (word == command.word) return &command;
     return nullptr;
+}
+
+void execute(const Command& command, Session& session, const Input& input) {
+    const std::string arguments = command.arguments;
+    const bool any = arguments.find("…") != std::string::npos;
+    const std::size_t most = Input("", 1, arguments).words.size();
+    if (any || input.words.size() <= most + 1) return command.act(session, input);
+    const Word& surplus = input.words[most + 1];
+    complain(session.screen, input, surplus.begin,
+             std::string("'") + command.word + "' takes " + (most > 0 ? arguments : "nothing") + ", found '" +
+                 surplus.text + "' as well");
 }
 
 }  // namespace OCL::console

@@ -29,6 +29,9 @@ const std::vector<Command>& dotCommands();
     assignment. */
 const Command* commandIn(const Input& input);
 
+/** Executes it, unless there are words that it does not take. */
+void execute(const Command& command, Session& session, const Input& input);
+
 /** The text of `help`. */
 void writeHelp(Screen& screen);
 

@@ -68,6 +68,15 @@ RTT::base::DataSourceBase::shared_ptr valueIn(RTT::Service& service, const std::
     return nullptr;
 }
 
+/** Those whose names go on behind this path and its dot. */
+Words typesBehind(const std::string& path) {
+    Words words;
+    const std::string start = path.empty() ? "" : path + ".";
+    for (const std::string& type : RTT::types::Types()->getDottedTypes())
+        if (type.compare(0, start.size(), start) == 0) words.push_back(type.substr(start.size()));
+    return words;
+}
+
 /** What a value, an operation or a type offers behind its name. */
 Words behindName(RTT::TaskContext& context, const std::string& path) {
     const Lookup lookup = lookUp(context, path);
@@ -75,9 +84,7 @@ Words behindName(RTT::TaskContext& context, const std::string& path) {
     const Target owner = lookUp(context, before).target;
     if (!owner.service) return {};
     if (owner.service->hasOperation(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
-    Words words;
-    for (std::string type : RTT::types::Types()->getDottedTypes())
-        if (type.compare(0, path.size() + 1, path + ".") == 0) words.push_back(type.substr(path.size() + 1));
+    Words words = typesBehind(path);
     auto value = valueIn(*owner.service, lookup.wrong);
     const std::string rest = path.substr(lookup.wrongAt + lookup.wrong.size());
     if (value && !rest.empty()) value = value->getMember(rest.substr(1));
@@ -90,15 +97,32 @@ Words behindName(RTT::TaskContext& context, const std::string& path) {
 
 bool isOfPath(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '/'; }
 
-/** A dotted path at the end of the line; `words` gives what may follow a path. */
+/** True if a type must follow: the word before the last one is `var` or `const`. */
+bool isDeclaration(const std::string& line) {
+    std::size_t end = line.size();
+    while (end > 0 && isOfPath(line[end - 1])) --end;
+    std::size_t before = line.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
+    if (end == 0 || before == end - 1 || before == std::string::npos) return false;
+    std::size_t begin = ++before;
+    while (begin > 0 && isOfPath(line[begin - 1])) --begin;
+    const std::string word = line.substr(begin, before - begin);
+    return word == "var" || word == "const";
+}
+
+/** A dotted path at the end of the line; `membersBehind` gives what may follow a path. */
 template <class Members>
-Completion completePath(const std::string& line, Members membersBehind) {
+Completion completePath(RTT::TaskContext& context, const std::string& line, Members membersBehind) {
     std::size_t begin = line.size();
     while (begin > 0 && isOfPath(line[begin - 1])) --begin;
     const std::string typed = line.substr(begin);
     const std::size_t dot = typed.rfind('.');
     const std::size_t last = dot == std::string::npos ? 0 : dot + 1;
-    return matching(membersBehind(typed.substr(0, last ? last - 1 : 0)), typed.substr(last), begin + last);
+    Completion found = matching(membersBehind(typed.substr(0, last ? last - 1 : 0)), typed.substr(last), begin + last);
+    if (found.words.size() == 1) {
+        const std::string path = typed.substr(0, last) + found.words[0];
+        found.goesOn = lookUp(context, path).target.service && !membersBehind(path).empty();
+    }
+    return found;
 }
 
 Words expressionMembers(RTT::TaskContext& context, const std::string& path) {
@@ -144,15 +168,17 @@ Completion completeArgument(RTT::TaskContext& context, const std::string& line, 
     const std::size_t begin = line.find_last_of(" \t") + 1;
     const std::string typed = line.substr(begin);
     const auto services = [&](bool too) {
-        return completePath(line, [&](const std::string& path) { return peersAndServices(context, path, too); });
+        return completePath(context, line,
+                            [&](const std::string& path) { return peersAndServices(context, path, too); });
     };
     switch (argument) {
         case Argument::Component: return services(false);
         case Argument::Path: return services(true);
         case Argument::Name:
-            return completePath(line, [&](const std::string& path) { return expressionMembers(context, path); });
+            return completePath(context, line,
+                                [&](const std::string& path) { return expressionMembers(context, path); });
         case Argument::Port:
-            return completePath(line, [&](const std::string& path) { return portsBehind(context, path); });
+            return completePath(context, line, [&](const std::string& path) { return portsBehind(context, path); });
         case Argument::Scripted: return matching(scriptedNames(context), typed, begin);
         case Argument::Service: return matching(RTT::plugin::PluginLoader::Instance()->listServices(), typed, begin);
         case Argument::File: return completeFile(typed, begin);
@@ -183,6 +209,10 @@ std::string Completion::common() const {
     return first.substr(0, size);
 }
 
+std::string Completion::more(const std::string& line) const {
+    return common().substr(std::min(line.size() - begin, common().size())) + (goesOn ? "." : "");
+}
+
 Completion completionOf(RTT::TaskContext& context, const std::string& line, bool commandsToo) {
     const std::size_t text = openText(line);
     if (text != std::string::npos) return completeFile(line.substr(text), text);
@@ -197,7 +227,8 @@ Completion completionOf(RTT::TaskContext& context, const std::string& line, bool
         for (const Command& command : dotCommands()) words.push_back(command.word);
         return matching(std::move(words), line.substr(begin), begin);
     }
-    return completePath(line, [&](const std::string& path) {
+    if (isDeclaration(line)) return completePath(context, line, typesBehind);
+    return completePath(context, line, [&](const std::string& path) {
         Words words = expressionMembers(context, path);
         if (commandsToo && first && path.empty())
             for (const Command& command : commands()) words.push_back(command.word);

@@ -15,9 +15,12 @@ namespace OCL::console {
 struct Completion {
     std::size_t begin = 0;           ///< in the line, of what the words would replace
     std::vector<std::string> words;  ///< in alphabetical order
+    bool goesOn = false;             ///< there is one word, and what it stands for has members, behind a "."
 
     /** What all words have in common. */
     std::string common() const;
+    /** What can be added to the line, which was completed, without a choice. */
+    std::string more(const std::string& line) const;
 };
 
 /** The words that begin with what stands at the end of the line. Commands only if `commandsToo`. */

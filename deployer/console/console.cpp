@@ -38,6 +38,7 @@ bool Console::findContext() {
     const std::string gone = session_.place.name();
     const bool back = session_.place.back();
     session_.goTo(false);
+    session_.screen.failed = true;
     session_.screen.err << "component '" << gone << "' is gone"
                         << (back ? "; back in '" + session_.place.name() + "'" : "") << '\n';
     session_.quits = session_.quits || !back;
@@ -68,7 +69,7 @@ void Console::run(const Input& input) {
     if (input.words.empty()) return;
     Screen& screen = session_.screen;
     try {
-        if (const Command* const command = commandIn(input)) return command->act(session_, input);
+        if (const Command* const command = commandIn(input)) return OCL::console::execute(*command, session_, input);
         const std::string& first = input.words[0].text;
         if (first[0] == '.' && first.size() > 1 && std::isalpha(static_cast<unsigned char>(first[1]))) {
             std::vector<std::string> known;
@@ -80,7 +81,7 @@ void Console::run(const Input& input) {
         return complain(screen, input, input.words[0].begin, std::string("the command failed: ") + thrown.what());
     }
     if (session_.macro.recording()) return session_.macro.add(input.text);
-    if (input.words.size() == 1 && showNamed(input.words[0].text)) return;
+    if (input.words.size() == 1 && showNamed(withoutLastDot(input.words[0].text))) return;
     if (RTT::scripting::TypedInput::goesOn(input.text)) {
         begun_ = input.text;
         begun_line_ = input.line;
@@ -92,6 +93,10 @@ void Console::run(const Input& input) {
 /** The name of a component, service, port or requester stands for its interface. */
 bool Console::showNamed(const std::string& name) {
     if (!isPath(name)) return false;
+    if (name == "GlobalsRepository") {
+        describeGlobals(session_.screen);
+        return true;
+    }
     RTT::TaskContext& context = *session_.context();
     const Lookup lookup = lookUp(context, name);
     const std::size_t dot = name.rfind('.');
@@ -113,7 +118,10 @@ void Console::evaluate(const std::string& text, unsigned line) {
         session_.typed = std::make_unique<RTT::scripting::TypedInput>(*session_.context(), session_.inputName);
     RTT::scripting::TypedInput::Answer answer;
     try {
-        if (!session_.typed->execute(text, line, session_.screen.err, answer)) return;
+        if (!session_.typed->execute(text, line, session_.screen.err, answer)) {
+            session_.screen.failed = true;
+            return;
+        }
         const std::size_t end = text.find_last_not_of(" \t\n");
         if (end == std::string::npos || text[end] != ';') show(answer);
     } catch (const std::exception& thrown) {

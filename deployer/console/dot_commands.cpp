@@ -12,6 +12,7 @@
 #include <rtt/types/Types.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <fstream>
 #include <ostream>
@@ -99,9 +100,29 @@ void connect(Session& session, const Input& input) {
         complain(session.screen, input, input.words[1].begin, "the ports cannot be connected; the log says why");
 }
 
+bool isName(const std::string& text) {
+    const auto isLetter = [](char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)); };
+    return isLetter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
+               return isLetter(c) || std::isdigit(static_cast<unsigned char>(c));
+           });
+}
+
 void beginMacro(Session& session, const Input& input) {
     if (!hasWords(session, input, 1, "a name for the function")) return;
-    session.macro.begin(input.words[1].text);
+    const Word& name = input.words[1];
+    if (session.macro.recording())
+        return complain(session.screen, input, input.words[0].begin,
+                        "'" + session.macro.name() + "' is being recorded; '.end' or '.cancel' ends that");
+    if (!isName(name.text))
+        return complain(session.screen, input, name.begin,
+                        "expected a name for the function, found '" + name.text + "'");
+    session.macro.begin(name.text);
+    std::string first;
+    if (std::ifstream there(session.macro.file()); std::getline(there, first) && first != session.macro.title()) {
+        complain(session.screen, input, name.begin,
+                 "there is a file '" + session.macro.file() + "' that was not recorded; expected another name");
+        return session.macro.cancel();
+    }
     session.screen.out << "recording; '.end' keeps it as " << session.macro.file() << ", '.cancel' does not\n"
                        << session.macro.head() << '\n';
 }
@@ -125,9 +146,15 @@ void endMacro(Session& session, const Input& input) {
     out.close();
     if (!out) complain(session.screen, input, input.words[0].begin, "cannot write '" + file + "'");
     RTT::scripting::TypedInput::Answer answer;
-    if (RTT::scripting::TypedInput(*session.context(), file).execute(text, 1, session.screen.err, answer) && out)
+    const bool loaded =
+        RTT::scripting::TypedInput(*session.context(), file).execute(text, 1, session.screen.err, answer);
+    session.screen.failed = session.screen.failed || !loaded;
+    if (!out) return;
+    if (loaded)
         session.screen.out << "written to " << file << " and loaded into component '" << session.context()->getName()
                            << "'\n";
+    else
+        session.screen.err << "written to " << file << ", but not loaded\n";
 }
 
 typedef RTT::Scripting::OfName RTT::Scripting::*Operation;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The handler may only do what is safe in any thread at any point: it writes into a pipe.
+// The handler may only do what is safe in any thread at any point: it writes into a pipe, or ends the process. It may still be executed by another thread
+// when its object has ended; so the pipe stays open for the next one.
 #include "end_signals.hpp"
 
+#include "kept_terminal.hpp"
+
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 
@@ -12,15 +16,34 @@
 namespace OCL::console {
 namespace {
 
-volatile sig_atomic_t writeEnd = -1;
+enum State { Nobody, Waits, Told };
+std::atomic<int> state{Nobody};
+int ends[2];
+
+void makePipe() {
+    if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0)
+        throw std::system_error(errno, std::generic_category(), "no pipe for signals");
+}
+
+void onSignal(int signal);
+
+/** The handler is in force: somebody who took its place meanwhile has put it back. */
+bool isOurs(int signal) {
+    struct sigaction now = {};
+    return sigaction(signal, nullptr, &now) == 0 && !(now.sa_flags & SA_SIGINFO) && now.sa_handler == onSignal;
+}
 
 void onSignal(int signal) {
     const int kept = errno;
     const char byte = 0;
-    const int end = writeEnd;
-    writeEnd = -1;
-    if (end < 0 || write(end, &byte, 1) != 1) {
-        std::signal(signal, SIG_DFL);
+    int before = Waits;
+    const bool first = state.compare_exchange_strong(before, Told);
+    if (!first || write(ends[1], &byte, 1) != 1) {
+        // Where nobody waits any more, the action that was there before has its turn.
+        if (before != Nobody || isOurs(signal)) {
+            restoreTerminal();
+            std::signal(signal, SIG_DFL);
+        }
         raise(signal);
     }
     errno = kept;
@@ -29,23 +52,29 @@ void onSignal(int signal) {
 }  // namespace
 
 EndSignals::EndSignals() {
-    if (pipe2(pipe_, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "no pipe for signals");
-    fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
-    writeEnd = pipe_[1];
+    static const bool made = (makePipe(), true);
+    (void)made;
+    char late;
+    while (read(ends[0], &late, 1) == 1) {
+    }
+    state = Waits;
     struct sigaction action = {};
     action.sa_handler = onSignal;
     sigemptyset(&action.sa_mask);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         Previous previous = {signal, {}};
-        if (sigaction(signal, &action, &previous.action) == 0) previous_.push_back(previous);
+        if (sigaction(signal, nullptr, &previous.action) != 0) continue;
+        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // as nohup has it
+        if (sigaction(signal, &action, nullptr) == 0) previous_.push_back(previous);
     }
 }
 
 EndSignals::~EndSignals() {
-    for (const Previous& previous : previous_) sigaction(previous.signal, &previous.action, nullptr);
-    writeEnd = -1;
-    close(pipe_[0]);
-    close(pipe_[1]);
+    for (const Previous& previous : previous_)
+        if (isOurs(previous.signal)) sigaction(previous.signal, &previous.action, nullptr);
+    state = Nobody;
 }
+
+int EndSignals::descriptor() const { return ends[0]; }
 
 }  // namespace OCL::console

@@ -17,10 +17,9 @@ public:
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    int descriptor() const { return pipe_[0]; }
+    int descriptor() const;
 
 private:
-    int pipe_[2];
     struct Previous {
         int signal;
         struct sigaction action;

@@ -6,6 +6,7 @@
 #include "table.hpp"
 
 #include <ostream>
+#include <utility>
 
 namespace OCL::console {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 void title(Screen& screen, const char* text) { screen.out << screen.paint(Style::Title, text) << '\n'; }
 
 void writeCommands(Screen& screen, const std::vector<Command>& commands) {
-    Table table({Style::Name, Style::Plain});
+    Table table({Style::Name, Style::Plain}, Table::Wrap);
     for (const Command& command : commands)
         table.add({std::string(command.word) + (*command.arguments ? " " : "") + command.arguments, command.help});
-    table.write(screen.out, screen.theme, "    ", 0);
+    table.write(screen.out, screen.theme, "    ", screen.tableWidth());
 }
 
 }  // namespace
@@ -34,9 +35,9 @@ void writeHelp(Screen& screen) {
         {"tank", "shows the interface of a component, service or port"},
         {"if …, while …, program …", "what scripts have; an open brace or parenthesis goes on in the next line"},
     };
-    Table table({Style::Name, Style::Plain});
+    Table table({Style::Name, Style::Plain}, Table::Wrap);
     for (const auto& example : examples) table.add({example[0], example[1]});
-    table.write(screen.out, screen.theme, "    ", 0);
+    table.write(screen.out, screen.theme, "    ", screen.tableWidth());
     screen.out << '\n';
     title(screen, "Commands");
     writeCommands(screen, commands());
@@ -44,14 +45,23 @@ void writeHelp(Screen& screen) {
     writeCommands(screen, dotCommands());
     screen.out << '\n';
     title(screen, "Keys");
-    Table keys({Style::Name, Style::Plain});
+    Table keys({Style::Name, Style::Plain}, Table::Wrap);
     keys.add({"TAB", "completes the word, or shows how it could go on"});
     keys.add({"up, down, Ctrl-R", "what was typed before; searches in it"});
     keys.add({"Ctrl-C", "forgets the line"});
     keys.add({"Ctrl-D", "on an empty line: leaves the console"});
-    keys.write(screen.out, screen.theme, "    ", 0);
-    screen.out
-        << "\nStates: [U] unconfigured, [S] stopped, [R] running, [E] run time error, [X] exception, [F] fatal error\n";
+    keys.write(screen.out, screen.theme, "    ", screen.tableWidth());
+    screen.out << '\n';
+    title(screen, "States");
+    Table states({Style::Name, Style::Plain});
+    for (const auto& state : {std::pair("[U]", "unconfigured"),
+                              {"[S]", "stopped"},
+                              {"[R]", "running"},
+                              {"[E]", "run time error"},
+                              {"[X]", "exception"},
+                              {"[F]", "fatal error"}})
+        states.add({state.first, state.second});
+    states.write(screen.out, screen.theme, "    ", 0);
 }
 
 }  // namespace OCL::console

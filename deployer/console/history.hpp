@@ -19,6 +19,8 @@ public:
     explicit History(std::string file = std::string());
 
     const std::vector<std::string>& lines() const { return lines_; }
+    /** Why the file cannot be written; empty if it can, or there is none. */
+    std::string problem() const;
     /** At once into the file as well, so that it is not lost if the program ends by force. False if it was not taken: it is blank,
         "quit", or the same as the one before. */
     bool add(const std::string& line);

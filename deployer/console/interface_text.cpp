@@ -12,6 +12,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/MemberFactory.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -19,6 +20,8 @@
 
 namespace OCL::console {
 namespace {
+
+constexpr const char* kFurther = "    ";  // indent of further lines of a signature
 
 std::string dotted(const std::string& type) { return RTT::types::Types()->toDot(type); }
 
@@ -32,8 +35,16 @@ std::string argumentType(const std::string& type) {
 
 void title(Screen& screen, const char* text) { screen.out << "\n  " << screen.paint(Style::Title, text) << '\n'; }
 
+/** For text behind the indent; 0: any. */
+std::size_t roomIn(const Screen& screen, const std::string& indent) {
+    const std::size_t width = screen.tableWidth();
+    return width > indent.size() ? width - indent.size() : 0;
+}
+
 void writeDoc(Screen& screen, const std::string& doc, const std::string& indent) {
-    if (!doc.empty()) screen.out << indent << screen.paint(Style::Faint, oneLine(doc)) << '\n';
+    if (doc.empty()) return;
+    for (const std::string& line : wrapped(oneLine(doc), roomIn(screen, indent)))
+        screen.out << indent << screen.paint(Style::Faint, line) << '\n';
 }
 
 /** The members of a struct with what is known of them. */
@@ -45,7 +56,7 @@ void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& v
         const auto member = value->getMember(name);
         if (!member) continue;
         table.add({"." + name, dotted(member->getTypeName()),
-                   "= " + shortened(oneLine(valueText(member, screen.hex)), 40),
+                   "= " + shortened(oneLine(valueText(member, screen.hex)), screen.valueWidth()),
                    factory ? factory->describeMember(name) : ""});
     }
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
@@ -65,9 +76,13 @@ std::string signatureOf(const RTT::OperationInterface& operations, const std::st
 
 void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
                        const std::string& indent) {
-    screen.out << indent << screen.paint(Style::Name, signatureOf(operations, name)) << '\n';
+    const char* further = "";
+    for (const std::string& line : wrapped(signatureOf(operations, name), roomIn(screen, indent + kFurther))) {
+        screen.out << indent << further << screen.paint(Style::Name, line) << '\n';
+        further = kFurther;
+    }
     writeDoc(screen, operations.getDescription(name), indent + "  ");
-    Table table({Style::Plain, Style::Faint});
+    Table table({Style::Plain, Style::Faint}, Table::Wrap);
     for (const RTT::ArgumentDescription& argument : operations.getArgumentList(name))
         if (!argument.description.empty()) table.add({argument.name, oneLine(argument.description)});
     table.write(screen.out, screen.theme, indent + "  ", screen.tableWidth());
@@ -98,6 +113,18 @@ void describeInterface(Screen& screen, const Target& target) {
     if (services.empty()) return;
     title(screen, "Services");
     writeColumns(screen.out, services, screen.theme, Style::Name, "    ", screen.width());
+}
+
+void describeGlobals(Screen& screen) {
+    const auto globals = RTT::types::GlobalsRepository::Instance();
+    screen.out << "Globals\n";
+    if (!globals->properties()->empty()) {
+        title(screen, "Properties");
+        writeProperties(screen, *globals->properties(), "    ");
+    }
+    if (globals->getValues().empty()) return;
+    title(screen, "Attributes");
+    writeAttributes(screen, *globals, "    ");
 }
 
 void describeRequester(Screen& screen, const RTT::ServiceRequester& requester) {

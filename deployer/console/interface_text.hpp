@@ -20,6 +20,8 @@ void describeInterface(Screen& screen, const Target& target);
 /** One operation, which there is. */
 void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
                        const std::string& indent);
+/** The constants and values that every script sees. */
+void describeGlobals(Screen& screen);
 void describeRequester(Screen& screen, const RTT::ServiceRequester& requester);
 /** One property or attribute, with its members, their units and documentation. False if there is none of that name. */
 bool describeValue(Screen& screen, const RTT::ConfigurationInterface& values, const std::string& name);

@@ -2,17 +2,24 @@
 // Copyright Oroforge contributors
 #include "line_editor.hpp"
 
+#include "cursor_row.hpp"
+#include "kept_terminal.hpp"
+#include "output_above.hpp"
 #include "table.hpp"
 
 #include <histedit.h>
 
+#include <atomic>
 #include <cerrno>
 #include <clocale>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <cwchar>
-#include <iostream>
+#include <deque>
+#include <exception>
+#include <sstream>
 #include <utility>
 
 #include <sys/ioctl.h>
@@ -25,10 +32,26 @@ namespace {
 // Around what moves no cursor in a prompt.
 constexpr char kEscape = '\1';
 constexpr int kRemembered = 1000;
+// Milliseconds that others have to write more, before the line is drawn again.
+constexpr int kPauseOfOutput = 10;
 
-volatile sig_atomic_t resized = 0;
+std::atomic<int> resized{0}, resumed{0}, wakes{-1};
 
-void onResize(int) { resized = 1; }
+/** May come to any thread: the one that waits is woken. */
+void onSignal(int signal) {
+    const int kept = errno;
+    (signal == SIGWINCH ? resized : resumed) = 1;
+    const std::uint64_t one = 1;
+    const int descriptor = wakes;
+    if (descriptor >= 0 && write(descriptor, &one, sizeof one) < 0) {
+        // It is awake then.
+    }
+    errno = kept;
+}
+
+constexpr const char* kPasteBegins = "\\e[200~";
+constexpr wchar_t kPasteEnds[] = L"\033[201~";
+constexpr std::size_t kTab = 4;  // blanks in the place of a tab
 
 /** With kEscape around the sequences of colours. */
 std::string marked(const std::string& prompt) {
@@ -43,6 +66,16 @@ std::string marked(const std::string& prompt) {
         at = end + 1;
     }
     return text;
+}
+
+bool canErase(EditLine* edit) {
+    for (const char* const capability : {"up", "cd"}) {
+        char name[3] = {};
+        std::strcpy(name, capability);
+        char* text = nullptr;
+        if (el_get(edit, EL_GETTC, name, &text) != 0 || !text || !*text) return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -68,19 +101,33 @@ struct LineEditor::Impl {
         of(edit).dropped = true;
         return CC_NEWLINE;
     }
+    static unsigned char onPaste(EditLine* edit, int) { return of(edit).takePaste(); }
     void bindKeys();
     void prepareTerminal();
     int next(wchar_t* key);
+    bool readLetter(wchar_t* key);
+    unsigned char takePaste();
+    Wake waitForKey();
     unsigned char completeLine();
+    CursorRow cursorAt(const wchar_t* end) const;
+    std::size_t rowsAbove() const { return cursorAt(el_wline(edit)->cursor).row(); }
+    std::string toEnd() const;
+    void drawAnew(bool shown);
+    void draw();
 
     History& lines;
     const Complete complete;
     const int endsOn;
+    KeptTerminal kept;  // before libedit changes it
     EditLine* edit;
     ::History* remembered;
-    std::string prompt;
+    const bool erases;
+    OutputAbove above;
+    std::string prompt;                   // with kEscape
+    std::string shownPrompt;              // without
     bool dropped = false, ended = false;  // of the present line
-    struct sigaction previous = {};
+    std::deque<wchar_t> pasted;           // not yet taken
+    struct sigaction previousResize = {}, previousResume = {};
 };
 
 LineEditor::Impl::Impl(History& history, Complete completion, int ends)
@@ -88,9 +135,13 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
       complete(std::move(completion)),
       endsOn(ends),
       edit(el_init("console", stdin, stdout, stderr)),
-      remembered(history_init()) {
+      remembered(history_init()),
+      erases(canErase(edit)),
+      above(erases) {
     // Letters beyond ASCII are read and drawn as the user's terminal has them.
-    if (std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0) std::setlocale(LC_CTYPE, "");
+    const auto hasNone = [] { return std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0; };
+    if (hasNone()) std::setlocale(LC_CTYPE, "");
+    if (hasNone()) std::setlocale(LC_CTYPE, "C.UTF-8");  // what terminals have if nobody says anything
     HistEvent event;
     ::history(remembered, &event, H_SETSIZE, kRemembered);
     for (const std::string& line : lines.lines()) ::history(remembered, &event, H_ENTER, line.c_str());
@@ -99,13 +150,21 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
     el_set(edit, EL_GETCFN, &Impl::readKey);
     el_set(edit, EL_HIST, &::history, remembered);
     bindKeys();
+    // While commands are executed, too: keys would stand in what those write, and in the row of the next prompt.
+    el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
+    wakes = above.descriptor();
     struct sigaction action = {};
-    action.sa_handler = onResize;
-    sigaction(SIGWINCH, &action, &previous);
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;  // whatever a command or a component waits for
+    sigaction(SIGWINCH, &action, &previousResize);
+    sigaction(SIGCONT, &action, &previousResume);
 }
 
 LineEditor::Impl::~Impl() {
-    sigaction(SIGWINCH, &previous, nullptr);
+    sigaction(SIGWINCH, &previousResize, nullptr);
+    sigaction(SIGCONT, &previousResume, nullptr);
+    wakes = -1;
+    el_set(edit, EL_EDITMODE, 0);  // it would forget what was typed meanwhile; `kept` puts the terminal back
     el_end(edit);
     history_end(remembered);
 }
@@ -114,11 +173,12 @@ void LineEditor::Impl::bindKeys() {
     el_set(edit, EL_EDITOR, "emacs");
     el_set(edit, EL_ADDFN, "console-complete", "completes the word", &Impl::onTab);
     el_set(edit, EL_ADDFN, "console-drop", "forgets the line", &Impl::onDrop);
-    const char* const keys[][2] = {{"^I", "console-complete"},   {"^C", "console-drop"},
-                                   {"^R", "em-inc-search-prev"}, {"\\e[1~", "ed-move-to-beg"},
-                                   {"\\e[4~", "ed-move-to-end"}, {"\\e[H", "ed-move-to-beg"},
-                                   {"\\e[F", "ed-move-to-end"},  {"\\e[3~", "ed-delete-next-char"},
-                                   {"\\e[1;5C", "em-next-word"}, {"\\e[1;5D", "ed-prev-word"}};
+    el_set(edit, EL_ADDFN, "console-paste", "takes what is pasted", &Impl::onPaste);
+    const char* const keys[][2] = {
+        {"^I", "console-complete"},   {"^C", "console-drop"},       {kPasteBegins, "console-paste"},
+        {"^R", "em-inc-search-prev"}, {"\\e[1~", "ed-move-to-beg"}, {"\\e[4~", "ed-move-to-end"},
+        {"\\e[H", "ed-move-to-beg"},  {"\\e[F", "ed-move-to-end"},  {"\\e[3~", "ed-delete-next-char"},
+        {"\\e[1;5C", "em-next-word"}, {"\\e[1;5D", "ed-prev-word"}};
     for (const auto& key : keys) el_set(edit, EL_BIND, key[0], key[1], nullptr);
 }
 
@@ -129,49 +189,152 @@ void LineEditor::Impl::prepareTerminal() {
     termios mode = {};
     if (tcgetattr(STDIN_FILENO, &mode) != 0) return;
     mode.c_cc[VINTR] = _POSIX_VDISABLE;
-    tcsetattr(STDIN_FILENO, TCSADRAIN, &mode);
+    while (tcsetattr(STDIN_FILENO, TCSADRAIN, &mode) != 0 && errno == EINTR) {
+    }
+}
+
+/** What libedit gets as the next key; 0 if there is none any more. */
+int LineEditor::Impl::next(wchar_t* key) {
+    if (!pasted.empty() && waitForInput(-1, endsOn, -1, 0) != Wake::End) {
+        *key = pasted.front();
+        pasted.pop_front();
+        return 1;
+    }
+    return readLetter(key) ? 1 : 0;
 }
 
 /** A letter of the terminal, which may have several bytes. */
-int LineEditor::Impl::next(wchar_t* key) {
+bool LineEditor::Impl::readLetter(wchar_t* key) {
     std::mbstate_t state = {};
     for (;;) {
-        bool interrupted = false;
-        if (!waitForInput(STDIN_FILENO, endsOn, interrupted)) {
-            if (resized) {
-                resized = 0;
-                el_resize(edit);
-            }
-            if (interrupted) continue;
+        const Wake woken = waitForKey();
+        if (woken == Wake::Signal) continue;
+        if (woken == Wake::End) {
             ended = true;
-            return 0;
+            if (!maySetTerminal()) el_set(edit, EL_EDITMODE, 0);  // it would be stopped, instead of ending
+            return false;
         }
         char byte = 0;
         const ssize_t got = ::read(STDIN_FILENO, &byte, 1);
         if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return 0;
-        const std::size_t used = std::mbrtowc(key, &byte, 1, &state);
-        if (used == static_cast<std::size_t>(-2)) continue;
-        if (used != static_cast<std::size_t>(-1)) return 1;
-        state = {};  // no letter of this encoding: forgotten
+        if (got <= 0) return false;
+        const bool begun = !std::mbsinit(&state);
+        std::size_t used = std::mbrtowc(key, &byte, 1, &state);
+        if (used == static_cast<std::size_t>(-1)) {
+            // No letter of this encoding: forgotten, unless the byte begins another one.
+            state = {};
+            if (begun) used = std::mbrtowc(key, &byte, 1, &state);
+            if (!begun || used == static_cast<std::size_t>(-1)) {
+                state = {};
+                continue;
+            }
+        }
+        if (used != static_cast<std::size_t>(-2)) return true;
     }
+}
+
+/** Its lines are executed as if typed, but no letter of it is a key: a tab completes nothing. */
+unsigned char LineEditor::Impl::takePaste() {
+    std::wstring text;
+    const std::wstring end = kPasteEnds;
+    for (wchar_t letter = 0; readLetter(&letter);) {
+        text += letter;
+        if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0) continue;
+        text.resize(text.size() - end.size());
+        break;
+    }
+    for (const wchar_t letter : text) {
+        if (letter == L'\t')
+            pasted.insert(pasted.end(), kTab, L' ');
+        else if (letter == L'\r' || letter == L'\n')
+            pasted.push_back(L'\r');
+        else if (letter >= L' ' && letter != L'\177')
+            pasted.push_back(letter);
+    }
+    return CC_NORM;
+}
+
+/** Meanwhile others may write; a while after that the line is drawn again. */
+Wake LineEditor::Impl::waitForKey() {
+    for (bool shown = true;;) {
+        above.unlock(rowsAbove(), shown);
+        const Wake woken = shown ? waitForInput(STDIN_FILENO, endsOn, above.descriptor())
+                                 : waitForInput(STDIN_FILENO, endsOn, -1, kPauseOfOutput);
+        shown = above.lock();
+        if (woken == Wake::End) return woken;
+        if (resized || resumed || (!shown && woken != Wake::Other)) {
+            drawAnew(shown);
+            shown = true;
+        }
+        if (woken != Wake::Other && woken != Wake::Time) return woken;
+    }
+}
+
+/** Because it is not on the screen any more, or not as it was. */
+void LineEditor::Impl::drawAnew(bool shown) {
+    if (resumed) {
+        resumed = 0;
+        // The terminal may be as another program has left it, and the cursor where that one has written.
+        el_set(edit, EL_PREP_TERM, 0);
+        prepareTerminal();
+        if (erases) std::fputs(kTellPaste, stdout);
+        if (shown) above.erase(0);
+    } else if (shown) {
+        above.erase(rowsAbove());  // most terminals have wrapped it
+    }
+    if (resized) {
+        resized = 0;
+        el_resize(edit);
+    }
+    draw();
+}
+
+/** Where the cursor is at that place of the line. */
+CursorRow LineEditor::Impl::cursorAt(const wchar_t* end) const {
+    CursorRow cursor(widthOfTerminal());
+    cursor.add(shownPrompt);
+    for (const wchar_t* letter = el_wline(edit)->buffer; letter != end; ++letter) cursor.add(*letter);
+    return cursor;
+}
+
+/** What takes the cursor to the end of the line. */
+std::string LineEditor::Impl::toEnd() const {
+    const CursorRow now = cursorAt(el_wline(edit)->cursor), end = cursorAt(el_wline(edit)->lastchar);
+    if (now.row() == end.row() && now.column() == end.column()) return {};
+    return std::string(end.row() - now.row(), '\n') + (erases ? "\033[" + std::to_string(end.column() + 1) + "G" : "");
+}
+
+/** At the cursor, as if nothing of it were on the screen. */
+void LineEditor::Impl::draw() {
+    above.makeRoom();
+    el_set(edit, EL_REFRESH);
 }
 
 unsigned char LineEditor::Impl::completeLine() {
     const LineInfo* const now = el_line(edit);
     const std::string line(now->buffer, now->cursor);
-    const Completion found = complete(line);
+    const std::string below = toEnd();
+    above.unlock(rowsAbove(), true);  // components may be asked, and write
+    Completion found;
+    try {
+        found = complete(line);
+    } catch (const std::exception&) {
+        // None are known, then. It must not go through libedit, which is C.
+    }
+    if (!above.lock()) draw();
     if (found.words.empty()) return CC_ERROR;
-    const std::string more = found.common().substr(line.size() - found.begin);
+    const std::string more = found.more(line);
     if (!more.empty()) {
         el_insertstr(edit, more.c_str());
         return CC_REFRESH;
     }
     if (found.words.size() == 1) return CC_ERROR;
-    std::cout << '\n';
-    writeColumns(std::cout, found.words, Theme(), Style::Plain, "", widthOfTerminal());
-    std::cout.flush();
-    return CC_REDISPLAY;
+    std::ostringstream list;
+    list << below << '\n';
+    writeColumns(list, found.words, Theme(), Style::Plain, "", widthOfTerminal());
+    std::fputs(list.str().c_str(), stdout);
+    el_set(edit, EL_REFRESH);
+    return CC_NORM;
 }
 
 LineEditor::LineEditor(History& history, Complete complete, int endsOn)
@@ -182,23 +345,31 @@ LineEditor::~LineEditor() = default;
 LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& line) {
     Impl& impl = *impl_;
     impl.prompt = marked(prompt);
+    impl.shownPrompt = prompt;
     impl.dropped = impl.ended = false;
     if (resized) {
         resized = 0;
         el_resize(impl.edit);
     }
     impl.prepareTerminal();
+    impl.above.lock();
+    impl.above.makeRoom();
+    if (impl.erases) std::fputs(kTellPaste, stdout);
+    tellsPaste(impl.erases);
     int count = 0;
     const char* const text = el_gets(impl.edit, &count);
     line = text && count > 0 ? std::string(text, static_cast<std::size_t>(count)) : "";
+    tellsPaste(false);
+    if (impl.erases) std::fputs(kTellNoPaste, stdout);
     if (impl.dropped) {
-        std::cout << "^C\n" << std::flush;
+        impl.above.end(impl.toEnd() + "^C\n");
         return Outcome::Dropped;
     }
     if (!text || count <= 0 || impl.ended) {
-        std::cout << '\n' << std::flush;
+        impl.above.end(impl.toEnd() + "\n");
         return Outcome::End;
     }
+    impl.above.end("");
     while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
     HistEvent event;
     if (impl.lines.add(line)) ::history(impl.remembered, &event, H_ENTER, line.c_str());

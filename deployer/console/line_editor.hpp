@@ -20,8 +20,8 @@ std::size_t widthOfTerminal();
 
 /**
  * Edits on standard input and output, with history, search in it (Ctrl-R) and completion (TAB). Ctrl-C drops the line; it is a
- * key while a line is typed, and a signal while a command is executed. Ends on Ctrl-D and as soon as `endsOn` (−1: none) can be
- * read. One at a time.
+ * key while a line is typed, and a signal while a command is executed. Other keys are not shown then, and are taken with the next
+ * line. Ends on Ctrl-D and as soon as `endsOn` (−1: none) can be read. One at a time.
  */
 class LineEditor final : public LineSource {
 public:

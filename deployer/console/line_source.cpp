@@ -9,14 +9,14 @@
 
 namespace OCL::console {
 
-bool waitForInput(int input, int endsOn, bool& interrupted) {
-    pollfd both[] = {{input, POLLIN, 0}, {endsOn, POLLIN, 0}};  // poll() ignores negative descriptors
-    interrupted = false;
-    if (poll(both, 2, -1) < 0) {
-        interrupted = errno == EINTR;
-        return false;
-    }
-    return both[1].revents == 0;
+Wake waitForInput(int input, int endsOn, int other, int milliseconds) {
+    pollfd all[] = {
+        {input, POLLIN, 0}, {endsOn, POLLIN, 0}, {other, POLLIN, 0}};  // poll() ignores negative descriptors
+    const int ready = poll(all, 3, milliseconds);
+    if (ready == 0) return Wake::Time;
+    if (ready < 0) return errno == EINTR ? Wake::Signal : Wake::End;
+    if (all[1].revents != 0) return Wake::End;
+    return all[0].revents != 0 ? Wake::Input : Wake::Other;
 }
 
 LineSource::Outcome InputLines::read(const std::string&, std::string& line) {
@@ -33,11 +33,9 @@ LineSource::Outcome InputLines::read(const std::string&, std::string& line) {
             pending_.clear();
             return line.empty() ? Outcome::End : Outcome::Line;
         }
-        bool interrupted = false;
-        if (!waitForInput(input_, ends_on_, interrupted)) {
-            if (interrupted) continue;
-            return Outcome::End;
-        }
+        const Wake woken = waitForInput(input_, ends_on_);
+        if (woken == Wake::Signal) continue;
+        if (woken == Wake::End) return Outcome::End;
         char block[4096];
         const ssize_t got = ::read(input_, block, sizeof block);
         if (got > 0)

@@ -32,8 +32,15 @@ private:
     bool at_end_ = false;
 };
 
-/** Waits until `input` can be read, or has no more. False if the console is to end, or a signal came: see `interrupted`. */
-bool waitForInput(int input, int endsOn, bool& interrupted);
+enum class Wake {
+    Input,   ///< it can be read, or has no more
+    Other,   ///< the other descriptor can be read
+    Time,    ///< neither, for so long
+    Signal,  ///< came
+    End      ///< of the console
+};
+/** Waits for one of them. Negative descriptors are none; a negative time has no end. */
+Wake waitForInput(int input, int endsOn, int other = -1, int milliseconds = -1);
 
 }  // namespace OCL::console
 

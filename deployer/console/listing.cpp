@@ -83,17 +83,22 @@ void listPeers(Screen& screen, TaskContext& component) {
     listNames(screen, "Peers", peers);
 }
 
+void writeHead(Screen& screen, const Target& target) {
+    const std::string kind = target.component ? "Component " : "Service ",
+                      state = target.component ? " " + stateOf(*target.component) : "",
+                      doc = target.service->doc() == kUsualDoc ? "" : oneLine(target.service->doc());
+    const std::size_t at = widthOf(kind + target.name + state) + 2, width = screen.tableWidth();
+    screen.out << kind << screen.paint(Style::Name, target.name) << state;
+    if (!doc.empty() && (width == 0 || at < width))
+        screen.out << "  " << screen.paint(Style::Faint, width == 0 ? doc : shortened(doc, width - at));
+    screen.out << '\n';
+}
+
 }  // namespace
 
 void list(Screen& screen, const Target& target) {
     RTT::Service& service = *target.service;
-    if (target.component)
-        screen.out << "Component " << screen.paint(Style::Name, target.name) << ' ' << stateOf(*target.component);
-    else
-        screen.out << "Service " << screen.paint(Style::Name, target.name);
-    if (service.doc() != kUsualDoc && !service.doc().empty())
-        screen.out << "  " << screen.paint(Style::Faint, oneLine(service.doc()));
-    screen.out << '\n';
+    writeHead(screen, target);
     if (!service.properties()->empty()) {
         title(screen, "Properties");
         writeProperties(screen, *service.properties(), kIndent);

@@ -17,8 +17,10 @@ public:
     void cancel() { name_.clear(); }
 
     std::string head() const { return "export function " + name_ + " {"; }
+    /** The first line of the script. */
+    std::string title() const { return "/* TaskBrowser macro '" + name_ + "' */"; }
     /** The whole script. */
-    std::string text() const { return "/* TaskBrowser macro '" + name_ + "' */\n\n" + head() + "\n" + lines_ + "}\n"; }
+    std::string text() const { return title() + "\n\n" + head() + "\n" + lines_ + "}\n"; }
     std::string file() const { return name_ + ".ops"; }
 
 private:

@@ -34,6 +34,11 @@ struct Lookup {
 };
 Lookup lookUp(RTT::TaskContext& from, const std::string& path);
 
+/** Completion leaves a dot behind a component or service, where the path could go on. */
+inline std::string withoutLastDot(const std::string& path) {
+    return !path.empty() && path.back() == '.' ? path.substr(0, path.size() - 1) : path;
+}
+
 /** The parts of "a.b.c". */
 std::vector<std::string> partsOf(const std::string& path);
 

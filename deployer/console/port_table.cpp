@@ -14,7 +14,7 @@
 namespace OCL::console {
 namespace {
 
-constexpr std::size_t kWidestValue = 40, kMostNamed = 2;
+constexpr std::size_t kMostNamed = 2;
 
 std::string partnersOf(const RTT::base::PortInterface& port) {
     const bool input = dynamic_cast<const RTT::base::InputPortInterface*>(&port);
@@ -29,10 +29,10 @@ std::string partnersOf(const RTT::base::PortInterface& port) {
     return (input ? "<- " : "-> ") + names;
 }
 
-std::string lastValueOf(const RTT::base::PortInterface& port, bool hex) {
+std::string lastValueOf(const RTT::base::PortInterface& port, const Screen& screen) {
     const auto* const output = dynamic_cast<const RTT::base::OutputPortInterface*>(&port);
     if (!output || !output->hasLastWrittenValue()) return {};
-    return "= " + shortened(oneLine(valueText(output->getDataSource(), hex)), kWidestValue);
+    return "= " + shortened(oneLine(valueText(output->getDataSource(), screen.hex)), screen.valueWidth());
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string
     Table table({Style::Faint, Style::Name, Style::Type, Style::Value, Style::Plain, Style::Faint});
     for (const RTT::base::PortInterface* const port : ports.getPorts())
         table.add({dynamic_cast<const RTT::base::InputPortInterface*>(port) ? "in" : "out", port->getName(),
-                   RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()), lastValueOf(*port, screen.hex),
+                   RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()), lastValueOf(*port, screen),
                    partnersOf(*port), oneLine(port->getDescription())});
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
 }

@@ -34,6 +34,7 @@ void ProgramListing::write(Screen& screen, const Scripted& program, int from, in
     const int end = program.firstLine + static_cast<int>(lines.size());
     from = std::max(from, program.firstLine);
     until = std::min(until, end);
+    if (from >= until) screen.out << "'" << program.name << "' ends with line " << end - 1 << '\n';
     const int width = static_cast<int>(std::to_string(std::max(until, end) - 1).size());
     for (int number = from; number < until; ++number) {
         const bool here = number == program.line;
@@ -72,7 +73,9 @@ bool ProgramListing::trace(Screen& screen, RTT::TaskContext& component, const st
 }
 
 void ProgramListing::traceAll(Screen& screen, RTT::TaskContext& component) {
-    for (const std::string& name : scriptedNames(component)) trace(screen, component, name);
+    const std::vector<std::string> names = scriptedNames(component);
+    if (names.empty()) screen.out << "component '" << component.getName() << "' has no programs or state machines\n";
+    for (const std::string& name : names) trace(screen, component, name);
 }
 
 bool ProgramListing::untrace(RTT::TaskContext& component, const std::string& name) {

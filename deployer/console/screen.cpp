@@ -34,6 +34,7 @@ std::string Input::from(std::size_t index) const {
 
 void complain(Screen& screen, const Input& input, std::size_t at, const std::string& message) {
     namespace diag = oroforge::diag;
+    screen.failed = true;
     diag::Sink sink;
     sink.error({input.name, input.line, static_cast<unsigned>(at) + 1}, "", message);
     diag::SourceCache sources;

@@ -6,6 +6,7 @@
 
 #include "theme.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
@@ -22,9 +23,15 @@ struct Screen {
     /** Letters in a line. */
     std::function<std::size_t()> width = [] { return std::size_t(100); };
     bool cutsTables = false;  ///< at the end of the line, as a terminal needs it
+    bool failed = false;      ///< a line could not be executed
 
     /** Of tables; 0: as wide as they are. */
     std::size_t tableWidth() const { return cutsTables ? width() : 0; }
+    /** Of a value in a table, so that what is behind it has room. */
+    std::size_t valueWidth() const {
+        return cutsTables ? std::min(kWidestValue, std::max<std::size_t>(width() / 3, 12)) : kWidestValue;
+    }
+    static constexpr std::size_t kWidestValue = 40;
 
     std::string paint(Style style, const std::string& text) const { return theme.paint(style, text); }
 };

@@ -47,7 +47,13 @@ bool findScripted(RTT::TaskContext& component, const std::string& name, Scripted
     const auto local =
         boost::dynamic_pointer_cast<RTT::scripting::ScriptingService>(component.provides()->getService("scripting"));
     if (!local) return true;
-    found.firstLine = machine ? local->getStateMachine(name)->getFirstLine() : local->getProgram(name)->getFirstLine();
+    // It may be unloaded meanwhile.
+    if (const auto of = local->getStateMachine(name); machine && of)
+        found.firstLine = of->getFirstLine();
+    else if (const auto program = local->getProgram(name); !machine && program)
+        found.firstLine = program->getFirstLine();
+    else
+        return false;
     found.line = machine ? scripting->getStateMachineLine(name) : scripting->getProgramLine(name);
     return true;
 }

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cctype>
 #include <ostream>
+#include <sstream>
 
 namespace OCL::console {
 namespace {
 
 constexpr const char* kGap = "  ";
-constexpr std::size_t kLeast = 4;  // letters of a cell that is cut off
+constexpr std::size_t kLeast = 4;          // letters of a cell that is cut off
+constexpr std::size_t kLeastWrapped = 16;  // of a column that is wrapped
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -43,6 +45,17 @@ std::string oneLine(const std::string& text) {
     return line;
 }
 
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+    if (width == 0) return {text};
+    std::vector<std::string> lines(1);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (!lines.back().empty() && widthOf(lines.back()) + 1 + widthOf(word) > width) lines.emplace_back();
+        lines.back() += (lines.back().empty() ? "" : " ") + word;
+    }
+    return lines;
+}
+
 void Table::write(std::ostream& out, const Theme& theme, const std::string& indent, std::size_t width) const {
     std::vector<std::size_t> widths(styles_.size(), 0);
     for (const auto& row : rows_)
@@ -54,6 +67,13 @@ void Table::write(std::ostream& out, const Theme& theme, const std::string& inde
             if (widths[i] == 0) continue;
             std::string cell = row[i];
             const std::size_t start = at + pending;
+            if (overflow_ == Wrap && i + 1 == styles_.size() && width >= start + kLeastWrapped) {
+                out << blanks(pending);
+                const auto lines = wrapped(cell, width - start);
+                for (std::size_t line = 0; line != lines.size(); ++line)
+                    out << (line ? "\n" + blanks(start) : "") << theme.paint(styles_[i], lines[line]);
+                break;
+            }
             if (width != 0 && start + widthOf(cell) > width) {
                 if (width < start + kLeast) break;
                 cell = shortened(cell, width - start);

@@ -19,20 +19,25 @@ std::size_t widthOf(const std::string& text);
 std::string shortened(const std::string& text, std::size_t width);
 /** In one line, blanks joined. */
 std::string oneLine(const std::string& text);
+/** The text in lines of at most that width, 0: one line; only a word that is longer makes a longer one. */
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 /** Rows of cells, each column as wide as its widest cell. */
 class Table {
 public:
-    explicit Table(std::vector<Style> styles) : styles_(std::move(styles)) {}
+    enum Overflow { Cut, Wrap };  ///< what happens with text of the last column that does not fit
+    explicit Table(std::vector<Style> styles, Overflow overflow = Cut)
+        : styles_(std::move(styles)), overflow_(overflow) {}
 
     /** Missing cells at the end are empty. */
     void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
     bool empty() const { return rows_.empty(); }
-    /** Columns that are empty in all rows are left out; rows are cut off at `width`, 0: never. */
+    /** Columns that are empty in all rows are left out; rows end at `width`, 0: nowhere. */
     void write(std::ostream& out, const Theme& theme, const std::string& indent, std::size_t width) const;
 
 private:
     std::vector<Style> styles_;
+    Overflow overflow_;
     std::vector<std::vector<std::string>> rows_;
 };
 

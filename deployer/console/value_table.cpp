@@ -11,12 +11,10 @@
 namespace OCL::console {
 namespace {
 
-constexpr std::size_t kWidestValue = 40;
-
 typedef RTT::base::DataSourceBase::shared_ptr Source;
 
-std::string cellOf(const Source& value, bool hex) {
-    return value ? "= " + shortened(oneLine(valueText(value, hex)), kWidestValue) : "";
+std::string cellOf(const Source& value, const Screen& screen) {
+    return value ? "= " + shortened(oneLine(valueText(value, screen.hex)), screen.valueWidth()) : "";
 }
 
 std::string typeOf(const Source& value) { return value ? RTT::types::Types()->toDot(value->getTypeName()) : "?"; }
@@ -38,7 +36,7 @@ void writeProperties(Screen& screen, const RTT::PropertyBag& bag, const std::str
         std::string doc = oneLine(property->getDescription()), unit;
         splitUnit(doc, unit);
         const Source value = property->getDataSource();
-        table.add({property->getName(), typeOf(value), cellOf(value, screen.hex), unit, doc});
+        table.add({property->getName(), typeOf(value), cellOf(value, screen), unit, doc});
     }
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
 }
@@ -47,7 +45,7 @@ void writeAttributes(Screen& screen, const RTT::ConfigurationInterface& values, 
     Table table({Style::Name, Style::Type, Style::Value, Style::Faint});
     for (RTT::base::AttributeBase* const attribute : values.getValues()) {
         const Source value = attribute->getDataSource();
-        table.add({attribute->getName(), typeOf(value), cellOf(value, screen.hex),
+        table.add({attribute->getName(), typeOf(value), cellOf(value, screen),
                    value && !value->isAssignable() ? "constant" : ""});
     }
     table.write(screen.out, screen.theme, indent, screen.tableWidth());

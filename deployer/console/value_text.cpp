@@ -3,6 +3,7 @@
 #include "value_text.hpp"
 
 #include <rtt/PropertyBag.hpp>
+#include <rtt/rt_string.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -19,8 +20,15 @@ typedef DataSourceBase::shared_ptr Source;
 
 constexpr int kMostElements = 10;
 constexpr int kDeepest = 8;
+// Of numbers: so many that 0.1 + 0.2 is 0.3.
+constexpr int kDigits = 12, kDigitsOfFloat = 6;
 
 std::string textOf(const Source& value, bool hex, int depth);
+
+std::string asNumber(unsigned char c) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    return std::string("\\x") + kDigits[c / 16] + kDigits[c % 16];
+}
 
 std::string quoted(const std::string& text, char quote) {
     std::string result(1, quote);
@@ -32,6 +40,8 @@ std::string quoted(const std::string& text, char quote) {
             result += "\\t";
         else if (c == '\0')
             result += "\\0";
+        else if (static_cast<unsigned char>(c) < ' ' || c == '\177')
+            result += asNumber(static_cast<unsigned char>(c));  // would move the cursor, or change colours
         else
             result += c;
     }
@@ -84,6 +94,8 @@ std::string textOf(const Source& value, bool hex, int depth) {
     value->evaluate();
     if (const auto* const text = RTT::internal::DataSource<std::string>::narrow(value.get()))
         return quoted(text->rvalue(), '"');
+    if (const auto* const text = RTT::internal::DataSource<RTT::rt_string>::narrow(value.get()))
+        return quoted(std::string(text->rvalue().begin(), text->rvalue().end()), '"');
     if (const auto* const letter = RTT::internal::DataSource<char>::narrow(value.get()))
         return quoted(std::string(1, letter->rvalue()), '\'');
     if (const auto* const truth = RTT::internal::DataSource<bool>::narrow(value.get()))
@@ -94,6 +106,7 @@ std::string textOf(const Source& value, bool hex, int depth) {
     if (isSequence(members)) return sequenceText(value, hex, depth);
     if (!members.empty()) return membersText(value, members, hex, depth);
     std::ostringstream text;
+    text.precision(RTT::internal::DataSource<float>::narrow(value.get()) ? kDigitsOfFloat : kDigits);
     if (hex) text << std::hex << std::showbase;
     value->write(text);
     return text.str();

@@ -39,6 +39,9 @@ public:
     /** For programs that catch signals themselves: loop() catches none, and ends as soon as this descriptor can be read. */
     void endOn(int descriptor);
 
+    /** True if loop() read lines from what is no terminal, and one of them could not be executed. All others were. */
+    bool failed() const;
+
     /** True if standard input and output are a terminal. */
     static bool onTerminal();
 

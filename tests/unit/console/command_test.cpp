@@ -3,6 +3,7 @@
 // ls, cd, peers, help, leave and enter.
 #include "console_fixture.hpp"
 
+#include <console/table.hpp>
 #include <rtt/InputPort.hpp>
 #include <rtt/OutputPort.hpp>
 
@@ -101,6 +102,46 @@ TEST_F(Commands, CommandsAreWholeWords) {
     EXPECT_EQ(" = 4\n", answer("this.list"));
 }
 
+TEST_F(Commands, WordsThatACommandDoesNotTakeAreErrors) {
+    EXPECT_EQ(
+        "typed:1:9: error: 'cd' takes [PATH], found 'pump' as well\n"
+        "cd tank pump\n"
+        "        ^\n",
+        complaint("cd tank pump"));
+    EXPECT_EQ("plant [S]> ", console->prompt());
+    EXPECT_THAT(complaint("quit now"), HasSubstr("error: 'quit' takes nothing, found 'now' as well"));
+    EXPECT_FALSE(console->quits());
+    EXPECT_THAT(complaint(".connect a b c"), HasSubstr("'.connect' takes PORT PORT, found 'c' as well"));
+}
+
+TEST_F(Commands, WhatIsShownFitsIntoTheTerminal) {
+    console->screen().width = [] { return std::size_t(60); };
+    console->screen().cutsTables = true;
+    plant.loadService("scripting");
+    for (const char* const line :
+         {"help", "help cd", "help leave", "ls", "tank", "scripting", "help scripting.eval", "ls scripting", "peers",
+          ".services", ".types", "help tank.capacity", "help tank.level"}) {
+        std::istringstream shown(answer(line));
+        for (std::string row; std::getline(shown, row);)
+            EXPECT_LE(OCL::console::widthOf(row), 60u) << line << ": " << row;
+    }
+    EXPECT_THAT(answer("help"), HasSubstr("goes to a peer; '..' is the\n"));
+}
+
+TEST_F(Commands, ALongValueLeavesRoomForTheDocumentation) {
+    console->screen().width = [] { return std::size_t(80); };
+    console->screen().cutsTables = true;
+    std::string text(60, 'x');
+    plant.addProperty("text", text).doc("what is to be told to all who listen");
+    EXPECT_THAT(answer("ls"), HasSubstr("x…  what is to be told to all who l…"));
+    plant.properties()->removeProperty(plant.getProperty("text"));
+}
+
+TEST_F(Commands, GlobalsAreShown) {
+    for (const char* const line : {"GlobalsRepository", "ls GlobalsRepository", "help GlobalsRepository"})
+        EXPECT_THAT(answer(line), testing::ContainsRegex("^Globals\n\n  Attributes\n(.*\n)*    ORO_SCHED_RT "));
+}
+
 TEST_F(Commands, LeaveConnectsTheConsoleAndEnterDisconnectsIt) {
     answer("tank.capacity = 1.5; tank.configure(); tank.start()");
     answer("cd tank\nleave");
@@ -131,7 +172,7 @@ TEST_F(Commands, HelpExplainsTheConsole) {
 }
 
 TEST_F(Commands, HelpExplainsACommand) {
-    EXPECT_EQ("peers   shows the peers and their states\n", answer("help peers"));
+    EXPECT_EQ("peers  shows the peers and their states\n", answer("help peers"));
     EXPECT_THAT(answer("help .hex"), HasSubstr("hexadecimal"));
 }
 

@@ -12,6 +12,7 @@ using testing::Not;
 class CompletionTest : public ConsoleTest {
 protected:
     std::vector<std::string> wordsFor(const std::string& line) const { return console->complete(line).words; }
+    std::string moreOf(const std::string& line) const { return console->complete(line).more(line); }
 };
 
 TEST_F(CompletionTest, TheLineEndsInWhatIsReplaced) {
@@ -38,9 +39,58 @@ TEST_F(CompletionTest, CommandsStandOnlyFirst) {
     EXPECT_THAT(wordsFor("1 + untr"), ElementsAre());
 }
 
+TEST_F(CompletionTest, WhereATypeIsDeclaredThereAreOnlyTypes) {
+    for (const char* const line : {"var ", "const  ", "1; var ", "for (var "}) {
+        EXPECT_THAT(wordsFor(line), IsSupersetOf({"double", "string", "ConnPolicy"})) << line;
+        EXPECT_THAT(wordsFor(line), Not(Contains("start"))) << line;
+        EXPECT_THAT(wordsFor(line), Not(Contains("tank"))) << line;
+    }
+    EXPECT_THAT(wordsFor("var doub"), ElementsAre("double"));
+    EXPECT_THAT(wordsFor("var ta"), ElementsAre());
+    EXPECT_THAT(wordsFor("var double x = ta"), ElementsAre("tank"));
+    EXPECT_THAT(wordsFor("myvar ta"), ElementsAre("tank"));
+}
+
 TEST_F(CompletionTest, BehindAComponentThereAreItsMembers) {
     EXPECT_THAT(wordsFor("tank."), IsSupersetOf({"capacity", "label", "fillings", "fill", "flow", "level"}));
     EXPECT_THAT(wordsFor("tank."), Not(Contains("ls")));
+}
+
+TEST_F(CompletionTest, ADotFollowsWhatHasMembers) {
+    EXPECT_EQ("nk.", moreOf("ta"));
+    EXPECT_EQ(".", moreOf("tank"));
+    EXPECT_EQ("el.", moreOf("1.0 + tank.lev"));
+    EXPECT_EQ("ty", moreOf("tank.capaci"));
+    EXPECT_EQ("pty", moreOf("tank.em"));
+    EXPECT_EQ("", moreOf("tank.nothing"));
+}
+
+TEST_F(CompletionTest, NoDotFollowsWhereThereIsAChoice) {
+    RTT::TaskContext other("tank2");
+    plant.addPeer(&other);
+    EXPECT_EQ("nk", moreOf("ta"));
+    EXPECT_EQ("", moreOf("tank"));
+    EXPECT_EQ(".", moreOf("tank2"));
+}
+
+TEST_F(CompletionTest, TheDotIsForWhatTheCommandTakes) {
+    EXPECT_EQ("nk", moreOf("cd ta"));
+    EXPECT_EQ("nk.", moreOf("help ta"));
+    EXPECT_EQ("nk.", moreOf(".connect ta"));
+    EXPECT_EQ("vel", moreOf(".connect tank.le"));
+    tank->addPeer(pump.get());
+    EXPECT_EQ("nk.", moreOf("cd ta"));
+}
+
+TEST_F(CompletionTest, CommandsTakeAPathThatEndsInADot) {
+    answer("cd tank.");
+    EXPECT_EQ("tank [U]> ", console->prompt());
+    answer("cd ..");
+    EXPECT_EQ(answer("ls tank"), answer("ls tank."));
+    EXPECT_EQ(answer("help tank.level"), answer("help tank.level."));
+    EXPECT_EQ(answer("tank.level"), answer("tank.level."));
+    EXPECT_EQ(answer("tank"), answer("tank."));
+    EXPECT_EQ("", err.str());
 }
 
 TEST_F(CompletionTest, BehindAnOperationThereIsSend) { EXPECT_THAT(wordsFor("tank.fill.s"), ElementsAre("send")); }

@@ -3,6 +3,7 @@
 """Test cases that run the deployer: test.py DEPLOYER COMPONENTS SOURCES"""
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -41,4 +42,5 @@ class DeployerCase(unittest.TestCase):
 
 
 def main():
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # which nohup has ignored, if it is what the tests are run by
     unittest.main(argv=sys.argv[:1])

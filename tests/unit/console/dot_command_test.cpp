@@ -73,9 +73,32 @@ TEST_F(DotCommands, CancelForgetsWhatIsRecorded) {
     EXPECT_THAT(complaint(".end"), HasSubstr("error: nothing is being recorded"));
 }
 
+TEST_F(DotCommands, WhatIsRecordedHasAName) {
+    EXPECT_THAT(complaint(".record 9x"), HasSubstr("typed:1:9: error: expected a name for the function, found '9x'"));
+    EXPECT_THAT(complaint(".record ../x"), HasSubstr("found '../x'"));
+    EXPECT_EQ("plant [S]> ", console->prompt());
+}
+
+TEST_F(DotCommands, OneFunctionIsRecordedAtATime) {
+    answer(".record first\n1 + 1");
+    EXPECT_THAT(complaint(".record second"),
+                HasSubstr("error: 'first' is being recorded; '.end' or '.cancel' ends that"));
+    EXPECT_THAT(answer(".end"), HasSubstr("written to first.ops"));
+}
+
+TEST_F(DotCommands, AFileThatWasNotRecordedIsKept) {
+    directory_.write("startup.ops", "1 + 1\n");
+    EXPECT_THAT(complaint(".record startup"), HasSubstr("error: there is a file 'startup.ops' that was not recorded"));
+    EXPECT_EQ("plant [S]> ", console->prompt());
+    for (const char* const line : {"1", "2"}) answer(".record mine\n" + std::string(line) + "\n.end");
+    EXPECT_EQ("", err.str());
+    EXPECT_THAT(oroforge::test::readFile("mine.ops"), HasSubstr("    2\n"));
+}
+
 TEST_F(DotCommands, ARecordedLineThatIsWrongIsTold) {
     answer(".record wrong\nnothere = 1");
-    EXPECT_THAT(complaint(".end"), HasSubstr("wrong.ops:4:5: error: [OPS133]"));
+    EXPECT_THAT(complaint(".end"), testing::AllOf(HasSubstr("wrong.ops:4:5: error: [OPS133]"),
+                                                  HasSubstr("written to wrong.ops, but not loaded")));
     EXPECT_FALSE(plant.provides()->hasOperation("wrong"));
 }
 

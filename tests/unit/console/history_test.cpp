@@ -44,9 +44,40 @@ TEST(History, LeavesOutRepeatsBlanksAndQuit) {
 
 TEST(History, AnUnreadableFileIsNoHistory) {
     History history("/nowhere/at/all");
+    EXPECT_EQ("/nowhere/at/all: what is typed is not kept: No such file or directory", history.problem());
     EXPECT_TRUE(history.lines().empty());
     EXPECT_TRUE(history.add("one"));
     EXPECT_THAT(history.lines(), ElementsAre("one"));
+}
+
+TEST(History, AFileThatCanBeWrittenIsNoProblem) {
+    const TempDir directory;
+    EXPECT_EQ("", History(directory / "new").problem());
+    EXPECT_EQ("", History("").problem());
+    EXPECT_THAT(History(directory.path()).problem(), testing::EndsWith("is not kept: Is a directory"));
+}
+
+TEST(History, ALinkToTheFileIsKept) {
+    const TempDir directory;
+    std::string text;
+    for (int i = 0; i != 1200; ++i) text += "line " + std::to_string(i) + "\n";
+    const std::string file = directory.write("history", text), link = directory / "link";
+    std::filesystem::create_symlink(file, link);
+    const History history(link);
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(0u, readFile(file).find("line 200\n"));
+}
+
+TEST(History, WhoMayReadTheFileStaysSo) {
+    const TempDir directory;
+    std::string text;
+    for (int i = 0; i != 1200; ++i) text += "line " + std::to_string(i) + "\n";
+    const std::string file = directory.write("history", text);
+    constexpr auto kOwn = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+    std::filesystem::permissions(file, kOwn);
+    const History history(file);
+    EXPECT_EQ(0u, readFile(file).find("line 200\n")) << "it was not written anew";
+    EXPECT_EQ(kOwn, std::filesystem::status(file).permissions());
 }
 
 TEST(History, KeepsTheLastThousandLines) {
@@ -66,6 +97,8 @@ TEST(History, KeepsTheLastThousandLines) {
 TEST(History, ItsFileIsThatOfTheEnvironment) {
     setenv("ORO_TB_HISTFILE", "/tmp/elsewhere", 1);
     EXPECT_EQ("/tmp/elsewhere", OCL::console::historyFile());
+    setenv("ORO_TB_HISTFILE", "~/elsewhere", 1);
+    EXPECT_EQ(std::getenv("HOME") + std::string("/elsewhere"), OCL::console::historyFile());
     unsetenv("ORO_TB_HISTFILE");
     const TempDir directory;
     const auto before = std::filesystem::current_path();

@@ -31,6 +31,17 @@ TEST_F(ListProgram, ShowsItsLinesWithTheirNumbersInTheirFile) {
         answer("list count"));
 }
 
+TEST_F(ListProgram, BehindTheEndItSaysSo) {
+    answer("list count");
+    EXPECT_EQ("'count' ends with line 7\n", answer("list"));
+    EXPECT_EQ("'count' ends with line 7\n", answer("list count 100"));
+    EXPECT_EQ("'count' ends with line 7\n", answer("list 99999999999999999999"));
+}
+
+TEST_F(ListProgram, TraceWithoutProgramsSaysSo) {
+    EXPECT_EQ("component 'tank' has no programs or state machines\n", answer("cd tank\ntrace"));
+}
+
 TEST_F(ListProgram, MarksTheLineItIsAt) {
     answer("count.start()");
     step();

@@ -25,15 +25,23 @@ class WithoutTerminal(DeployerCase):
         self.assertEqual(" = 3\n", self.run_with("1 + 2")[0])
 
     def test_errors_have_the_line_of_the_input_and_do_not_end_it(self):
-        out, err = self.run_with("1\n\nls nowhere\nimpotr(\"filling\")\n4\n")
+        out, err = self.run_with("1\n\nls nowhere\nimpotr(\"filling\")\n4\n", status=255)
         self.assertEqual(" = 1\n = 4\n", out)
         self.assertIn("stdin:3:4: error: there is no peer or service 'nowhere'\nls nowhere\n   ^\n", err)
         self.assertIn("stdin:4:1: error: [OPS134] component 'Deployer' has no operation 'impotr'; "
                       "did you mean 'import'?\nimpotr(\"filling\")\n^\n", err)
 
     def test_a_piece_without_its_end_is_told(self):
-        _, err = self.run_with("1\nif true then {\n")
+        _, err = self.run_with("1\nif true then {\n", status=255)
         self.assertRegex(err, r"stdin:\d+:\d+: error: ")
+
+    def test_the_status_tells_of_lines_that_failed(self):
+        for line in ("ls nowhere", "nothere()", "1 / 0", ".frob", ".provide nothing", "1 +", ".unloadProgram none",
+                     'Deployer.setPeriod("x")'):
+            self.assertEqual(" = 2\n", self.run_with(line + "\n1 + 1\nquit\n", status=255)[0], line)
+
+    def test_what_gives_false_has_not_failed(self):
+        self.assertEqual(" = false\n", self.run_with("stop()\n")[0])
 
     def test_components_are_loaded_and_commanded(self):
         out, err = self.run_with('import("filling");\nloadComponent("tank", "filling::Tank");\ntank.capacity = 2.0\n'

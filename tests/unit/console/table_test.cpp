@@ -14,6 +14,7 @@ using OCL::console::Style;
 using OCL::console::Table;
 using OCL::console::Theme;
 using OCL::console::widthOf;
+using OCL::console::wrapped;
 using OCL::console::writeColumns;
 
 std::string columns(const std::vector<std::string>& words, std::size_t width) {
@@ -51,6 +52,26 @@ TEST(Table, CutsTheLastColumnAtTheWidth) {
     table.write(out, Theme(), "", 20);
     EXPECT_EQ("name  a long text t…\n", out.str());
     EXPECT_EQ(20u, widthOf("name  a long text t…"));
+}
+
+TEST(Table, WrapsTheLastColumnIfWanted) {
+    Table table({Style::Name, Style::Faint}, Table::Wrap);
+    table.add({"name", "a long text that does not fit into one row"});
+    table.add({"b", "short"});
+    std::ostringstream out;
+    table.write(out, Theme(), "  ", 30);
+    EXPECT_EQ(
+        "  name  a long text that does\n"
+        "        not fit into one row\n"
+        "  b     short\n",
+        out.str());
+}
+
+TEST(Text, IsWrappedBetweenWords) {
+    EXPECT_EQ((std::vector<std::string>{"one two", "three"}), wrapped("one two three", 8));
+    EXPECT_EQ((std::vector<std::string>{"one", "seventeen", "two"}), wrapped("one seventeen two", 5));
+    EXPECT_EQ((std::vector<std::string>{"öäü öäü"}), wrapped("öäü öäü", 7));
+    EXPECT_EQ((std::vector<std::string>{"never at all"}), wrapped("never at all", 0));
 }
 
 TEST(Table, ColoursDoNotMoveColumns) {

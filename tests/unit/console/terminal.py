@@ -93,6 +93,9 @@ class Program:
         self.pid, self.terminal = pty.fork()
         if self.pid == 0:
             os.chdir(directory)
+            # As a shell starts it: Python ignores some of these, and nohup another one.
+            for number in signal.SIGPIPE, signal.SIGXFSZ, signal.SIGHUP:
+                signal.signal(number, signal.SIG_DFL)
             os.execve(command[0], command, own)
         self.resize(width)
 

@@ -2,6 +2,7 @@
 # Copyright Oroforge contributors
 """The deployer's console on a terminal."""
 import os
+import re
 import signal
 
 from deployer_case import PROMPT, DeployerCase, main
@@ -45,6 +46,29 @@ class Lines(DeployerCase):
         program = self.open()
         self.assertEqual(' = "größer"', program.type('"grö' + RUBOUT + 'ößer"', PROMPT))
 
+    def test_letters_of_several_bytes_where_no_locale_is_set(self):
+        program = self.open(LC_ALL="C")
+        self.assertEqual(' = "größer"', program.type('"größer"', PROMPT))
+
+    def test_bytes_that_are_no_letters_are_left_out(self):
+        program = self.open()
+        os.write(program.terminal, b'"a\xff\xc3"\r')
+        program.wait_for(PROMPT + '"a"\n = "a"\n')
+
+    def test_pasted_ones_are_taken_as_they_are(self):
+        program = self.open()
+        self.assertIn("\x1b[?2004h", program.written)
+        program.send("\x1b[200~if true then {\r\tvar int x = 3\r}\n1 +\t2\n20 + \x1b[201~")
+        program.wait(lambda: program.screen().endswith(
+            f"{PROMPT}if true then {{\n>     var int x = 3\n> }}\n{PROMPT}1 +    2\n = 3\n{PROMPT}20 +"), "the answers")
+        self.assertEqual(" = 23", program.type("3", PROMPT))
+
+    def test_pasted_ones_are_not_echoed_while_others_are_executed(self):
+        program = self.open()
+        program.send("\x1b[200~" + "".join(f"{i} + 1\r" for i in range(100)) + "\x1b[201~")
+        program.wait_for(" = 100\n" + PROMPT.rstrip())
+        self.assertIn("".join(f"{PROMPT}{i} + 1\n = {i + 1}\n" for i in range(100)), program.screen())
+
     def test_go_on_within_braces(self):
         program = self.open()
         program.type("var int n = 1", PROMPT)
@@ -69,6 +93,30 @@ class Lines(DeployerCase):
         self.assertLessEqual(max(map(len, written[written.index("  Properties"):-1])), 60)
 
 
+    def test_after_a_change_of_the_width_the_line_is_drawn_anew(self):
+        program = self.open()
+        line = PROMPT + "1" * 66
+        program.send("1" * 66)
+        program.wait_for(line)
+        program.resize(50)
+        # A terminal that wraps what does not fit any more, as most do.
+        program.written = program.written.replace(line, line[:50] + "\r\n" + line[50:])
+        program.wait(lambda: "\x1b[1A\r\x1b[J" in program.written, "the line")
+        program.wait(lambda: program.screen().endswith(f"\n\n{line[:50]}\n{line[50:]}"), "the line")
+
+    def test_is_drawn_anew_when_the_process_goes_on(self):
+        program = self.open()
+        program.send("20 + 3")
+        program.wait_for("20 + 3")
+        os.kill(program.pid, signal.SIGSTOP)
+        os.waitpid(program.pid, os.WUNTRACED)
+        before = len(program.written)
+        os.kill(program.pid, signal.SIGCONT)
+        program.wait(lambda: PROMPT + "20 + 3" in program.written[before:], "the line")
+        self.assertTrue(program.screen().endswith("\n" + PROMPT + "20 + 3"))
+        self.assertEqual(" = 23", program.type("", PROMPT))
+
+
 class Keys(DeployerCase):
     def test_tab_completes_a_word(self):
         program = self.open()
@@ -88,12 +136,19 @@ class Keys(DeployerCase):
         program.send("All" + TAB + "\r")
         program.wait_for(" = true")
 
+    def test_a_second_tab_shows_the_members_of_a_component(self):
+        program = self.open()
+        program.type('import("filling"); loadComponent("tank", "filling::Tank")', PROMPT)
+        program.send("tan" + TAB + TAB)
+        program.wait(lambda: re.search(r"\nCycleCounter +capacity .*\n(.*\n)*" + re.escape(PROMPT) + r"tank\.$",
+                                       program.screen()), "the members")
+
     def test_tab_completes_members_and_files(self):
         (self.directory / "startup.ops").write_text("2 + 2\n")
         program = self.open()
         program.type('import("filling"); loadComponent("tank", "filling::Tank")', PROMPT)
-        program.send("ta" + TAB + ".capa" + TAB + " = 1.5\r")
-        program.wait_for(PROMPT + "tank.capacity = 1.5\n = 1.5\n")
+        program.send("ta" + TAB + "capa" + TAB + " = 1.5\r")
+        program.wait_for(PROMPT + "tank.capacity = 1.5\n = 1.5\n" + PROMPT.rstrip())
         program.send('runScript("start' + TAB)
         program.wait_for('runScript("startup.ops')
 
@@ -108,6 +163,23 @@ class Keys(DeployerCase):
         program.send(CTRL_C)
         program.wait_for("^C\n" + PROMPT.rstrip())
         self.assertEqual(" = 2", program.type("1 + 1", PROMPT))
+
+    def test_ctrl_c_forgets_all_rows_of_a_line(self):
+        program = self.open()
+        before = program.screen().count("\n")
+        line = PROMPT + "1" * 250
+        program.send("1" * 250 + LEFT * 200 + CTRL_C)
+        program.wait(lambda: program.screen().split("\n")[before:] ==
+                     [line[:100], line[100:200], line[200:] + "^C", PROMPT.rstrip()], "the prompt")
+
+    def test_tab_shows_words_below_a_line_of_several_rows(self):
+        program = self.open()
+        before = program.screen().count("\n")
+        line = PROMPT + "kickOut + " + "1" * 150
+        program.send(line[len(PROMPT):] + LEFT * 153 + TAB)
+        rows = [line[:100], line[100:]]
+        program.wait(lambda: program.screen().split("\n")[before:] ==
+                     rows + ["kickOut           kickOutAll        kickOutComponent"] + rows, "the words")
 
     def test_ctrl_c_forgets_all_lines_of_a_piece(self):
         program = self.open()
@@ -132,10 +204,12 @@ class Keys(DeployerCase):
 
     def test_ctrl_c_during_another_command_leaves_after_it(self):
         program = self.open()
-        program.type("var int i = 0", PROMPT)
-        program.send("while i < 5000 { i = i + 1; yield }\r")
+        program.type('import("talking"); loadComponent("talker", "Talker"); talker.start()', PROMPT)
+        program.send('talker.talk("nothing", "hello")\r')  # until there is a file "go"
         program.wait_for_execution()
         program.send(CTRL_C)
+        program.wait_for("the console is left once this command is done; a second Ctrl-C ends the process at once")
+        (self.directory / "go").touch()
         self.assertEqual(0, program.end())
 
 
@@ -175,6 +249,10 @@ class History(DeployerCase):
         self.assertEqual(-signal.SIGKILL, program.end())
         self.assertEqual("40 + 2\n", (self.directory / ".tb_history").read_text())
 
+    def test_that_is_not_kept_is_told(self):
+        program = self.open(ORO_TB_HISTFILE="/nowhere/at/all")
+        self.assertIn("\n/nowhere/at/all: what is typed is not kept: No such file or directory\n", program.screen())
+
     def test_is_where_the_environment_says(self):
         program = self.open(ORO_TB_HISTFILE=str(self.directory / "elsewhere"))
         program.type("1", PROMPT)
@@ -190,6 +268,12 @@ class Program(DeployerCase):
         self.assertEqual(" = 2", program.type("1 + 1", PROMPT))
         program.send("quit\r")
         self.assertEqual(255, program.end())
+
+    def test_a_line_that_fails_has_no_effect_on_the_status(self):
+        program = self.open()
+        program.type("nothere()", PROMPT)
+        program.send("quit\r")
+        self.assertEqual(0, program.end())
 
     def test_components_run_while_it_is_open_and_are_taken_down_in_order(self):
         (self.directory / "app.ops").write_text('import("filling")\nloadComponent("tank", "filling::Tank")\n'

@@ -13,6 +13,24 @@ TEST_F(ValueText, TextsAreQuoted) {
     EXPECT_EQ(" = 'x'\n", answer("'x'"));
 }
 
+TEST_F(ValueText, LettersThatCannotBeShownAreNumbers) {
+    std::string text = "a\033[31mb\r\177\xC3\xB6";
+    plant.addProperty("text", text);
+    EXPECT_EQ(" = \"a\\x1b[31mb\\x0d\\x7fö\"\n", answer("text"));
+    EXPECT_THAT(answer("ls"), testing::HasSubstr("= \"a\\x1b[31mb\\x0d\\x7fö\""));
+    plant.properties()->removeProperty(plant.getProperty("text"));
+}
+
+TEST_F(ValueText, RealTimeTextsAreTexts) { EXPECT_EQ(" = \"abc\"\n", answer("rt_string(\"abc\")")); }
+
+TEST_F(ValueText, NumbersKeepTheirDigits) {
+    EXPECT_EQ(" = 1234567.25\n", answer("1234567.25"));
+    EXPECT_EQ(" = 0.3\n", answer("0.1 * 3.0"));
+    answer("var float f = 1.1");
+    EXPECT_EQ(" = 1.1\n", answer("f"));
+    EXPECT_EQ(" = 1e+20\n", answer("1.0e20"));
+}
+
 TEST_F(ValueText, TruthsAreWords) { EXPECT_EQ(" = true\n", answer("1 < 2")); }
 
 TEST_F(ValueText, SequencesShowTheirFirstElements) {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// The handlers may only do what is safe in any thread at any point, which tcsetattr() is.
+#include "kept_terminal.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+
+#include <termios.h>
+#include <unistd.h>
+
+namespace OCL::console {
+namespace {
+
+termios original;
+volatile sig_atomic_t kept = 0;   // `original` is what the terminal was
+pid_t owner = -1;                 // a child that ends or crashes must not put back the terminal of its parent
+volatile sig_atomic_t paste = 0;  // the terminal was told to mark what is pasted
+// By signal number, for the handler of what ends the process.
+struct sigaction before[NSIG];
+
+void onStop(int signal, siginfo_t*, void*);
+
+/** What comes again when its instruction does. */
+bool isFault(int signal) { return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL; }
+
+bool isHandler(const struct sigaction& action, void (*handler)(int, siginfo_t*, void*)) {
+    return (action.sa_flags & SA_SIGINFO) && action.sa_sigaction == handler;
+}
+
+void set(const termios& mode) {
+    while (tcsetattr(STDIN_FILENO, TCSANOW, &mode) != 0 && errno == EINTR) {
+    }
+}
+
+void onEnd(int signal, siginfo_t* info, void* context) {
+    restoreTerminal();
+    // The default action is in force again (SA_RESETHAND), as those who were here before expect it.
+    const struct sigaction& previous = before[signal];
+    if (previous.sa_flags & SA_SIGINFO)
+        previous.sa_sigaction(signal, info, context);
+    else if (previous.sa_handler != SIG_DFL)
+        previous.sa_handler(signal);
+    else if (info->si_code <= 0 || !isFault(signal))
+        raise(signal);  // a fault comes again by itself when this returns, what was sent does not
+}
+
+/** Stops as without it, but the terminal is then as the others know it. */
+void onStop(int signal, siginfo_t*, void*) {
+    const int error = errno;
+    termios now;
+    // In the background it is the shell's, which is none of ours to come back to.
+    const bool known = maySetTerminal() && tcgetattr(STDIN_FILENO, &now) == 0;
+    restoreTerminal();
+    struct sigaction usual = {}, own = {};
+    usual.sa_handler = SIG_DFL;
+    own.sa_sigaction = &onStop;
+    own.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigaction(signal, &usual, nullptr);
+    raise(signal);
+    sigset_t only, masked;
+    sigemptyset(&only);
+    sigaddset(&only, signal);
+    pthread_sigmask(SIG_UNBLOCK, &only, &masked);  // here it stops
+    pthread_sigmask(SIG_SETMASK, &masked, nullptr);
+    if (kept) sigaction(signal, &own, nullptr);
+    if (known && maySetTerminal()) set(now);
+    errno = error;
+}
+
+}  // namespace
+
+bool maySetTerminal() {
+    const int error = errno;
+    const pid_t group = tcgetpgrp(STDIN_FILENO);
+    // If it is not the terminal that controls this process, nobody is stopped.
+    const bool may = kept && getpid() == owner && (group == getpgrp() || (group < 0 && errno == ENOTTY));
+    errno = error;
+    return may;
+}
+
+void restoreTerminal() {
+    if (!maySetTerminal()) return;
+    const int error = errno;
+    if (paste && write(STDOUT_FILENO, kTellNoPaste, sizeof kTellNoPaste - 1) < 0) {
+        // Nobody is left who could be told.
+    }
+    set(original);
+    errno = error;
+}
+
+void tellsPaste(bool tells) { paste = tells; }
+
+KeptTerminal::KeptTerminal() {
+    if (tcgetattr(STDIN_FILENO, &original) != 0) return;
+    static const int atEnd = std::atexit(restoreTerminal);
+    (void)atEnd;
+    owner = getpid();
+    kept = 1;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT, SIGHUP, SIGINT, SIGTERM, SIGPIPE,
+                             SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ, SIGTRAP, SIGVTALRM, SIGSYS})
+        handle(signal, &onEnd, static_cast<int>(SA_SIGINFO | SA_RESETHAND | SA_ONSTACK));
+    handle(SIGTSTP, &onStop, SA_SIGINFO | SA_RESTART);
+}
+
+KeptTerminal::~KeptTerminal() {
+    if (!kept) return;
+    restoreTerminal();
+    kept = 0;
+    for (const Previous& previous : previous_) {
+        struct sigaction now = {};
+        // Somebody may have put another one in its place, and it is gone once it was executed.
+        if (sigaction(previous.signal, nullptr, &now) == 0 && (isHandler(now, &onEnd) || isHandler(now, &onStop)))
+            sigaction(previous.signal, &previous.action, nullptr);
+    }
+}
+
+void KeptTerminal::handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
+    Previous previous = {signal, {}};
+    if (sigaction(signal, nullptr, &previous.action) != 0) return;
+    // Ignored, or somebody else's way of ending or stopping: left alone. But those who report crashes end the process all the same.
+    const bool usual = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_DFL;
+    const bool ignored = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_IGN;
+    if (ignored || (!usual && !isFault(signal) && signal != SIGABRT && signal != SIGQUIT)) return;
+    before[signal] = previous.action;
+    struct sigaction action = {};
+    action.sa_sigaction = handler;
+    action.sa_flags = flags;
+    sigemptyset(&action.sa_mask);
+    if (sigaction(signal, &action, nullptr) == 0) previous_.push_back(previous);
+}
+
+}  // namespace OCL::console
