@@ -3,6 +3,7 @@
 // deployer-<target>: deploys the files of the command line, and runs them until its console is left or a signal comes.
 #include "program.hpp"
 
+#include "../console/kept_terminal.hpp"
 #include "../deployment/signals.hpp"
 
 #include <ocl/DeploymentComponent.hpp>
@@ -12,16 +13,20 @@
 namespace {
 
 /** With a terminal, also after a failure: somebody is there who can look into it. */
-void stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options& options,
+bool stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options& options,
           bool deployed) {
-    if (!deployed && (options.daemon || !OCL::TaskBrowser::onTerminal())) return;
+    if (!deployed && (options.daemon || !OCL::TaskBrowser::onTerminal())) return true;
+    bool succeeded = true;
     if (!options.daemon) {
         OCL::TaskBrowser browser(&deployer);
         browser.endOn(ending.descriptor());
+        OCL::deploy::beforeSecondSignal(&OCL::console::restoreTerminal);
         browser.loop();
-        if (!ending.caught()) return;
+        succeeded = !browser.failed();
+        if (!ending.caught()) return succeeded;
     }
     RTT::log(RTT::Info) << "ending on signal " << ending.wait() << RTT::endlog();
+    return succeeded;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ const struct {
 } kOptions[] = {
     {"help,h", Takes::Nothing, "show this text"},
     {"version", Takes::Nothing, "show the version"},
+    {"explain", Takes::Nothing, "show what codes mean, as the DEP031 in \"error: [DEP031] ...\"; none = list them all"},
     {"start,s", Takes::Words, "deploy from this XML file (.xml, .cpf) or script (.ops, .osd, .lua); may be repeated"},
     {"site-file", Takes::Word, "deploy from this file first; default: <name>-site.cpf, if there is one"},
     {"log-level,l", Takes::Word,
@@ -94,9 +95,16 @@ void takeWords(const std::vector<std::string>& words, Options& options) {
 bool takeValues(const po::variables_map& values, Options& options, std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
                      : values.count("version") ? Options::ShowVersion
+                     : values.count("explain") ? Options::Explain
                                                : Options::Run;
     if (values.count("start")) options.files = values["start"].as<std::vector<std::string>>();
-    if (values.count("DeployerName")) takeWords(values["DeployerName"].as<std::vector<std::string>>(), options);
+    if (values.count("DeployerName")) {
+        const auto& words = values["DeployerName"].as<std::vector<std::string>>();
+        if (options.action == Options::Explain)
+            options.codes = words;
+        else
+            takeWords(words, options);
+    }
     if (values.count("site-file")) options.siteFile = values["site-file"].as<std::string>();
     options.consoleLog = !values.count("no-consolelog");
     options.check = values.count("check") != 0;

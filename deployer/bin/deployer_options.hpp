@@ -11,10 +11,11 @@
 namespace OCL::deploy {
 
 struct Options {
-    enum Action { Run, ShowHelp, ShowVersion } action = Run;
+    enum Action { Run, ShowHelp, ShowVersion, Explain } action = Run;
     std::string name = "Deployer";
     std::string siteFile;
     std::vector<std::string> files;  // in the order of processing
+    std::vector<std::string> codes;  // to be explained; empty: list them all
     int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
     bool consoleLog = true;
     bool check = false;

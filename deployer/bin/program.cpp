@@ -4,6 +4,7 @@
 
 #include "../deployment/signals.hpp"
 #include "crash_report.hpp"
+#include "explain.hpp"
 #include "real_time_check.hpp"
 #include "real_time_memory.hpp"
 
@@ -34,13 +35,18 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+/** As it would be run: with the operations that the service brings. */
+bool checkScript(DeploymentComponent& deployer, const std::string& file) {
+    (void)deployer.loadService(deployer.getName(), "scripting");
+    return RTT::scripting::checkScript(file, deployer, std::cerr);
+}
+
 bool deployFile(DeploymentComponent& deployer, const std::string& file, const Options& options) {
     for (const char* suffix : {".xml", ".cpf"})
         if (endsWith(file, suffix))
             return options.dryRun ? deployer.planOnly(file) : deployer.kickStart2(file, !options.check);
     for (const char* suffix : {".ops", ".osd"})
-        if (options.endsAtOnce() && endsWith(file, suffix))
-            return RTT::scripting::checkScript(file, deployer, std::cerr);
+        if (options.endsAtOnce() && endsWith(file, suffix)) return checkScript(deployer, file);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return deployer.runScript(file);
     std::cerr
@@ -49,9 +55,14 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
     return false;
 }
 
-bool deployFiles(DeploymentComponent& deployer, const Options& options) {
-    bool all = true;
+bool deployFiles(DeploymentComponent& deployer, const SignalCatcher& ending, const Options& options) {
+    bool all = !deployer.siteFileFailed();
+    if (!all && !options.dryRun) return false;
     for (const std::string& file : options.files) {
+        if (ending.caught()) {
+            std::cerr << file << ": error: not deployed: a signal came that ends the program\n";
+            return false;
+        }
         all = deployFile(deployer, file, options) && all;
         if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
     }
@@ -71,14 +82,19 @@ int deploy(const Options& options, Stay stay) {
     // Caught from now on, so that a signal during start-up ends the program in order as well.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
-    DeploymentComponent deployer(options.name, options.siteFile, options.dryRun);
-    const bool deployed = deployFiles(deployer, options) && writeGraph(deployer, options.graphFile);
+    using Purpose = DeploymentComponent::Purpose;
+    DeploymentComponent deployer(options.name, options.siteFile,
+                                 options.dryRun  ? Purpose::PlanOnly
+                                 : options.check ? Purpose::Check
+                                                 : Purpose::Deploy);
+    const bool deployed = deployFiles(deployer, *ending, options) && writeGraph(deployer, options.graphFile);
+    bool succeeded = deployed;
     if (!options.endsAtOnce()) {
-        stay(deployer, *ending, options, deployed);
+        succeeded = stay(deployer, *ending, options, deployed) && deployed;
         ending.reset();  // the next signal ends a shutdown that hangs
         deployer.shutdownDeployment();
     }
-    return deployed ? 0 : kFailure;
+    return succeeded ? 0 : kFailure;
 }
 
 /** The processors that this process may run on. */
@@ -113,6 +129,7 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
         std::cerr << argv[0] << ": error: " << error << "\n\n" << usage(argv[0], text);
         return kFailure;
     }
+    if (options.action == Options::Explain) return explain(options.codes, argv[0]) ? 0 : kFailure;
     if (options.action != Options::Run) {
         std::cout << (options.action == Options::ShowHelp ? usage(argv[0], text) : version(argv[0]));
         return 0;
@@ -124,7 +141,9 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
     }
     if (options.realTimeCheck) error = startRealTimeCheck(argv);
     // Threads do not survive a fork: this comes before the runtime starts.
-    if (error.empty() && options.daemon && fork() != 0) _exit(0);
+    const pid_t child = error.empty() && options.daemon ? fork() : 0;
+    if (child > 0) _exit(0);
+    if (child < 0) error = std::string("cannot go to the background: ") + std::strerror(errno);
 
     if (error.empty() && options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
     if (!error.empty()) {

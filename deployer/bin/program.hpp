@@ -15,8 +15,8 @@ namespace OCL::deploy {
 class SignalCatcher;
 
 /** Runs once the files are processed, until the program is to end. `deployed` is false if one could not be, and those after
-    it were not tried. SIGINT, SIGTERM and SIGHUP go to `ending`. */
-using Stay = void (*)(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options, bool deployed);
+    it were not tried. SIGINT, SIGTERM and SIGHUP go to `ending`. False if something failed. */
+using Stay = bool (*)(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options, bool deployed);
 
 /** Reads the command line, starts the runtime, processes the files, stays, takes everything down. Returns the exit status. */
 int runProgram(int argc, char** argv, const ProgramText& text, Stay stay);

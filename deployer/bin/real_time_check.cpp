@@ -3,9 +3,9 @@
 #include "real_time_check.hpp"
 
 #include "../rt_check/interface.h"
+#include "source_lines.hpp"
 
 #include <diag/print.hpp>
-#include <diag/sink.hpp>
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
@@ -19,6 +19,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -99,28 +101,70 @@ void find(Function& function, const char* name) {
     function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
-const char* verbOf(oroforge_rt_fault fault) {
+struct Fault {
+    const char* code;
+    const char* verb;
+};
+
+Fault describe(oroforge_rt_fault fault) {
     switch (fault) {
-        case OROFORGE_RT_ALLOCATION: return "allocates memory";
-        case OROFORGE_RT_RELEASE: return "frees memory";
-        case OROFORGE_RT_LOCK: return "takes a lock";
-        case OROFORGE_RT_WAIT: return "waits";
-        case OROFORGE_RT_SYSTEM_CALL: return "makes a system call that may block";
-        case OROFORGE_RT_STREAM: return "uses a stream of the C library";
+        case OROFORGE_RT_ALLOCATION: return {"RTC001", "allocates memory"};
+        case OROFORGE_RT_RELEASE: return {"RTC002", "frees memory"};
+        case OROFORGE_RT_LOCK: return {"RTC003", "takes a lock"};
+        case OROFORGE_RT_WAIT: return {"RTC004", "waits"};
+        case OROFORGE_RT_SYSTEM_CALL: return {"RTC005", "makes a system call that may block"};
+        case OROFORGE_RT_STREAM: break;
     }
-    return "";
+    return {"RTC006", "uses a stream of the C library"};
 }
 
 std::string times(unsigned long count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+/** No sink: it would take two places for one that are told of in the same words. */
+using Findings = std::vector<oroforge::diag::Diagnostic>;
+
 void add(void* to, const oroforge_rt_finding* finding) {
-    oroforge::diag::Diagnostic& diagnostic = static_cast<oroforge::diag::Sink*>(to)->error(
-        {}, "RTC00" + std::to_string(finding->fault),
-        std::string("component '") + finding->component + "' " + verbOf(finding->fault) +
-            " in updateHook(): " + finding->function + "(), " + times(finding->count, "time", "times"));
-    for (unsigned i = 0; i != finding->depth; ++i) diagnostic.hint(std::string("called by ") + finding->frames[i]);
+    oroforge::diag::Diagnostic diagnostic;
+    const Fault fault = describe(finding->fault);
+    diagnostic.code = fault.code;
+    diagnostic.message = std::string("component '") + finding->component + "' " + fault.verb +
+                         " in updateHook(): " + finding->function + "(), " + times(finding->count, "time", "times");
+    for (unsigned i = 0; i != finding->depth; ++i) diagnostic.hint(finding->frames[i]);
+    static_cast<Findings*>(to)->push_back(std::move(diagnostic));
+}
+
+/** The place that "'function()' (file+0x1234)" or "file+0x1234" ends in; no file if it is none. */
+std::pair<std::string, unsigned long> placeIn(const std::string& frame) {
+    const std::size_t plus = frame.rfind("+0x");
+    if (plus == std::string::npos) return {};
+    std::size_t begin = 0;
+    if (frame[0] == '\'') begin = frame.find("' (", 1) + 3;
+    return {frame.substr(begin, plus - begin), std::strtoul(frame.c_str() + plus + 1, nullptr, 16)};
+}
+
+/** Makes frames notes with file and line, where there is debug information. */
+void addPlaces(Findings& found) {
+    SourceLines lines;
+    const auto forEachFrame = [&found](const auto& visit) {
+        for (oroforge::diag::Diagnostic& finding : found)
+            for (oroforge::diag::Note& frame : finding.notes) visit(frame, placeIn(frame.message));
+    };
+    forEachFrame([&lines](const auto&, const auto& place) {
+        if (!place.first.empty()) lines.want(place.first, place.second);
+    });
+    lines.find();
+    forEachFrame([&lines](oroforge::diag::Note& frame, const auto& place) {
+        if (!place.first.empty()) {
+            const SourceLines::Place& known = lines.at(place.first, place.second);
+            frame.where = known.where;
+            // A function that its library does not export.
+            if (frame.message[0] != '\'' && !known.function.empty())
+                frame.message = "'" + known.function + "' (" + frame.message + ")";
+        }
+        frame.message = "called by " + frame.message;
+    });
 }
 
 }  // namespace
@@ -142,18 +186,20 @@ std::string startRealTimeCheck(char** words) {
 
 bool reportRealTimeCheck(const std::string& program) {
     HookInProgress::setWatch(nullptr);
-    oroforge::diag::Sink sink;
-    const oroforge_rt_totals totals = findings(&add, &sink);
-    oroforge::diag::print(std::cerr, sink);
+    Findings found;
+    const oroforge_rt_totals totals = findings(&add, &found);
+    addPlaces(found);
+    oroforge::diag::SourceCache sources;
+    for (const oroforge::diag::Diagnostic& finding : found) oroforge::diag::print(std::cerr, finding, sources);
     if (totals.lost != 0)
         std::cerr << program << ": warning: --rt-check had no room for "
                   << times(totals.lost, "more call", "more calls") << "\n";
     if (totals.hooks == 0)
         std::cerr << program << ": warning: --rt-check saw no updateHook() of a component with a real-time scheduler\n";
     else
-        std::cerr << program << ": --rt-check: " << times(sink.errorCount(), "finding", "findings") << " in "
+        std::cerr << program << ": --rt-check: " << times(found.size(), "finding", "findings") << " in "
                   << times(totals.hooks, "execution", "executions") << " of updateHook()\n";
-    return sink.errorCount() == 0;
+    return found.empty();
 }
 
 }  // namespace OCL::deploy

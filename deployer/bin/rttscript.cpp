@@ -5,7 +5,7 @@
 
 namespace {
 
-void leave(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher&, const OCL::deploy::Options&, bool) {}
+bool leave(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher&, const OCL::deploy::Options&, bool) { return true; }
 
 }  // namespace
 

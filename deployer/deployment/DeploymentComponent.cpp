@@ -19,31 +19,37 @@
 
 #include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace OCL {
 
 using deploy::Plan;
-using deploy::Records;
 using oroforge::diag::Sink;
 using RTT::endlog;
 using RTT::log;
 
-DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile, bool planOnly)
+DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile, Purpose purpose)
     : TaskContext(name, Stopped), impl_(new Impl) {
     impl_->session.deployer = this;
     impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
     impl_->session.unloaded = [this](RTT::TaskContext* component) { componentUnloaded(component); };
     addDeploymentInterface();
+    if (purpose == Purpose::Check) {
+        impl_->session.startsNothing = true;
+        deploy::holdBack(*this);
+    }
 
     const std::string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
-    if (std::filesystem::exists(site)) {
+    std::error_code unreadable;  // which is told when it is read
+    if (std::filesystem::exists(site, unreadable) || unreadable) {
         log(RTT::Info) << "using site file '" << site << "'" << endlog();
-        (void)(planOnly ? this->planOnly(site) : kickStart(site));
+        impl_->siteFileFailed = !(purpose == Purpose::PlanOnly ? planOnly(site) : kickStart(site));
         return;
     }
     (void)configure();
-    log(RTT::Info) << "there is no site file '" << site << "': importing 'ocl'" << endlog();
+    log(siteFile.empty() ? RTT::Info : RTT::Warning)
+        << "there is no site file '" << site << "': importing 'ocl'" << endlog();
     std::string error;
     if (!RTT::ComponentLoader::Instance()->import("ocl", std::string(), error))
         log(RTT::Info) << "no component library: " << error << endlog();
@@ -118,6 +124,8 @@ bool DeploymentComponent::planOnly(const std::string& file) {
     return impl_->plan(deploy::readPlanFile(file, sink), sink);
 }
 
+bool DeploymentComponent::siteFileFailed() const { return impl_->siteFileFailed; }
+
 std::string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
 
 bool DeploymentComponent::loadConfigurationString(const std::string& text) {
@@ -146,6 +154,7 @@ bool DeploymentComponent::startComponents() {
         return false;
     }
     bool all = true;
+    if (impl_->session.startsNothing) return all;
     for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->start(group);
     return all;
 }
@@ -157,10 +166,11 @@ bool DeploymentComponent::unloadComponents() { return impl_->forGroupsDown(&depl
 bool DeploymentComponent::kickStart(const std::string& file) { return kickStart2(file, true); }
 
 bool DeploymentComponent::kickStart2(const std::string& file, bool start) {
-    const Records before = impl_->session.records;
+    const Impl::State before = impl_->state();
     if (!loadComponents(file)) return false;
     const int group = impl_->session.nextGroup - 1;
-    if (impl_->configure(group) && (!start || impl_->start(group))) {
+    start = start && !impl_->session.startsNothing;
+    if (impl_->goesOn(file) && impl_->configure(group) && (!start || (impl_->goesOn(file) && impl_->start(group)))) {
         log(RTT::Info) << "loaded, configured " << (start ? "and started " : "") << "the components of " << file
                        << endlog();
         return true;
@@ -220,8 +230,7 @@ bool DeploymentComponent::waitForSignal(int signal) {
         log(RTT::Error) << "signal " << signal << " cannot be caught" << endlog();
         return false;
     }
-    (void)catcher.wait();
-    return true;
+    return catcher.wait() == signal;  // else the program is to end
 }
 
 }  // namespace OCL

@@ -64,6 +64,7 @@ std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, Act
 /** A slave refers to its master's activity: whoever replaces or deletes that one must care for the slaves. */
 std::vector<Record*> slavesOf(Session& session, const std::string& master) {
     std::vector<Record*> slaves;
+    if (session.masters.count(master) == 0) return slaves;
     for (Record& record : session.records.all)
         if (record.master == master) slaves.push_back(&record);
     return slaves;
@@ -86,8 +87,8 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
         error = "the component is running";
         return false;
     }
-    if (numbers.period < 0) {
-        error = "the period is negative";
+    if (!(numbers.period >= 0)) {
+        error = "the period is negative, or no number";
         return false;
     }
     std::unique_ptr<ActivityInterface> activity = makeActivity(component, kind, numbers, master, error);
@@ -130,6 +131,7 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
                                  << component.getName() << "': " << reason << RTT::endlog();
     }
     if (changed) session.recordOf(component).master = master ? master->getName() : std::string();
+    if (changed && master) session.masters.insert(master->getName());
     return changed;
 }
 

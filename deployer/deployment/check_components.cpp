@@ -3,6 +3,7 @@
 #include "lookup.hpp"
 #include "read_value.hpp"
 #include "session.hpp"
+#include "shutdown.hpp"
 
 #include <diag/nearest_match.hpp>
 #include <rtt/PropertyBag.hpp>
@@ -12,6 +13,7 @@
 #include <rtt/internal/sample_type_name.hpp>
 #include <rtt/types/TypeOps.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <typeinfo>
@@ -119,15 +121,18 @@ private:
     bool incomplete_ = false;
 };
 
-void checkProperties(const Record& record, diag::Sink& sink) {
-    const RTT::PropertyBag& bag = *record.instance->properties();
+void checkProperties(const Session& session, const Record& record, diag::Sink& sink) {
+    std::vector<std::string> known = record.instance->properties()->list();
+    if (record.instance == session.deployer)
+        for (const std::string& name : shutdownProperties()) known.push_back(name);
     for (const xml::Element& properties : record.plan.properties)
         for (const xml::Element& property : properties.children) {
             const Text name = nameOf(property);
-            if (property.name == "description" || name.empty() || bag.find(name.value)) continue;
+            if (property.name == "description" || name.empty()) continue;
+            if (std::find(known.begin(), known.end(), name.value) != known.end()) continue;
             sink.error(name.where, "DEP043",
                        "component '" + record.name + "' has no property '" + name.value + "'" +
-                           diag::didYouMean(name.value, bag.list()));
+                           diag::didYouMean(name.value, known));
         }
 }
 
@@ -138,7 +143,7 @@ void checkComponents(const Session& session, int group, bool configured, diag::S
         ConnectionCheck(connection, configured, sink).run();
     if (configured) return;
     for (const Record& record : session.records.all)
-        if (record.optionsGroup == group) checkProperties(record, sink);
+        if (record.optionsGroup == group) checkProperties(session, record, sink);
 }
 
 }  // namespace OCL::deploy

@@ -68,7 +68,8 @@ void setActivities(Session& session, const std::vector<Record*>& records, diag::
 }
 
 void runScripts(Record& record, diag::Sink& sink) {
-    for (const ScriptPlan& script : record.plan.scripts) {
+    const std::vector<ScriptPlan> scripts = record.plan.scripts;  // a copy: they may load files that add to the plan
+    for (const ScriptPlan& script : scripts) {
         std::string error;
         if (!runScript(*record.instance, script.kind, resolveFile(script.file), error))
             sink.error(script.file.where, "DEP053",
@@ -118,10 +119,13 @@ bool configure(Session& session, int group, diag::Sink& sink) {
 
     const std::vector<Record*> records = recordsToConfigure(session, group);
     setActivities(session, records, sink);
-    for (Record* record : records) applyProperties(*record, sink);
+    for (Record* record : records) applyProperties(*record, session.deployer, sink);
     if (sink.hadErrors()) return false;
-    for (Record* record : records) {
-        if (!session.records.has(record)) continue;  // a script unloaded it
+    std::vector<const RTT::TaskContext*> components;
+    for (const Record* record : records) components.push_back(record->instance);
+    for (const RTT::TaskContext* component : components) {
+        Record* const record = session.records.find(component);
+        if (!record) continue;  // a script unloaded it
         runScripts(*record, sink);
         if (record->plan.autoConf.value_or(false)) configureOne(*record, sink);
     }

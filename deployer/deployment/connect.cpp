@@ -7,6 +7,8 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/Types.hpp>
 
 namespace OCL::deploy {
 namespace {
@@ -29,6 +31,16 @@ void connectPair(const Connection& connection, const Connection::Member& from, c
                "could not connect port '" + from.record->name + "." + from.plan->port.value + "' to '" +
                    to.record->name + "." + to.plan->port.value + "' in connection '" + connection.name + "'")
         .note(from.plan->port.where, "the output port is named here");
+}
+
+/** Why the port cannot stream by this protocol; empty if it can. */
+std::string missingTransport(const PortInterface& port, int protocol) {
+    const RTT::types::TypeInfo* const type = port.getTypeInfo();
+    if (!type) return "no typekit knows its type";
+    if (type->hasProtocol(protocol) || RTT::types::Types()->unknownType()->hasProtocol(protocol)) return {};
+    static const char* const names[] = {"", " (CORBA)", " (message queue)", " (ROS)"};
+    const std::string known = protocol < 4 ? names[protocol] : "";
+    return "transport " + std::to_string(protocol) + known + " for type " + type->getTypeName() + " is not loaded";
 }
 
 }  // namespace
@@ -82,6 +94,9 @@ void createStreams(Session& session, diag::Sink& sink) {
             sink.warning(member.plan->port.where, "DEP057",
                          "port '" + name + "' is the only one of connection '" + connection.name +
                              "', and the connection names no transport; it stays unconnected");
+        else if (const std::string missing = missingTransport(*port, connection.policy.transport); !missing.empty())
+            sink.warning(member.plan->port.where, "DEP057",
+                         "port '" + name + "' gets no stream '" + connection.policy.name_id + "': " + missing);
         else if (port->createStream(connection.policy))
             RTT::log(RTT::Info) << "port '" << name << "' streams to " << connection.policy.name_id << RTT::endlog();
         else

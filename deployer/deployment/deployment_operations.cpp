@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The operations on single components: life cycle, activities, shutdown.
+// The operations on single components: life cycle, activities.
 #include "activities.hpp"
 #include "deployment_state.hpp"
 #include "lookup.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/OperationCaller.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/threads.hpp>
-
-#include <boost/function.hpp>
-
-#include <chrono>
-#include <exception>
-#include <thread>
 
 namespace OCL {
 
@@ -79,7 +72,7 @@ bool DeploymentComponent::configureComponent(const std::string& name) {
 bool DeploymentComponent::startComponent(const std::string& name) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "start");
     if (!component) return false;
-    const bool done = component->isRunning() || component->start();
+    const bool done = component->isRunning() || impl_->session.startsNothing || component->start();
     if (!done) log(RTT::Error) << "could not start component '" << name << "'" << endlog();
     return done;
 }
@@ -139,41 +132,6 @@ bool DeploymentComponent::setWaitPeriodPolicy(const std::string& name, int polic
     }
     component->getActivity()->thread()->setWaitPeriodPolicy(policy);
     return true;
-}
-
-namespace {
-
-/** Begins the shutdown of an application, by its operation or its program; what it returns tells whether that goes on. */
-boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::ExecutionEngine* caller) {
-    const std::string name = "shutdownDeployment";
-    if (application.provides()->hasOperation(name)) {
-        RTT::OperationCaller<void()> shutdown(application.provides()->getOperation(name), caller);
-        if (!shutdown.ready()) return {};
-        RTT::SendHandle<void()> handle = shutdown.send();
-        return [handle]() mutable { return handle.collectIfDone() == RTT::SendNotReady; };
-    }
-    const RTT::Service::shared_ptr program = application.provides()->getService(name);
-    if (!program) return {};
-    RTT::OperationCaller<bool()> start(program->getOperation("start"), caller);
-    RTT::OperationCaller<bool()> running(program->getOperation("isRunning"), caller);
-    if (!start.ready() || !running.ready() || !start()) return {};
-    return [running]() mutable { return running(); };
-}
-
-}  // namespace
-
-void DeploymentComponent::shutdownDeployment() {
-    RTT::TaskContext* application = getPeer("Application");
-    if (!application) return;
-    const boost::function<bool()> goesOn = beginShutdown(*application, engine());
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2000);
-    while (goesOn && goesOn()) {
-        if (std::chrono::steady_clock::now() > end) {
-            log(RTT::Error) << "component 'Application' did not end its shutdown within 2000 ms" << endlog();
-            return;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
 }
 
 }  // namespace OCL

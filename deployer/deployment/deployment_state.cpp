@@ -3,6 +3,7 @@
 #include "deployment_state.hpp"
 
 #include "report.hpp"
+#include "signals.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/os/fosi.h>
@@ -15,7 +16,7 @@ DeploymentComponent::Impl::Impl() : target(OROCOS_TARGET_NAME) { session.waitPer
 
 bool DeploymentComponent::Impl::load(const deploy::Plan& plan, oroforge::diag::Sink& sink) {
     const RTT::Logger::In in(session.deployer->getName());
-    const deploy::Records before = session.records;
+    const State before = state();
     const int group = session.nextGroup++;
     valid = deploy::load(session, plan, group, sink);
     deploy::report(sink);
@@ -25,7 +26,7 @@ bool DeploymentComponent::Impl::load(const deploy::Plan& plan, oroforge::diag::S
 
 bool DeploymentComponent::Impl::plan(deploy::Plan plan, oroforge::diag::Sink& sink) {
     const RTT::Logger::In in(session.deployer->getName());
-    const bool good = deploy::prepare(session, plan, sink);
+    const bool good = deploy::prepare(session, plan, /*planOnly=*/true, sink);
     deploy::report(sink);
     session.planned.push_back(std::move(plan));
     return good;
@@ -47,13 +48,28 @@ bool DeploymentComponent::Impl::start(int group) {
     return started;
 }
 
-void DeploymentComponent::Impl::undo(int group, const deploy::Records& before) {
+bool DeploymentComponent::Impl::goesOn(const std::string& file) const {
+    const int signal = deploy::pendingSignal();
+    if (signal != 0)
+        RTT::log(RTT::Error) << "signal " << signal << " came while '" << file << "' was being deployed"
+                             << RTT::endlog();
+    return signal == 0;
+}
+
+DeploymentComponent::Impl::State DeploymentComponent::Impl::state() const {
+    return {session.records.all, session.records.policies};
+}
+
+void DeploymentComponent::Impl::undo(int group, const State& before) {
     (void)deploy::takeDown(session, group);
     session.records.policies = before.policies;
+    if (const auto former = session.formerDefaults.find(group); former != session.formerDefaults.end()) {
+        RTT::ConnPolicy::Default() = former->second;
+        session.formerDefaults.erase(former);
+    }
     // What scripts created meanwhile, or could not be removed, has to stay known.
-    for (deploy::Record& record : session.records.all)
-        for (const deploy::Record& old : before.all)
-            if (old.instance == record.instance) record = old;
+    for (const deploy::Record& old : before.records)
+        if (deploy::Record* const left = session.records.find(old.instance)) *left = old;
 }
 
 bool DeploymentComponent::Impl::forGroupsDown(bool (*step)(deploy::Session&, int)) {

@@ -21,8 +21,16 @@ struct DeploymentComponent::Impl {
     bool plan(deploy::Plan plan, oroforge::diag::Sink& sink);
     bool configure(int group);
     bool start(int group);
+    /** False, and told, if a signal has come that ends the program. */
+    bool goesOn(const std::string& file) const;
+    /** What a file changes besides creating components. */
+    struct State {
+        std::list<deploy::Record> records;
+        std::map<std::string, deploy::PolicyPlan> policies;
+    };
+    State state() const;
     /** Removes what a group created and forgets what its file said. */
-    void undo(int group, const deploy::Records& before);
+    void undo(int group, const State& before);
     bool forGroupsDown(bool (*step)(deploy::Session&, int));
 
     deploy::Session session;
@@ -30,6 +38,7 @@ struct DeploymentComponent::Impl {
     std::string componentPath;
     bool autoUnload = true;
     bool valid = false;
+    bool siteFileFailed = false;
     std::string target;
 };
 

@@ -29,7 +29,14 @@ PortInterface* findPort(const deploy::Session& session, const std::string& path,
 bool DeploymentComponent::connectPeers(const std::string& one, const std::string& two) {
     RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect peers");
     RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect peers");
-    return first && second && first->connectPeers(second);
+    if (!first || !second) return false;
+    // One way it may be so already, as from the deployer to its components.
+    const bool hadSecond = first->getPeer(second->getName()) == second;
+    if (addPeer(one, two) && addPeer(two, one)) return true;
+    if (!hadSecond && first->getPeer(second->getName()) == second) first->removePeer(second->getName());
+    log(RTT::Error) << "could not connect peers '" << one << "' and '" << two
+                    << "': one of them has another peer of that name" << endlog();
+    return false;
 }
 
 bool DeploymentComponent::addPeer(const std::string& from, const std::string& to) {

@@ -11,6 +11,8 @@
 
 #include <set>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace OCL::deploy {
 namespace {
@@ -104,18 +106,23 @@ private:
 
     void addPlanned(const ComponentPlan& component) {
         const std::string& name = component.name.value;
-        text_ << "  " << quoted(name) << " [label=" << label(name, component.type.value) << "];\n";
+        if (nodes_.insert(name).second)  // further structs of it add options
+            text_ << "  " << quoted(name) << " [label=" << label(name, component.type.value) << "];\n";
         for (const PortPlan& port : component.ports) {
+            connections_.insert(port.connection.value);
+            if (!ends_.emplace(name, port.port.value, port.connection.value).second) continue;
             text_ << "  " << quoted(name) << " -> " << quoted("connection " + port.connection.value)
                   << " [dir=none, label=" << quoted(port.port.value) << "];\n";
-            connections_.insert(port.connection.value);
         }
-        for (const Text& peer : component.peers) addPeer(name, peer.value);
+        for (const Text& peer : component.peers)
+            if (peers_.emplace(name, peer.value).second) addPeer(name, peer.value);
     }
 
     const Session& session_;
     std::ostringstream text_;
-    std::set<std::string> connections_;
+    std::set<std::string> nodes_, connections_;                         // of plans
+    std::set<std::tuple<std::string, std::string, std::string>> ends_;  // component, port, connection
+    std::set<std::pair<std::string, std::string>> peers_;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
+#include <rtt/internal/DeferredActivity.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
 #include <algorithm>
@@ -16,6 +18,7 @@ namespace OCL::deploy {
 namespace {
 
 using RTT::ComponentLoader;
+using RTT::internal::ComponentDescriptions;
 using RTT::plugin::PluginLoader;
 
 /** Adds directories to the search path and imports what lies directly in them. */
@@ -71,9 +74,13 @@ Surroundings surroundingsOf(const Session& session) {
     Surroundings result;
     result.deployer = session.deployer->getName();
     result.components = session.deployer->getPeerList();
-    for (const Plan& plan : session.planned)
-        for (const ComponentPlan& component : plan.components) result.components.push_back(component.name.value);
-    result.componentTypes = ComponentLoader::Instance()->listComponentTypes();
+    for (const Connection& connection : session.records.connections()) result.connections.insert(connection.name);
+    for (const Plan& plan : session.planned) result.planned.push_back(&plan);
+    for (const auto& [type, create] : ComponentLoader::Instance()->getFactories()) {
+        result.componentTypes.push_back(type);
+        const auto* described = ComponentDescriptions::find(type, reinterpret_cast<const void*>(create));
+        if (described) result.descriptions.emplace(type, described);
+    }
     result.services = PluginLoader::Instance()->listServices();
     return result;
 }
@@ -84,6 +91,7 @@ Record* recordFor(Session& session, const ComponentPlan& component, int group, d
         session.isDeployer(component.name.value) ? session.deployer->getName() : component.name.value;
     if (RTT::TaskContext* existing = session.component(name)) return &session.recordOf(*existing);
     std::string error;
+    const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // when it is configured
     if (!create(session, name, component.type.value, group, error)) {
         sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
         return nullptr;
@@ -96,10 +104,14 @@ Record* recordFor(Session& session, const ComponentPlan& component, int group, d
 std::string componentTypeOf(const std::string& word, std::string& error) {
     const ComponentLoader::shared_ptr loader = ComponentLoader::Instance();
     const std::vector<std::string> known = loader->listComponentTypes();
+    if (std::find(known.begin(), known.end(), word) != known.end()) return word;
+    if (word == "CORBA" || word == "IOR" || word == "IORFile") {
+        error = "type '" + word + "' stands for a component of another process, and this deployer has no CORBA";
+        return word;
+    }
     std::error_code none;
     const bool isLibrary = word.find(".so") != std::string::npos && std::filesystem::is_regular_file(word, none);
-    if (!isLibrary || std::find(known.begin(), known.end(), word) != known.end() || !loader->loadLibrary(word, error))
-        return word;
+    if (!isLibrary || !loader->loadLibrary(word, error)) return word;
     const std::vector<std::string> types = loader->listComponentTypes(word);
     if (types.size() == 1) return types.front();
     error = "library '" + word + "' has " + std::to_string(types.size()) + " component types, name one of them:";
@@ -122,29 +134,43 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
         ComponentLoader::Instance()->unloadComponent(component);
         return nullptr;
     }
+    if (session.startsNothing) holdBack(*component);
     session.deployer->addPeer(component, name);
-    Record record;
-    record.name = name;
-    record.instance = component;
+    Record& record = session.records.add(name, component);
     record.loadedHere = true;
     record.group = record.optionsGroup = group;
-    session.records.all.push_back(record);
     RTT::log(RTT::Info) << "created component '" << name << "' of type " << type << RTT::endlog();
     return component;
 }
 
-bool prepare(const Session& session, Plan& plan, diag::Sink& sink) {
+void holdBack(RTT::TaskContext& component) {
+    const RTT::OperationInterfacePart* const own = component.provides()->getPart("start");
+    if (own && own->arity() != 0) return;  // it does something else
+    const std::string name = component.getName();
+    component.provides()->removeOperation("start");
+    component.addOperation("start", [name] {
+        RTT::log(RTT::Info) << "component '" << name << "' is not started: this is a check" << RTT::endlog();
+        return true;
+    });
+}
+
+bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink) {
     doImports(plan, sink);
     const std::vector<std::string> reported = resolveTypes(plan, sink);
     Surroundings around = surroundingsOf(session);
+    around.planOnly = planOnly;
     around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());
     validate(plan, around, sink);
     return !sink.hadErrors();
 }
 
 bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
-    if (!prepare(session, plan, sink)) return false;
+    if (!prepare(session, plan, /*planOnly=*/false, sink)) return false;
     for (const PolicyPlan& policy : plan.policies) session.records.policies[policy.name.value] = policy;
+    if (plan.defaultPolicy) {
+        session.formerDefaults.emplace(group, RTT::ConnPolicy::Default());
+        RTT::ConnPolicy::Default() = *plan.defaultPolicy;
+    }
     applyGlobals(plan.globals, sink);
     for (const ComponentPlan& component : plan.components) {
         Record* record = recordFor(session, component, group, sink);
@@ -165,7 +191,8 @@ bool loadService(RTT::TaskContext& component, const std::string& service) {
 
 bool loadLibrary(const std::string& file, std::string& error) {
     // Where it lies tells what it is.
-    const std::string directory = std::filesystem::absolute(file).parent_path().filename().string();
+    std::error_code none;
+    const std::string directory = std::filesystem::absolute(file, none).parent_path().filename().string();
     if (directory == "types" || directory == "plugins") return PluginLoader::Instance()->loadLibrary(file, error);
     return ComponentLoader::Instance()->loadLibrary(file, error);
 }

@@ -84,6 +84,7 @@ struct Plan {
     std::string file;
     std::vector<ImportPlan> imports;
     std::vector<PolicyPlan> policies;
+    std::optional<RTT::ConnPolicy> defaultPolicy;  // of the process from now on
     std::vector<ComponentPlan> components;
     std::vector<xml::Element> globals;  // `Properties` structs for the global properties
 };

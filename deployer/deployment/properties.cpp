@@ -2,37 +2,42 @@
 // Copyright Oroforge contributors
 #include "properties.hpp"
 
-#include "read_value.hpp"
 #include "report.hpp"
+#include "shutdown.hpp"
 #include "xml_to_plan.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/detail/property_update.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
-#include <rtt/types/TypeInfo.hpp>
 
 namespace OCL::deploy {
 namespace {
 
 using RTT::base::PropertyBase;
 
-/** Sets the properties of `target` that the struct names. `owner` is for messages. */
-void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const std::string& owner, diag::Sink& sink) {
-    for (const xml::Element& element : properties.children) {
-        const Text name = nameOf(element);
-        PropertyBase* property = element.name == "description" ? nullptr : target.find(name.value);
-        if (!property) continue;
-        RTT::PropertyBag read;
-        xml::Element one;
-        one.name = "struct";
-        one.children.push_back(element);
-        if (!RTT::marsh::readBag(one, read, sink) || read.empty()) continue;
-        if (!property->refresh(read.getItem(0)))
-            sink.error(element.where, "DEP052",
-                       "property '" + name.value + "' of " + owner + " is of type '" + property->getType() +
-                           "', found a value of type '" + read.getItem(0)->getType() + "'");
+/** Sets the properties of `target` that the struct names; those in `users` are added first if it lacks them. `owner` is for
+    messages. */
+void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const std::vector<std::string>& users,
+                 const std::string& owner, diag::Sink& sink) {
+    RTT::PropertyBag read;
+    RTT::marsh::Places places;
+    diag::Sink told;  // when the file was read
+    (void)RTT::marsh::readBag(properties, read, told, &places);
+    for (const std::string& name : users)
+        if (const PropertyBase* const given = target.find(name) ? nullptr : read.find(name))
+            target.ownProperty(given->clone());
+    RTT::internal::detail::BagUpdate how;
+    how.report = [&](const PropertyBase* where, const std::string& text) {
+        sink.error(places.at(where), "DEP052", owner + ": " + text);
+    };
+    how.addMissing = how.fillDescriptions = true;  // within them: a bag is there to be filled
+    RTT::internal::detail::NamePairing pairing(read);
+    for (PropertyBase* const property : target) {
+        const std::size_t at = pairing.next(property->getName());
+        if (at < read.size()) (void)RTT::internal::detail::updateOne(*property, *read.getItem(at), how);
     }
 }
 
@@ -47,9 +52,11 @@ RTT::marsh::LoadMode modeOf(const PropertyFilePlan& file) {
 
 }  // namespace
 
-void applyProperties(Record& record, diag::Sink& sink) {
+void applyProperties(Record& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
+    std::vector<std::string> users;
+    if (record.instance == deployer) users = shutdownProperties();
     for (const xml::Element& properties : record.plan.properties)
-        applyStruct(properties, *record.instance->properties(), "component '" + record.name + "'", sink);
+        applyStruct(properties, *record.instance->properties(), users, "component '" + record.name + "'", sink);
     for (const PropertyFilePlan& file : record.plan.propertyFiles) {
         if (RTT::marsh::loadFromFile(*record.instance->properties(), resolveFile(file.file), modeOf(file), sink))
             record.loadedFile = file.file;
@@ -79,7 +86,7 @@ void autoSave(const Record& record) {
 
 void applyGlobals(const std::vector<xml::Element>& globals, diag::Sink& sink) {
     for (const xml::Element& properties : globals)
-        applyStruct(properties, *RTT::types::GlobalsRepository::Instance()->properties(), "the process", sink);
+        applyStruct(properties, *RTT::types::GlobalsRepository::Instance()->properties(), {}, "the process", sink);
 }
 
 }  // namespace OCL::deploy

@@ -9,8 +9,8 @@
 
 namespace OCL::deploy {
 
-/** Sets the component's properties: what the deployment file says, then the property files in their order. */
-void applyProperties(Record& record, diag::Sink& sink);
+/** Sets the component's properties, and gives those for its end to the deployer if it is that: what the deployment file says, then the property files in their order. */
+void applyProperties(Record& record, const RTT::TaskContext* deployer, diag::Sink& sink);
 
 /** Writes all properties to the last file they were loaded from, if the component is to be saved. */
 void autoSave(const Record& record);

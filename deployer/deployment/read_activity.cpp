@@ -4,6 +4,7 @@
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <diag/type_match.hpp>
 
 #include <climits>
 
@@ -87,7 +88,7 @@ void checkForm(const xml::Element& element, const ActivityForm& form, ActivityPl
     if (form.kind == ActivityKind::NonPeriodic && plan.period && *plan.period != 0)
         sink.error(element.where, "DEP013", "NonPeriodicActivity has a 'Period'; an Activity can have one");
     if (form.kind != ActivityKind::Slave && !plan.master.empty())
-        sink.error(plan.master.where, "DEP013", type + " has a 'Master'; only a SlaveActivity can have one");
+        sink.warning(plan.master.where, "DEP019", "'Master' has no effect in " + type + "; a SlaveActivity has one");
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ ActivityPlan readActivity(const xml::Element& element, diag::Sink& sink) {
     for (const ActivityForm& candidate : kForms) known.push_back(candidate.type);
     if (!form)
         sink.error(type.where, "DEP012",
-                   "unknown activity type '" + type.value + "'" + diag::didYouMean(type.value, known))
+                   "unknown activity type '" + type.value + "'" + diag::didYouMeanType(type.value, known))
             .hint("activity types are " + diag::oneOf(known));
 
     // Whoever gives only a period wants no real-time thread; a priority asks for one.

@@ -4,6 +4,7 @@
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <rtt/marsh/detail/cpf_reader.hpp>
 
 namespace OCL::deploy {
 namespace {
@@ -30,7 +31,7 @@ void script(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) 
 }
 
 void properties(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
-    if (requireStruct(element, sink)) plan.properties.push_back(element);
+    if (readProperties(element, sink)) plan.properties.push_back(element);
 }
 
 void ports(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
@@ -59,7 +60,8 @@ void peers(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
 void activity(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     if (plan.activity)
-        sink.error(element.where, "DEP013", "a second activity for component '" + plan.name.value + "'")
+        sink.warning(element.where, "DEP013",
+                     "a second activity for component '" + plan.name.value + "', which replaces the first")
             .note(plan.activity->where, "the first is here");
     plan.activity = readActivity(element, sink);
 }
@@ -124,6 +126,16 @@ void readElement(const xml::Element& element, ComponentPlan& plan, diag::Sink& s
 }
 
 }  // namespace
+
+bool readProperties(const xml::Element& element, diag::Sink& sink) {
+    if (!requireStruct(element, sink)) return false;
+    for (const xml::Element& child : element.children)
+        if (child.name != "description" && nameOf(child).empty())
+            sink.error(child.where, "DEP003", "an element of 'Properties' has no name, expected that of a property");
+    RTT::PropertyBag scratch;
+    (void)RTT::marsh::readBag(element, scratch, sink);
+    return true;
+}
 
 ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink) {
     ComponentPlan plan;

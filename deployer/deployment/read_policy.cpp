@@ -91,8 +91,9 @@ bool isPolicy(const xml::Element& element) {
     return any;
 }
 
-PolicyPlan readPolicy(const xml::Element& element, diag::Sink& sink) {
+PolicyPlan readPolicy(const xml::Element& element, const RTT::ConnPolicy& policy, diag::Sink& sink) {
     PolicyPlan plan;
+    plan.policy = policy;
     plan.name = nameOf(element);
     bool any = false;
     for (const xml::Element& child : element.children)
@@ -104,7 +105,8 @@ PolicyPlan readPolicy(const xml::Element& element, diag::Sink& sink) {
         sink.warning(element.where, "DEP011",
                      "connection policy '" + plan.name.value + "' has no members; the default policy is used");
     const bool buffered = plan.policy.type == ConnPolicy::BUFFER || plan.policy.type == ConnPolicy::CIRCULAR_BUFFER;
-    if (buffered && plan.policy.size <= 0)
+    const bool isStream = plan.policy.transport != 0;  // transports choose a size themselves
+    if (buffered && plan.policy.size <= 0 && !isStream)
         sink.error(element.where, "DEP011",
                    "buffered connection '" + plan.name.value + "' has no 'size', expected at least 1");
     return plan;

@@ -3,9 +3,10 @@
 #include "read_value.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
 #include <initializer_list>
+#include <system_error>
 
 namespace OCL::deploy {
 namespace {
@@ -48,6 +49,29 @@ void badValue(const xml::Element& element, const Text& value, const std::string&
                "the value of '" + nameOf(element).value + "' is '" + value.value + "', expected " + expected);
 }
 
+/** What of the text can be read as digits: without a plus sign, and without the mark of a hexadecimal number. */
+struct Digits {
+    const char* begin;
+    const char* end;
+    int base = 10;
+
+    explicit Digits(const std::string& text, bool mayBeHexadecimal)
+        : begin(text.data()), end(text.data() + text.size()) {
+        if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
+        if (!mayBeHexadecimal || end - begin < 3 || *begin != '0' || (begin[1] != 'x' && begin[1] != 'X')) return;
+        begin += 2;
+        base = 16;
+    }
+};
+
+/** Files that the original read may have text behind a number. It took no notice of that; here it is told. */
+bool isNumber(const std::from_chars_result& read, const Digits& digits, const Text& text, diag::Sink& sink) {
+    if (read.ec != std::errc()) return false;
+    if (read.ptr != digits.end)
+        sink.warning(text.where, "CPF007", "text after the number in '" + text.value + "' is ignored");
+    return true;
+}
+
 }  // namespace
 
 Text nameOf(const xml::Element& element) {
@@ -79,10 +103,10 @@ std::optional<bool> readBoolean(const xml::Element& element, diag::Sink& sink) {
 std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink) {
     const std::optional<Text> text = valueOf(element, kIntegers, "short or long", sink);
     if (!text) return std::nullopt;
-    errno = 0;
-    char* end = nullptr;
-    const long long number = std::strtoll(text->value.c_str(), &end, 0);
-    if (!text->value.empty() && *end == '\0' && errno == 0 && number >= least && number <= most) return number;
+    const Digits digits(text->value, true);
+    long long number = 0;
+    const auto read = std::from_chars(digits.begin, digits.end, number, digits.base);
+    if (number >= least && number <= most && isNumber(read, digits, *text, sink)) return number;
     badValue(element, *text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), sink);
     return std::nullopt;
 }
@@ -90,9 +114,11 @@ std::optional<long long> readInteger(const xml::Element& element, long long leas
 std::optional<double> readReal(const xml::Element& element, diag::Sink& sink) {
     const std::optional<Text> text = valueOf(element, kReals, "double", sink);
     if (!text) return std::nullopt;
-    char* end = nullptr;
-    const double number = std::strtod(text->value.c_str(), &end);
-    if (!text->value.empty() && *end == '\0') return number;
+    // Not by the C library, which follows the locale that a component may have set.
+    const Digits digits(text->value, false);
+    double number = 0;
+    const auto read = std::from_chars(digits.begin, digits.end, number);
+    if (std::isfinite(number) && isNumber(read, digits, *text, sink)) return number;
     badValue(element, *text, "a number", sink);
     return std::nullopt;
 }

@@ -3,6 +3,9 @@
 #include "records.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
 
 namespace OCL::deploy {
 namespace {
@@ -12,11 +15,57 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
+/** The same port in the same connection is named once, whatever number of structs say so. */
+void appendPorts(std::vector<PortPlan>& ports, const std::vector<PortPlan>& more) {
+    for (const PortPlan& port : more) {
+        const auto isSame = [&](const PortPlan& known) {
+            return known.port.value == port.port.value && known.connection.value == port.connection.value;
+        };
+        if (std::none_of(ports.begin(), ports.end(), isSame)) ports.push_back(port);
+    }
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+    std::error_code none;
+    return a == b || std::filesystem::equivalent(a, b, none);
+}
+
+/** True if both are one statement of one file, whatever the file was called. */
+bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b) {
+    const diag::Location &one = a.file.where, &other = b.file.where;
+    return a.file.value == b.file.value && one.line == other.line && one.column == other.column &&
+           isSameFile(one.file, other.file);
+}
+
+/** A statement of a file that was read again adds nothing: its script runs once. */
+void appendScripts(std::vector<ScriptPlan>& scripts, const std::vector<ScriptPlan>& more) {
+    for (const ScriptPlan& script : more) {
+        const auto isSame = [&](const ScriptPlan& known) { return isSameStatement(known, script); };
+        if (std::none_of(scripts.begin(), scripts.end(), isSame)) scripts.push_back(script);
+    }
+}
+
 void replace(Flag& flag, const Flag& newer) {
     if (newer) flag = newer;
 }
 
 }  // namespace
+
+Record& Records::add(const std::string& name, RTT::TaskContext* instance) {
+    erase(instance);  // of a component that others destroyed, and whose memory this one has got
+    Record& record = all.emplace_back();
+    record.name = name;
+    record.instance = instance;
+    places_[instance] = std::prev(all.end());
+    return record;
+}
+
+void Records::erase(const RTT::TaskContext* instance) {
+    const auto place = places_.find(instance);
+    if (place == places_.end()) return;
+    all.erase(place->second);
+    places_.erase(place);
+}
 
 Record* Records::find(const std::string& name) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Record& record) { return record.name == name; });
@@ -24,18 +73,13 @@ Record* Records::find(const std::string& name) {
 }
 
 Record* Records::find(const RTT::TaskContext* instance) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Record& record) { return record.instance == instance; });
-    return found == all.end() ? nullptr : &*found;
-}
-
-bool Records::has(const Record* record) const {
-    return std::any_of(all.begin(), all.end(), [&](const Record& known) { return &known == record; });
+    const auto place = places_.find(instance);
+    return place == places_.end() ? nullptr : &*place->second;
 }
 
 void Records::merge(ComponentPlan& known, const ComponentPlan& more) {
     known.name = more.name;
-    known.type = more.type;
+    if (known.type.empty() || more.type.value != "PropertyBag") known.type = more.type;
     replace(known.autoConf, more.autoConf);
     replace(known.autoStart, more.autoStart);
     replace(known.autoConnect, more.autoConnect);
@@ -43,9 +87,9 @@ void Records::merge(ComponentPlan& known, const ComponentPlan& more) {
     append(known.services, more.services);
     append(known.properties, more.properties);
     append(known.propertyFiles, more.propertyFiles);
-    append(known.ports, more.ports);
+    appendPorts(known.ports, more.ports);
     append(known.peers, more.peers);
-    append(known.scripts, more.scripts);
+    appendScripts(known.scripts, more.scripts);
     if (more.activity) known.activity = more.activity;
 }
 
@@ -65,10 +109,6 @@ std::vector<Connection> Records::connections() const {
             result[known.first->second].members.push_back(Connection::Member{&record, &port});
         }
     return result;
-}
-
-void Records::erase(const RTT::TaskContext* instance) {
-    all.remove_if([&](const Record& record) { return record.instance == instance; });
 }
 
 }  // namespace OCL::deploy

@@ -9,6 +9,7 @@
 #include <list>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace RTT {
@@ -40,18 +41,25 @@ struct Connection {
 };
 
 struct Records {
-    std::list<Record> all;  // in order of creation; a list, because scripts add while others are configured
+    Records() = default;
+    Records(const Records&) = delete;
+    Records& operator=(const Records&) = delete;
+
+    // In order of creation. A list, because scripts add while others are configured; they come and go by add() and erase().
+    std::list<Record> all;
     std::map<std::string, PolicyPlan> policies;  // by connection name
 
+    Record& add(const std::string& name, RTT::TaskContext* instance);
+    void erase(const RTT::TaskContext* instance);
     Record* find(const std::string& name);
     Record* find(const RTT::TaskContext* instance);
-    /** False if the record was erased meanwhile. */
-    bool has(const Record* record) const;
-    /** Adds what a file says to what was said before: flags replace, lists grow. */
+    /** Adds what a struct says to what was said before: flags and the activity replace, lists grow. */
     static void merge(ComponentPlan& known, const ComponentPlan& more);
     /** All connections, in the order in which their first port is named. Pointers hold until records change. */
     std::vector<Connection> connections() const;
-    void erase(const RTT::TaskContext* instance);
+
+private:
+    std::unordered_map<const RTT::TaskContext*, std::list<Record>::iterator> places_;
 };
 
 }  // namespace OCL::deploy

@@ -13,11 +13,21 @@ namespace {
 /** Keeps the log off the console, where the same is said better, for the life time of this object. */
 class FileLogOnly {
 public:
-    FileLogOnly() : wasOn_(RTT::Logger::Instance()->mayLogStdOut()) { RTT::Logger::Instance()->mayLogStdOut(false); }
-    ~FileLogOnly() { RTT::Logger::Instance()->mayLogStdOut(wasOn_); }
+    FileLogOnly() : wasOn_(reachesConsole()) {
+        if (wasOn_) RTT::Logger::Instance()->mayLogStdOut(false);
+    }
+    ~FileLogOnly() {
+        if (wasOn_) RTT::Logger::Instance()->mayLogStdOut(true);
+    }
 
 private:
-    bool wasOn_;
+    /** The logger answers for the level of the line that was begun last: one that nobody wants to see reaches nothing. */
+    static bool reachesConsole() {
+        RTT::log(RTT::Fatal);
+        return RTT::Logger::Instance()->mayLogStdOut();
+    }
+
+    const bool wasOn_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/HookInProgress.hpp>
 
 #include <exception>
 
@@ -44,6 +45,7 @@ bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::st
         error = service + " has no operation '" + interpreter.operation + "'";
         return false;
     }
+    const RTT::internal::HookInProgress here(&component, "a script");
     try {
         if (run(file)) return true;
         error = "the log says why";

@@ -14,10 +14,7 @@ RTT::TaskContext* Session::component(const std::string& name) const {
 
 Record& Session::recordOf(RTT::TaskContext& component) {
     if (Record* known = records.find(&component)) return *known;
-    records.all.emplace_back();
-    records.all.back().name = component.getName();
-    records.all.back().instance = &component;
-    return records.all.back();
+    return records.add(component.getName(), &component);
 }
 
 std::vector<std::string> Session::componentNames() const {

@@ -14,6 +14,8 @@
 #include <diag/sink.hpp>
 
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,10 @@ struct Session {
     RTT::TaskContext* deployer = nullptr;
     Records records;
     std::vector<Plan> planned;                      // that are only to be checked
+    std::set<std::string> masters;                  // whose activities have, or once had, slaves
+    std::map<int, RTT::ConnPolicy> formerDefaults;  // by the group that replaced it
     int nextGroup = 1;                              // of the next file; 0: components created one by one
+    bool startsNothing = false;                     // it only checks
     int waitPeriodPolicy = 0;                       // for the threads of new activities
     std::function<bool(RTT::TaskContext*)> loaded;  // false refuses the component
     std::function<void(RTT::TaskContext*)> unloaded;
@@ -38,8 +43,9 @@ struct Session {
 };
 
 // load.cpp
-/** Imports, finds the types that library files stand for, and validates; creates nothing. True if nothing was wrong. */
-bool prepare(const Session& session, Plan& plan, diag::Sink& sink);
+/** Imports, finds the types that library files stand for, and validates; creates nothing. True if nothing was wrong. The
+    components of a plan that is only looked at are never seen: then what libraries tell of them is all there is to know. */
+bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink);
 /** Prepares and creates; true if nothing was wrong. What was created stays: see takeDown. */
 bool load(Session& session, Plan plan, int group, diag::Sink& sink);
 /** The component type that is meant: `word`, or the one type of the library file of that name, which is loaded. The reason
@@ -48,6 +54,8 @@ std::string componentTypeOf(const std::string& word, std::string& error);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);
+/** Takes the effect from the operation "start", by which scripts start a component. */
+void holdBack(RTT::TaskContext& component);
 bool loadService(RTT::TaskContext& component, const std::string& service);
 bool loadLibrary(const std::string& file, std::string& error);
 /** Adds directories to the search path of components and plugins. */

@@ -3,7 +3,11 @@
 // The handler may only do what is safe in any thread at any point: it writes the number into a pipe.
 #include "signals.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <mutex>
+#include <thread>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,72 +16,123 @@
 namespace OCL::deploy {
 namespace {
 
-// Of the innermost catcher.
-volatile sig_atomic_t readEnd = -1;
-volatile sig_atomic_t writeEnd = -1;
-volatile sig_atomic_t pending = 0;
-volatile sig_atomic_t last = 0;
+std::mutex chain;  // held by those who change or follow it; the handler does not
+SignalCatcher* innermost = nullptr;
+// Set before a handler can see it.
+std::atomic<SignalCatcher*> catcherOf[NSIG];
+std::atomic<int> handling{0};  // threads within the handler
+std::atomic<void (*)()> beforeSecond{nullptr};
 
-void onSignal(int signal) {
-    const int kept = errno;
-    const unsigned char number = static_cast<unsigned char>(signal);
-    // A second signal while the first still waits for attention: somebody is losing patience.
-    if (pending || write(writeEnd, &number, 1) != 1) {
-        ::signal(signal, SIG_DFL);
-        raise(signal);
-    }
-    pending = 1;
-    last = signal;
-    errno = kept;
-}
+bool ends(int signal) { return signal == SIGINT || signal == SIGTERM || signal == SIGHUP; }
 
 }  // namespace
 
-SignalCatcher::SignalCatcher(std::initializer_list<int> signals) : outerPipe_{readEnd, writeEnd} {
+void SignalCatcher::onSignal(int signal) {
+    const int kept = errno;
+    const unsigned char number = static_cast<unsigned char>(signal);
+    // seq_cst, like the end of a catcher: either it sees us and waits, or we see that it is gone.
+    handling.fetch_add(1);
+    SignalCatcher* const catcher = catcherOf[signal];
+    // A second signal while the first still waits for attention: somebody is losing patience.
+    const bool second = catcher && catcher->caught_.exchange(signal) != 0;  // before somebody can read it
+    // If the last catcher has ended since, what was there before it has its turn; unless somebody put us back meanwhile.
+    struct sigaction now = {};
+    const bool dies = catcher ? second || write(catcher->pipe_[1], &number, 1) != 1
+                              : sigaction(signal, nullptr, &now) == 0 && now.sa_handler == &onSignal;
+    if (dies) {
+        if (void (*const action)() = beforeSecond) action();
+        ::signal(signal, SIG_DFL);
+    }
+    if (dies || !catcher) raise(signal);
+    handling.fetch_sub(1);
+    errno = kept;
+}
+
+void beforeSecondSignal(void (*action)()) { beforeSecond = action; }
+
+int pendingSignal() {
+    const std::lock_guard<std::mutex> lock(chain);
+    for (const SignalCatcher* catcher = innermost; catcher; catcher = catcher->outer_) {
+        const int caught = catcher->caught_;
+        if (ends(caught)) return caught;
+    }
+    return 0;
+}
+
+bool SignalCatcher::catchesEnd() const {
+    return std::any_of(previous_.begin(), previous_.end(), [](const Previous& one) { return ends(one.signal); });
+}
+
+SignalCatcher::SignalCatcher(std::initializer_list<int> signals) {
+    const std::lock_guard<std::mutex> lock(chain);
+    outer_ = innermost;
+    innermost = this;
     if (pipe2(pipe_, O_CLOEXEC) != 0) {
         pipe_[0] = pipe_[1] = -1;
         ready_ = false;
         return;
     }
     fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
-    readEnd = pipe_[0];
-    writeEnd = pipe_[1];
     struct sigaction action = {};
-    action.sa_handler = onSignal;
+    action.sa_handler = &onSignal;
     sigemptyset(&action.sa_mask);
     for (int signal : signals) {
-        Previous previous = {signal, {}};
-        if (sigaction(signal, &action, &previous.action) == 0)
-            previous_.push_back(previous);
-        else
+        Previous previous = {signal, nullptr, {}};
+        if (signal <= 0 || signal >= NSIG || sigaction(signal, nullptr, &previous.action) != 0) {
             ready_ = false;
+            continue;
+        }
+        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // as nohup has it
+        previous.catcher = catcherOf[signal];
+        catcherOf[signal] = this;
+        if (sigaction(signal, &action, nullptr) == 0) {
+            previous_.push_back(previous);
+        } else {
+            catcherOf[signal] = previous.catcher;
+            ready_ = false;
+        }
     }
 }
 
 SignalCatcher::~SignalCatcher() {
-    for (const Previous& previous : previous_) sigaction(previous.signal, &previous.action, nullptr);
-    pending = 0;
-    readEnd = outerPipe_[0];
-    writeEnd = outerPipe_[1];
+    const std::lock_guard<std::mutex> lock(chain);
+    for (const Previous& previous : previous_) {
+        if (catcherOf[previous.signal] == this) {
+            // The outer catcher has the same handler. If there is none, the handler is out of reach before the table is empty.
+            sigaction(previous.signal, &previous.action, nullptr);
+            catcherOf[previous.signal] = previous.catcher;
+            continue;
+        }
+        for (SignalCatcher* later = innermost; later != this; later = later->outer_)
+            for (Previous& theirs : later->previous_)
+                if (theirs.signal == previous.signal && theirs.catcher == this) theirs = previous;
+    }
+    SignalCatcher** place = &innermost;
+    while (*place != this) place = &(*place)->outer_;
+    *place = outer_;
+    // Another thread may still execute the handler for this one; it needs no lock to end.
+    while (handling != 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
     close(pipe_[0]);
     close(pipe_[1]);
 }
 
-bool SignalCatcher::caught() const {
-    pollfd end = {pipe_[0], POLLIN, 0};
-    return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
-}
-
 int SignalCatcher::wait() {
-    // One that came before this catcher was there is in the pipe of the outer one, and stays there: it concerns both.
-    pollfd ends[] = {{pipe_[0], POLLIN, 0}, {outerPipe_[0], POLLIN, 0}};
-    while (poll(ends, 2, -1) < 0 && errno == EINTR) {
+    for (bool own = false; !own;) {
+        std::vector<pollfd> watched = {{pipe_[0], POLLIN, 0}};
+        {
+            const std::lock_guard<std::mutex> lock(chain);
+            for (const SignalCatcher* catcher = outer_; catcher; catcher = catcher->outer_)
+                if (catcher->catchesEnd()) watched.push_back({catcher->pipe_[0], POLLIN, 0});
+        }
+        if (poll(watched.data(), watched.size(), -1) < 0) continue;  // EINTR
+        own = (watched.front().revents & POLLIN) != 0;
+        // What an outer catcher has caught stays there: it concerns both.
+        if (const int ending = own ? 0 : pendingSignal()) return ending;
     }
-    if (ends[1].revents & POLLIN) return last;
+    caught_ = 0;  // a further one from here on does not end the program
     unsigned char number = 0;
     while (read(pipe_[0], &number, 1) < 0 && errno == EINTR) {
     }
-    pending = 0;
     return number;
 }
 

@@ -5,14 +5,21 @@
 
 #include <signal.h>
 
+#include <atomic>
 #include <initializer_list>
 #include <vector>
 
 namespace OCL::deploy {
 
+/** SIGINT, SIGTERM or SIGHUP if it was caught and nobody has waited for it yet; 0 if there is none. Any thread. */
+int pendingSignal();
+
+/** Done before a second signal ends the process: what puts the terminal back, say. It must be safe in signal handlers. */
+void beforeSecondSignal(void (*action)());
+
 /**
- * Catches signals for its life time; a second one of the same kind that nobody waits for has its usual effect, so that
- * a program that hangs can still be ended. Of several, one inside the life time of another, the innermost catches.
+ * Catches signals for its life time; a second one that nobody waits for has its usual effect, so that a program that hangs
+ * can still be ended. Of several, also of several threads, the one that was made last and is for a signal catches it.
  */
 class SignalCatcher {
 public:
@@ -23,22 +30,28 @@ public:
 
     /** False if one of the signals cannot be caught. */
     bool ready() const { return ready_; }
-    /** Blocks until one of the signals has come since construction, or one that an outer catcher has not waited for yet;
-        returns its number. */
+    /** Blocks until one of the signals has come since construction, or one that ends the program and was caught by an earlier
+        catcher; returns its number. */
     int wait();
     /** True if wait() would not block. */
-    bool caught() const;
+    bool caught() const { return caught_ != 0; }
     /** Can be read as soon as a signal was caught. */
     int descriptor() const { return pipe_[0]; }
 
 private:
+    friend int pendingSignal();
+    static void onSignal(int signal);
+    bool catchesEnd() const;
+
     struct Previous {
         int signal;
+        SignalCatcher* catcher;
         struct sigaction action;
     };
     std::vector<Previous> previous_;
+    SignalCatcher* outer_;
+    std::atomic<int> caught_{0};  // and not waited for
     bool ready_ = true;
-    int outerPipe_[2];
     int pipe_[2];
 };
 

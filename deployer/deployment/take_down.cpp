@@ -7,6 +7,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/internal/HookInProgress.hpp>
 
 #include <exception>
 #include <vector>
@@ -31,6 +32,14 @@ bool succeeds(RTT::TaskContext& component, bool (RTT::TaskContext::*change)(), c
                              << RTT::endlog();
         return false;
     }
+}
+
+/** What this thread executes of the component, which must not be deleted then; null: nothing. */
+const char* executing(const RTT::TaskContext& component) {
+    using RTT::internal::HookInProgress;
+    for (const HookInProgress* hook = HookInProgress::innermost(); hook; hook = hook->outer)
+        if (hook->task == &component) return hook->hook;
+    return nullptr;
 }
 
 }  // namespace
@@ -61,6 +70,11 @@ bool unloadOne(Session& session, RTT::TaskContext& component) {
     const std::string name = component.getName();
     if (component.isRunning()) {
         RTT::log(RTT::Error) << "could not unload component '" << name << "': it is running" << RTT::endlog();
+        return false;
+    }
+    if (const char* const what = executing(component)) {
+        RTT::log(RTT::Error) << "could not unload component '" << name << "' from within: it is executing " << what
+                             << RTT::endlog();
         return false;
     }
     releaseSlaves(session, component);

@@ -2,12 +2,17 @@
 // Copyright Oroforge contributors
 #include "validate.hpp"
 
+#include "check_described.hpp"
+#include "read_value.hpp"
 #include "scripts.hpp"
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <diag/type_match.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
+#include <rtt/scripting/detail/script_syntax.hpp>
+#include <rtt/types/GlobalsRepository.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -28,30 +33,37 @@ bool isDeployer(const std::string& name, const Surroundings& surroundings) {
 /** A struct of this type describes no component of its own: it adds to one. */
 bool isBag(const ComponentPlan& component) { return component.type.value == "PropertyBag"; }
 
-/** Proposes the type meant: the one that differs by its namespace only, or the nearest. */
-std::string proposeType(const std::string& type, const std::vector<std::string>& known) {
-    const std::string end = "::" + type;
-    for (const std::string& candidate : known)
-        if (candidate.size() > end.size() && candidate.compare(candidate.size() - end.size(), end.size(), end) == 0)
-            return "; did you mean '" + candidate + "'?";
-    return diag::didYouMean(type, known);
-}
-
 class Validation {
 public:
     Validation(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink)
         : plan_(plan), around_(surroundings), sink_(sink), reachable_(surroundings.components) {
         reachable_.push_back(surroundings.deployer);
         reachable_.push_back("this");
+        for (const Plan* earlier : surroundings.planned)
+            for (const ComponentPlan& component : earlier->components) reachable_.push_back(component.name.value);
         for (const ComponentPlan& component : plan.components) reachable_.push_back(component.name.value);
     }
 
     void run() {
+        checkGlobals();
         checkPolicies();
         checkComponents();
     }
 
 private:
+    /** Plugins bring them, and this process may lack the one that another deployer had. */
+    void checkGlobals() {
+        const RTT::PropertyBag& known = *RTT::types::GlobalsRepository::Instance()->properties();
+        for (const xml::Element& properties : plan_.globals)
+            for (const xml::Element& property : properties.children) {
+                const Text name = nameOf(property);
+                if (property.name == "description" || name.empty() || known.find(name.value)) continue;
+                sink_.warning(
+                    name.where, "DEP043",
+                    "there is no global property '" + name.value + "'" + diag::didYouMean(name.value, known.list()));
+            }
+    }
+
     void checkPolicies() {
         std::map<std::string, const Text*> seen;
         std::set<std::string> used;
@@ -59,10 +71,15 @@ private:
             for (const PortPlan& port : component.ports) used.insert(port.connection.value);
         for (const PolicyPlan& policy : plan_.policies) {
             const auto first = seen.emplace(policy.name.value, &policy.name);
-            if (!first.second)
-                sink_.error(policy.name.where, "DEP021", "a second policy for connection '" + policy.name.value + "'")
-                    .note(first.first->second->where, "the first is here");
-            else if (!used.count(policy.name.value))
+            if (!first.second) {
+                // The same words may be read twice, from a file that two others include.
+                if (policy.name.where != first.first->second->where)
+                    sink_
+                        .warning(policy.name.where, "DEP021",
+                                 "a second policy for connection '" + policy.name.value + "', which replaces the first")
+                        .note(first.first->second->where, "the first is here");
+                first.first->second = &policy.name;
+            } else if (!used.count(policy.name.value))
                 sink_.warning(policy.name.where, "DEP018",
                               "no port takes part in connection '" + policy.name.value + "'" +
                                   diag::didYouMean(policy.name.value, {used.begin(), used.end()}));
@@ -70,21 +87,41 @@ private:
     }
 
     void checkComponents() {
-        std::map<std::string, const Text*> seen;
+        std::map<std::string, const ComponentPlan*> creators;
         for (const ComponentPlan& component : plan_.components) {
-            const bool exists = addsOptions(component, around_);
-            const auto first = seen.emplace(component.name.value, &component.name);
-            if (!first.second && !isBag(component) && !exists)
-                sink_
-                    .error(component.name.where, "DEP009",
-                           "a second component of the name '" + component.name.value + "'")
-                    .note(first.first->second->where, "the first is here");
-            // A bag adds to what stands before it; any other struct creates.
-            const bool creates = !exists && !(isBag(component) && !first.second);
-            if (creates) checkType(component);
+            if (!addsOptions(component, around_)) {
+                const ComponentPlan*& creator = creators[component.name.value];
+                if (creator && (isBag(component) || !isBag(*creator)))
+                    checkSecond(component, *creator);
+                else {
+                    checkType(component);
+                    creator = &component;
+                }
+            }
             checkReferences(component);
             checkFiles(component);
         }
+    }
+
+    /** A struct for a component of this plan adds to its options. It may repeat the type, but not give another one. */
+    void checkSecond(const ComponentPlan& component, const ComponentPlan& first) {
+        const Text& name = component.name;
+        const diag::Location& where = first.name.where;
+        if (isBag(component)) return;
+        if (component.type.value != first.type.value)
+            sink_
+                .error(name.where, "DEP009",
+                       "a second component of the name '" + name.value + "', of type '" + component.type.value + "'")
+                .note(where, "the first, of type '" + first.type.value + "', is here");
+        else if (name.where != where)
+            sink_
+                .warning(name.where, "DEP009",
+                         "a second struct for component '" + name.value + "', which adds to the options of the first")
+                .note(where, "the first is here");
+        else if (repeated_.insert(where.file).second)
+            sink_.warning(where, "DEP009",
+                          "component '" + name.value + "' is there already: '" + where.file.str() +
+                              "' is included more than once");
     }
 
     void checkType(const ComponentPlan& component) {
@@ -94,9 +131,9 @@ private:
                         "there is no component '" + component.name.value + "' to add options to" +
                             diag::didYouMean(component.name.value, reachableBut(component.name.value)));
         else if (!contains(around_.componentTypes, type.value))
-            sink_.error(
-                type.where, "DEP031",
-                "unknown component type '" + type.value + "'" + proposeType(type.value, around_.componentTypes));
+            sink_.error(type.where, "DEP031",
+                        "unknown component type '" + type.value + "'" +
+                            diag::didYouMeanType(type.value, around_.componentTypes));
     }
 
     std::vector<std::string> reachableBut(const std::string& name) const {
@@ -128,8 +165,9 @@ private:
                 (void)RTT::marsh::loadFromFile(scratch, resolveFile(file.file), RTT::marsh::LoadMode::load, sink_);
         }
         for (const ScriptPlan& script : component.scripts) {
-            (void)checkFile(script.file);
             const std::string service = serviceFor(script.kind, script.file.value);
+            if (checkFile(script.file) && service == "scripting")
+                RTT::scripting::detail::checkSyntax(resolveFile(script.file), sink_);
             if (!contains(around_.services, service))
                 sink_.error(
                     script.file.where, "DEP022",
@@ -148,16 +186,26 @@ private:
     const Surroundings& around_;
     diag::Sink& sink_;
     std::vector<std::string> reachable_;
+    std::set<diag::FileName> repeated_;  // files of which it was told
 };
 
 }  // namespace
 
 void validate(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink) {
     Validation(plan, surroundings, sink).run();
+    checkDescribed(plan, surroundings, sink);
+}
+
+bool exists(const ComponentPlan& component, const Surroundings& surroundings) {
+    return isDeployer(component.name.value, surroundings) || contains(surroundings.components, component.name.value);
 }
 
 bool addsOptions(const ComponentPlan& component, const Surroundings& surroundings) {
-    return isDeployer(component.name.value, surroundings) || contains(surroundings.components, component.name.value);
+    const auto plans = [&](const ComponentPlan& earlier) { return earlier.name.value == component.name.value; };
+    return exists(component, surroundings) ||
+           std::any_of(surroundings.planned.begin(), surroundings.planned.end(), [&](const Plan* earlier) {
+               return std::any_of(earlier->components.begin(), earlier->components.end(), plans);
+           });
 }
 
 }  // namespace OCL::deploy

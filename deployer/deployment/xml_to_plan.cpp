@@ -9,12 +9,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace fs = std::filesystem;
 
 namespace OCL::deploy {
 namespace {
+
+/** False also for what cannot be a path. */
+bool isThere(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
 
 /** Reads a file and, in the place of each Include, the file included. */
 class PlanReader {
@@ -52,12 +59,23 @@ private:
         }
         const xml::Attribute* name = element.requireAttribute("name", sink_);
         if (!name) return;
-        if (isPolicy(element))
-            plan_.policies.push_back(readPolicy(element, sink_));
+        if (name->value.empty())
+            sink_.error(name->valueWhere, "DEP003", "the name of a component or connection is empty");
+        else if (isPolicy(element))
+            readPolicyStruct(element);
         else if (name->value == "GlobalsRepository")
             readGlobals(element);
         else if (element.requireAttribute("type", sink_))
             plan_.components.push_back(readComponent(element, sink_));
+    }
+
+    /** The policy of this name is that of connections for which none is given, and where others leave out members. */
+    void readPolicyStruct(const xml::Element& element) {
+        PolicyPlan policy = readPolicy(element, plan_.defaultPolicy.value_or(RTT::ConnPolicy()), sink_);
+        if (policy.name.value == "Default")
+            plan_.defaultPolicy = policy.policy;
+        else
+            plan_.policies.push_back(std::move(policy));
     }
 
     void readStatement(const xml::Element& element) {
@@ -88,8 +106,12 @@ private:
 
     void include(const Text& file) {
         const std::string path = resolveFile(file);
-        if (!fs::exists(path)) {
-            sink_.error(file.where, "DEP020", "no such file: '" + file.value + "'");
+        std::error_code error;
+        const fs::file_type type = fs::status(path, error).type();
+        if (type != fs::file_type::regular && type != fs::file_type::fifo) {
+            sink_.error(
+                file.where, "DEP020",
+                (isThere(path) ? "this is no file that can be included: '" : "no such file: '") + file.value + "'");
             return;
         }
         if (std::find(open_.begin(), open_.end(), identity(path)) != open_.end()) {
@@ -97,7 +119,12 @@ private:
                         "'" + file.value + "' includes itself, directly or through the files it includes");
             return;
         }
-        readFile(path);
+        // One file, one name, so that places in it tell what is read again. A link to it in another directory is another file:
+        // what it names is looked for there.
+        const fs::path directory = fs::path(path).parent_path();
+        const std::string key =
+            identity(directory.empty() ? "." : directory.string()) + '/' + fs::path(path).filename().string();
+        readFile(names_.emplace(key, path).first->second);
     }
 
     void readGlobals(const xml::Element& element) {
@@ -107,20 +134,21 @@ private:
                 sink_.error(
                     child.where, "DEP006",
                     "unknown element '" + nameOf(child).value + "' in GlobalsRepository, expected 'Properties'");
-            else if (requireStruct(child, sink_))
+            else if (readProperties(child, sink_))
                 plan_.globals.push_back(child);
         }
     }
 
     Plan& plan_;
     diag::Sink& sink_;
-    std::vector<std::string> open_;  // the file being read and those that include it
+    std::vector<std::string> open_;             // the file being read and those that include it
+    std::map<std::string, std::string> names_;  // by which included files were first read
 };
 
 /** A file that says nothing is a mistake; one that could not be read has been reported. */
 void checkNotEmpty(const Plan& plan, diag::Sink& sink) {
     if (plan.imports.empty() && plan.policies.empty() && plan.components.empty() && plan.globals.empty() &&
-        !sink.hadErrors())
+        !plan.defaultPolicy && !sink.hadErrors())
         sink.error({plan.file, 0, 0}, "DEP008", "the file holds no statements");
 }
 
@@ -137,7 +165,7 @@ Plan readPlanFile(const std::string& file, diag::Sink& sink) {
 Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& sink) {
     Plan plan;
     plan.file = name;
-    if (const auto document = xml::Document::parseText(text, name, sink))
+    if (const auto document = xml::Document::parseText(text, name, sink, xml::Blanks::condensed))
         PlanReader(plan, sink).readRoot(document->root());
     checkNotEmpty(plan, sink);
     return plan;
@@ -145,9 +173,9 @@ Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& 
 
 std::string resolveFile(const Text& file) {
     const fs::path path = file.value;
-    if (path.is_absolute() || fs::exists(path)) return file.value;
+    if (path.is_absolute() || isThere(path)) return file.value;
     const fs::path beside = fs::path(file.where.file.str()).parent_path() / path;
-    return fs::exists(beside) ? beside.string() : file.value;
+    return isThere(beside) ? beside.string() : file.value;
 }
 
 }  // namespace OCL::deploy

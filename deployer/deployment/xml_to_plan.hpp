@@ -24,7 +24,10 @@ Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& 
 // The steps, for the files that implement them.
 ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink);
 ActivityPlan readActivity(const xml::Element& element, diag::Sink& sink);
-PolicyPlan readPolicy(const xml::Element& element, diag::Sink& sink);
+/** Members that are left out are those of `policy`. */
+PolicyPlan readPolicy(const xml::Element& element, const RTT::ConnPolicy& policy, diag::Sink& sink);
+/** True for a struct. Its properties are looked through; they are read when there is a component that has them. */
+bool readProperties(const xml::Element& element, diag::Sink& sink);
 /** True if the struct says or shows that it is a connection policy and not a component. */
 bool isPolicy(const xml::Element& element);
 

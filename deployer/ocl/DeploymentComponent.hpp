@@ -32,14 +32,20 @@ namespace OCL {
  */
 class OCL_API DeploymentComponent : public RTT::TaskContext {
 public:
+    /** What is to become of files. */
+    enum class Purpose {
+        Deploy,
+        Check,    ///< their components are not started, neither by the deployer nor by scripts
+        PlanOnly  ///< of the site file, as planOnly() does
+    };
+
     /**
      * @param name the name of this component
      * @param siteFile a file that is deployed at once; empty: `<name>-site.cpf`. If there is none, the component
      *        library `ocl` is imported instead. Problems are logged; the constructor does not fail.
-     * @param planOnly the site file is not deployed but checked as planOnly() does
      */
     explicit DeploymentComponent(std::string name = "Deployer", std::string siteFile = std::string(),
-                                 bool planOnly = false);
+                                 Purpose purpose = Purpose::Deploy);
     /** With the property AutoUnload set, stops, cleans up and unloads everything this component loaded. */
     ~DeploymentComponent() override;
 
@@ -89,6 +95,8 @@ public:
     bool kickStart2(const std::string& file, bool start);
     /** Reads a file, does its imports and checks it, together with those read so before; creates nothing. */
     bool planOnly(const std::string& file);
+    /** True if there is a site file and something was wrong with it. */
+    bool siteFileFailed() const;
     /** The components with their connections and peers, in the language of Graphviz. */
     std::string graph() const;
     /** Stops, cleans up and unloads all components loaded by this deployer, the last created first. */
@@ -104,7 +112,7 @@ public:
     // --- waiting ---------------------------------------------------------------------------------------------------
     /** Blocks until SIGINT, SIGTERM or SIGHUP. */
     void waitForInterrupt();
-    /** Blocks until the signal comes. False if it cannot be caught. */
+    /** Blocks until the signal comes. False if it cannot be caught, or one came that ends the program. */
     bool waitForSignal(int signal);
 
     // --- peers, ports, services ------------------------------------------------------------------------------------

@@ -28,8 +28,8 @@
 using namespace oroforge;
 using fuzz::ScratchFolder;
 
-namespace oroforge::render {
-EmbeddedFiles typekitTemplates();
+namespace oroforge::embedded {
+diag::EmbeddedFiles typekitTemplates();
 }
 
 namespace {
@@ -103,7 +103,7 @@ std::optional<model::TypeModel> read(const Version& header, const std::vector<ad
 
 void checkRendered(const model::TypeModel& model) {
     require(nlohmann::json::accept(dump(model)), "models can be dumped");
-    static const render::Renderer renderer{render::Templates(render::typekitTemplates())};
+    static const render::Renderer renderer{render::Templates(embedded::typekitTemplates())};
     const emit::Outputs outputs = typekit::renderTypekit(typekit::makeView(model, "fuzz"), renderer);
     require(outputs.size() == typekit::outputNames("fuzz").size(), "all files are written");
     for (const auto& [name, text] : outputs) fuzz::checkSource(text);

@@ -23,7 +23,8 @@ protected:
         result.program = DEPLOYER_PROGRAM;
         result.arguments = arguments;
         result.directory = directory_.path();
-        result.environment = {{"RTT_COMPONENT_PATH", DEPLOYER_TEST_PATH}};
+        result.environment = {
+            {"RTT_COMPONENT_PATH", DEPLOYER_TEST_PATH}, {"ORO_LOGFILE", "orocos.log"}, {"ORO_LOGLEVEL", "4"}};
         result.timeout = std::chrono::seconds(30);
         return result;
     }

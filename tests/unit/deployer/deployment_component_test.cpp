@@ -141,6 +141,27 @@ TEST_F(Deployment, PeersAreAddedAndAliased) {
     EXPECT_EQ(deployer_.get(), peer("p")->getPeer("boss"));
 }
 
+TEST_F(Deployment, PeersThatCannotBothBeConnectedStayAsTheyWere) {
+    ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    EXPECT_TRUE(deployer_->aliasPeer("c", "this", "p"));
+    EXPECT_FALSE(deployer_->connectPeers("p", "c"));
+    EXPECT_FALSE(peer("p")->hasPeer("c"));
+    EXPECT_TRUE(deployer_->connectPeers("this", "p"));
+    EXPECT_TRUE(peer("p")->hasPeer("Deployer"));
+}
+
+TEST_F(Deployment, PropertyThatIsGivenTwiceIsNotAddedToTheComponent) {
+    const std::string twice = "<simple name='first' type='long'><value>7</value></simple>";
+    directory_.write("twice.xml",
+                     "<properties><struct name='p' type='deploytest::Producer'><struct name='Properties' "
+                     "type='PropertyBag'>" +
+                         twice + twice + "</struct></struct></properties>");
+    ASSERT_TRUE(deployer_->loadComponent("other", "deploytest::Producer"));
+    EXPECT_TRUE(deployer_->kickStart("twice.xml"));
+    EXPECT_EQ(peer("other")->properties()->size(), peer("p")->properties()->size());
+}
+
 TEST_F(Deployment, ActivitiesAreSetWhileStopped) {
     ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
     ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));

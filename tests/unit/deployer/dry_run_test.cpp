@@ -97,6 +97,30 @@ TEST_F(DryRun, TheGraphOfAPlanHasConnectionsWithoutDirection) {
         readFile(directory_ / "app.dot"));
 }
 
+TEST_F(DryRun, ComponentInSeveralStructsIsOneInTheGraph) {
+    write("app.xml", kImport + component("one", "deploytest::Producer", port("numbers") + peer("two")) +
+                         component("one", "deploytest::Producer", port("numbers") + peer("two")) +
+                         component("one", "PropertyBag", port("numbers")) +
+                         component("two", "deploytest::Consumer", port("numbers")));
+    const std::string told = "app.xml:6:15: warning: [DEP009] a second struct for component 'one'";
+    const Outcome planned = run(command({"--dry-run", "--dot", "plan.dot", "-s", "app.xml"}));
+    EXPECT_EQ(0, planned.status) << planned.err;
+    EXPECT_THAT(planned.err, HasSubstr(told));
+    EXPECT_EQ(
+        "digraph \"Deployer\" {\n  rankdir=LR;\n  node [shape=box];\n"
+        "  \"one\" [label=\"one\\ndeploytest::Producer\"];\n"
+        "  \"one\" -> \"connection wire\" [dir=none, label=\"numbers\"];\n"
+        "  \"one\" -> \"two\" [style=dashed, label=\"peer\"];\n"
+        "  \"two\" [label=\"two\\ndeploytest::Consumer\"];\n"
+        "  \"two\" -> \"connection wire\" [dir=none, label=\"numbers\"];\n"
+        "  \"connection wire\" [shape=ellipse, label=\"wire\"];\n}\n",
+        readFile(directory_ / "plan.dot"));
+    const Outcome checked = run(command({"--check", "--dot", "live.dot", "-s", "app.xml"}));
+    EXPECT_EQ(0, checked.status) << checked.err;
+    EXPECT_THAT(checked.err, HasSubstr(told));
+    EXPECT_THAT(readFile(directory_ / "live.dot"), HasSubstr("\"one\" [label=\"one\\ndeploytest::Producer\"]"));
+}
+
 TEST_F(DryRun, TheGraphOfComponentsShowsWhatIsConnectedHow) {
     write("app.xml",
           std::string(kImport) +

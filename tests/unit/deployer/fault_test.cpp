@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace {
@@ -89,12 +90,16 @@ TEST_F(Fault, AFileThatIsBeingSavedWhenTheProcessIsKilledIsWholeOrAsBefore) {
     Command program = command({"-s", "app.xml"});
     program.program = RTTSCRIPT_PROGRAM;
     directory_.write("well.cpf", before);
-    const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(0, run(program).status);
-    const auto undisturbed = std::chrono::steady_clock::now() - begin;
+    // The shortest of some: one that others kept from the processor or the disk would make all that follow wait too long.
+    auto undisturbed = std::chrono::steady_clock::duration::max();
+    for (int i = 0; i != 3; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        EXPECT_EQ(0, run(program).status);
+        undisturbed = std::min(undisturbed, std::chrono::steady_clock::now() - begin);
+    }
     int saved = 0;
     // Later and later, until one was not killed in time.
-    for (int attempt = 1; attempt != 21 || (saved == 0 && attempt != 200); ++attempt) {
+    for (int attempt = 1; attempt <= 20 || (saved == 0 && attempt <= 200); ++attempt) {
         directory_.write("well.cpf", before);
         ChildProcess child(program);
         std::this_thread::sleep_for(undisturbed * attempt / 18);

@@ -83,6 +83,20 @@ TEST_F(DeployerScripts, AreCheckedWithoutBeingRun) {
     EXPECT_THAT(bad.err, Not(HasSubstr("bad.ops:3:")));
 }
 
+TEST_F(DeployerScripts, OperationsForScriptsAreKnownWhereTheyAreOnlyChecked) {
+    directory_.write("app.ops",
+                     "program p { nothing }\nunloadProgram(\"p\")\neval(\"var int a = 1\")\nrunScript(\"b.ops\")\n");
+    directory_.write("b.ops", "eval(1, 2)\n");
+    for (const char* option : {"--check", "--dry-run"}) {
+        const Outcome good = run(command({option, "-s", "app.ops"}));
+        EXPECT_EQ(0, good.status) << good.err;
+        EXPECT_THAT(good.err, Not(HasSubstr("error")));
+        const Outcome bad = run(command({option, "-s", "b.ops"}));
+        EXPECT_EQ(255, bad.status);
+        EXPECT_THAT(bad.err, HasSubstr("b.ops:1:1: error: [OPS142]"));
+    }
+}
+
 TEST_F(DeployerScripts, AreRunByElementsOfXmlFiles) {
     directory_.write("values.ops", "first = 7\nprogram again { first = 8 }\n");
     directory_.write("program.ops", "program opener { consumer.start() }\n");
@@ -124,6 +138,30 @@ TEST_F(DeployerScripts, TakeTheApplicationDownByItsProgram) {
 
 TEST_F(DeployerScripts, TakeTheApplicationDownByItsFunction) {
     expectShutdownBy("export void shutdownDeployment() { other.start()\\n other.stop() }");
+}
+
+TEST_F(DeployerScripts, TakeDownTheComponentAndForTheTimeThatPropertiesOfTheDeployerName) {
+    directory_.write("app.xml", R"(<properties>
+  <simple name="Import" type="string"><value>deploytest</value></simple>
+  <struct name="this" type="PropertyBag"><struct name="Properties" type="PropertyBag">
+    <simple name="shutdownPeer" type="string"><value>boss</value></simple>
+    <simple name="shutdownTotalWait_ms" type="long"><value>90</value></simple>
+    <simple name="shutdownWait_ms" type="long"><value>0</value></simple>
+  </struct></struct>
+  <struct name="boss" type="deploytest::Consumer">
+    <struct name="Activity" type="Activity"><simple name="Period" type="double"><value>0.01</value></simple></struct>
+    <simple name="ProgramScript" type="string"><value>end.ops</value></simple>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+</properties>
+)");
+    directory_.write("end.ops", "program shutdownDeployment { while (true) { yield } }\n");
+    const Outcome outcome = runUntil("boss: started", {"-s", "app.xml"}, SIGTERM);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("component 'boss' did not end its shutdown within 90 ms"));
+    EXPECT_THAT(
+        outcome.err,
+        HasSubstr("'shutdownWait_ms' of the deployer has type int and value 0, expected an int above 0; 50 is used"));
 }
 
 TEST_F(DeployerScripts, OfLuaNeedItsService) {

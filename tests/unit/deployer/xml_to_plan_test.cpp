@@ -112,6 +112,7 @@ TEST(XmlToPlan, PolicyIsChecked) {
     EXPECT_THAT(policy(simple("type", "short", "7")), ElementsAre("DEP005"));
     EXPECT_THAT(policy(simple("typ", "short", "1")), ElementsAre("DEP010"));
     EXPECT_THAT(policy(simple("type", "short", "1")), ElementsAre("DEP011"));
+    EXPECT_THAT(policy(simple("type", "short", "1") + simple("transport", "short", "2")), IsEmpty());
     EXPECT_THAT(policy(simple("init", "short", "1")), ElementsAre("DEP004"));
     EXPECT_THAT(policy(""), ElementsAre("DEP011"));
 }
@@ -152,6 +153,13 @@ TEST(XmlToPlan, ActivityTypesHaveTheirNeeds) {
     EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", "-1"))), ElementsAre("DEP005"));
 }
 
+TEST(XmlToPlan, ActivityTypeInANamespaceIsAnsweredWithTheOneOutOfIt) {
+    Sink sink;
+    (void)readPlanText("<properties>" + activity("RTT::Activity", simple("Period", "double", "1")) + "</properties>",
+                       "test.xml", sink);
+    EXPECT_EQ("unknown activity type 'RTT::Activity'; did you mean 'Activity'?", sink.sorted().at(0).message);
+}
+
 TEST(XmlToPlan, ValuesAreCheckedByType) {
     EXPECT_THAT(codesOf(component(simple("AutoConf", "string", "1"))), ElementsAre("DEP004"));
     EXPECT_THAT(codesOf(component(simple("AutoConf", "boolean", "yes"))), ElementsAre("DEP005"));
@@ -160,7 +168,7 @@ TEST(XmlToPlan, ValuesAreCheckedByType) {
     EXPECT_THAT(codesOf(component("<simple name='Ports' type='string'><value>x</value></simple>")),
                 ElementsAre("DEP004"));
     EXPECT_THAT(codesOf(activity("Activity", simple("Priority", "short", "high"))), ElementsAre("DEP005"));
-    EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", "0.1s"))), ElementsAre("DEP005"));
+    EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", "0.1s"))), ElementsAre("CPF007"));
 }
 
 TEST(XmlToPlan, EverythingWrongIsReportedInOneRun) {
@@ -190,6 +198,34 @@ TEST(XmlToPlan, IncludeStandsForTheFileBesideIt) {
     EXPECT_THAT(codes(sink), IsEmpty());
     EXPECT_EQ("parts", p.imports.at(0).what.value);
     EXPECT_EQ(1u, p.components.size());
+}
+
+TEST(XmlToPlan, FileHasTheNameByWhichItWasFirstIncluded) {
+    const TempDir dir;
+    dir.write("sub/parts.xml", "<properties>" + component("") + "</properties>");
+    const auto main =
+        dir.write("main.xml", "<properties>" + simple("Include", "string", "sub/parts.xml") +
+                                  simple("Include", "string", "./sub/../sub/parts.xml") + "</properties>");
+    Sink sink;
+    const Plan p = readPlanFile(main.string(), sink);
+    ASSERT_EQ(2u, p.components.size());
+    EXPECT_EQ(p.components[0].name.where, p.components[1].name.where);
+}
+
+TEST(XmlToPlan, LinkToAFileInAnotherDirectoryIsAnotherFile) {
+    const TempDir dir;
+    dir.write("shared.xml", "<properties>" + simple("Include", "string", "part.xml") + "</properties>");
+    std::string main = "<properties>";
+    for (const std::string side : {"left", "right"}) {
+        dir.write(side + "/part.xml", "<properties><struct name='" + side + "' type='T'/></properties>");
+        std::filesystem::create_symlink("../shared.xml", dir / (side + "/common.xml"));
+        main += simple("Include", "string", side + "/common.xml");
+    }
+    Sink sink;
+    const Plan p = readPlanFile(dir.write("main.xml", main + "</properties>").string(), sink);
+    ASSERT_EQ(2u, p.components.size());
+    EXPECT_EQ("left", p.components[0].name.value);
+    EXPECT_EQ("right", p.components[1].name.value);
 }
 
 TEST(XmlToPlan, IncludeOfItselfAndOfNothingIsAnError) {

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "check_described.hpp"
+
+#include "read_value.hpp"
+#include "xml_to_plan.hpp"
+
+#include <diag/nearest_match.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/marsh/detail/property_file.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
+
+#include <boost/core/demangle.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::internal::ComponentDescription;
+using RTT::internal::DescribedList;
+using RTT::internal::DescribedPort;
+
+/** A component of the plan, or of one before, that a library describes. */
+struct Described {
+    const ComponentDescription* description;
+    const Text* type;       // in the struct that creates it
+    bool hasMore = false;   // ports and properties besides: the manifest says so, or services bring them
+    bool hasLater = false;  // ports besides, which scripts may bring
+};
+
+struct Member {
+    const Text* where;
+    std::string name;           // component.port
+    const DescribedPort* port;  // null: nobody describes it
+    bool isOfPlan;              // else of one before, whose errors were told
+};
+
+struct DescribedConnection {
+    std::string name;
+    std::vector<Member> members;
+};
+
+template <class Entry>
+const Entry* findIn(const DescribedList<Entry>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Entry& one) { return name == one.name; });
+    return found == list.end() ? nullptr : found;
+}
+
+template <class Entry>
+std::vector<std::string> namesOf(const DescribedList<Entry>& list) {
+    std::vector<std::string> names;
+    for (const Entry& one : list) names.emplace_back(one.name);
+    return names;
+}
+
+/** As RTT::internal::sampleTypeName() names the type of a port. */
+std::string typeName(const std::type_info& type) {
+    const RTT::types::TypeInfo* known = RTT::types::TypeInfoRepository::Instance()->getTypeById(&type);
+    return known ? known->getTypeName() : boost::core::demangle(type.name()) + " (of no loaded typekit)";
+}
+
+/** Says where the knowledge comes from, and what to do where it is not all. */
+template <class Entry>
+void explain(diag::Diagnostic& error, const Described& component, const DescribedList<Entry>& list, const char* what) {
+    std::string names;
+    std::size_t shown = 0;
+    for (const Entry& one : list) {
+        if (++shown > 10) break;
+        names += (names.empty() ? ": '" : ", '") + std::string(one.name) + "'";
+    }
+    if (list.count > 10) names += " and " + std::to_string(list.count - 10) + " more";
+    error.note(component.type->where, "the manifest of package '" + std::string(component.description->package) +
+                                          "' lists " + (list.count ? "the " : "no ") + what + names);
+    error.hint(std::string("if the class adds ") + what +
+               " by itself, say dynamic=\"true\" for the component in that manifest");
+}
+
+class DescribedCheck {
+public:
+    DescribedCheck(const Plan& plan, const Surroundings& around, diag::Sink& sink)
+        : plan_(plan), around_(around), sink_(sink) {
+        for (const Plan* earlier : around.planned) findComponents(*earlier);
+        findComponents(plan);
+    }
+
+    void run() {
+        if (components_.empty()) return;
+        for (const Plan* earlier : around_.planned) findConnections(*earlier, /*isOfPlan=*/false);
+        findConnections(plan_, /*isOfPlan=*/true);
+        if (around_.planOnly) checkNames();
+        for (const DescribedConnection& connection : connections_) {
+            checkTypes(connection);
+            if (around_.planOnly) checkDirections(connection);
+        }
+    }
+
+private:
+    void findComponents(const Plan& plan) {
+        for (const ComponentPlan& component : plan.components) {
+            const auto known = around_.descriptions.find(component.type.value);
+            if (known != around_.descriptions.end() && !exists(component, around_))
+                components_.emplace(component.name.value,
+                                    Described{known->second, &component.type, known->second->dynamic});
+        }
+        for (const ComponentPlan& component : plan.components) {
+            const auto known = components_.find(component.name.value);
+            if (known == components_.end()) continue;
+            known->second.hasMore |= !component.services.empty();
+            known->second.hasLater |= !component.scripts.empty();
+        }
+    }
+
+    const Described* find(const ComponentPlan& component) const {
+        const auto known = components_.find(component.name.value);
+        return known == components_.end() ? nullptr : &known->second;
+    }
+
+    void findConnections(const Plan& plan, bool isOfPlan) {
+        for (const ComponentPlan& component : plan.components)
+            for (const PortPlan& port : component.ports) {
+                const std::string& name = port.connection.value;
+                const auto known = index_.emplace(name, connections_.size());
+                if (known.second) connections_.push_back(DescribedConnection{name, {}});
+                addMember(connections_[known.first->second].members, component, port.port, isOfPlan);
+            }
+    }
+
+    /** Several structs of a component may name the same port. */
+    void addMember(std::vector<Member>& members, const ComponentPlan& component, const Text& port, bool isOfPlan) {
+        const std::string name = component.name.value + "." + port.value;
+        if (std::any_of(members.begin(), members.end(), [&](const Member& one) { return one.name == name; })) return;
+        const Described* owner = find(component);
+        members.push_back(
+            Member{&port, name, owner ? findIn(owner->description->ports, port.value) : nullptr, isOfPlan});
+    }
+
+    void checkNames() {
+        for (const ComponentPlan& component : plan_.components)
+            if (const Described* described = find(component)) {
+                if (!described->hasMore && !described->hasLater) checkPortNames(component, *described);
+                if (!described->hasMore) checkPropertyNames(component, *described);
+                for (const PropertyFilePlan& file : component.propertyFiles)
+                    if (file.mode == PropertyFilePlan::Strict) checkStrictFile(component, *described, file.file);
+            }
+    }
+
+    void checkPortNames(const ComponentPlan& component, const Described& described) {
+        const auto& ports = described.description->ports;
+        for (const PortPlan& port : component.ports)
+            if (!findIn(ports, port.port.value))
+                explain(sink_.error(port.port.where, "DEP040",
+                                    "component '" + component.name.value + "' has no port '" + port.port.value + "'" +
+                                        diag::didYouMean(port.port.value, namesOf(ports))),
+                        described, ports, "ports");
+    }
+
+    void checkPropertyNames(const ComponentPlan& component, const Described& described) {
+        const auto& known = described.description->properties;
+        for (const xml::Element& properties : component.properties)
+            for (const xml::Element& property : properties.children) {
+                const Text name = nameOf(property);
+                if (property.name == "description" || name.empty() || findIn(known, name.value)) continue;
+                explain(sink_.error(name.where, "DEP043",
+                                    "component '" + component.name.value + "' has no property '" + name.value + "'" +
+                                        diag::didYouMean(name.value, namesOf(known))),
+                        described, known, "properties");
+            }
+    }
+
+    /** Names that the component does not have are no error in property files; a strict one must have all that it has. */
+    void checkStrictFile(const ComponentPlan& component, const Described& described, const Text& file) {
+        diag::Sink told;  // what is wrong in the file itself, by validate()
+        RTT::PropertyBag bag;
+        if (!RTT::marsh::loadFromFile(bag, resolveFile(file), RTT::marsh::LoadMode::load, told)) return;
+        const std::vector<std::string> inFile = bag.list();
+        for (const auto& property : described.description->properties) {
+            const std::string name = property.name;
+            if (name.find('.') != std::string::npos || bag.find(name)) continue;
+            sink_
+                .error(file.where, "DEP052",
+                       "could not set the properties of component '" + component.name.value + "' from '" + file.value +
+                           "': property '" + name + "' of type '" + typeName(*property.type) + "' is missing" +
+                           diag::didYouMean(name, inFile))
+                .note(described.type->where,
+                      "the manifest of package '" + std::string(described.description->package) + "' has the property");
+        }
+    }
+
+    void checkTypes(const DescribedConnection& connection) {
+        const Member* first = nullptr;
+        for (const Member& member : connection.members) {
+            if (!member.port) continue;
+            if (!first) first = &member;
+            if (!member.isOfPlan || std::strcmp(member.port->type->name(), first->port->type->name()) == 0) continue;
+            sink_
+                .error(member.where->where, "DEP041",
+                       "port '" + member.name + "' of type '" + typeName(*member.port->type) +
+                           "' cannot take part in connection '" + connection.name + "' of type '" +
+                           typeName(*first->port->type) + "'")
+                .note(first->where->where, "port '" + first->name + "' gives the connection its type");
+        }
+    }
+
+    /** Of a plan that is applied checkComponents() tells it: the next plan may bring what is missing. */
+    void checkDirections(const DescribedConnection& connection) {
+        const std::vector<Member>& members = connection.members;
+        const auto isUnknown = [](const Member& one) { return !one.port; };
+        if (members.size() < 2 || !members[1].isOfPlan || around_.connections.count(connection.name) ||
+            std::any_of(members.begin(), members.end(), isUnknown))
+            return;
+        const auto isOutput = [](const Member& one) { return one.port->output; };
+        const diag::Location& where = members.front().where->where;
+        if (std::none_of(members.begin(), members.end(), isOutput))
+            tellDirections(members, sink_.error(where, "DEP042",
+                                                "no output port takes part in connection '" + connection.name + "'"));
+        else if (std::all_of(members.begin(), members.end(), isOutput))
+            tellDirections(members, sink_.warning(where, "DEP042",
+                                                  "no input port takes part in connection '" + connection.name + "'"));
+    }
+
+    static void tellDirections(const std::vector<Member>& members, diag::Diagnostic& diagnostic) {
+        for (const Member& one : members)
+            diagnostic.note(one.where->where,
+                            "port '" + one.name + "' is an " + (one.port->output ? "output" : "input"));
+    }
+
+    const Plan& plan_;
+    const Surroundings& around_;
+    diag::Sink& sink_;
+    std::map<std::string, Described> components_;  // by name
+    std::vector<DescribedConnection> connections_;
+    std::map<std::string, std::size_t> index_;  // of connections_, by name
+};
+
+}  // namespace
+
+void checkDescribed(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink) {
+    DescribedCheck(plan, surroundings, sink).run();
+}
+
+}  // namespace OCL::deploy
