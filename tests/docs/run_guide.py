@@ -5,10 +5,20 @@
 
 Comments of the page, which its readers do not see, tell what the next listing is:
     <!-- file NAME -->          a file of this name
-    <!-- run -->                commands; <!-- run: 255 --> with this exit status
-    <!-- output -->             what the last commands wrote. A line "…" stands for any number of lines
-    <!-- shown -->              only to be looked at; each one needs a reason behind the word
-All others of languages xml, sh and cpp are an error: a listing that nobody tries goes wrong one day.
+    <!-- run -->                commands; <!-- run: 255 --> with this exit status. What they export stays
+    <!-- typed OPTION… -->      a session at the prompt of the deployer, started with these options
+    <!-- output -->             what the last commands wrote. "…" is any text, a line of it any number of lines
+    <!-- shown REASON -->       only to be looked at
+A comment may have more lines. Those of a file are what stands around the listing, a part of it, in place of a line "…";
+and readers need not see everything that is tried:
+    <!-- file CMakeLists.txt
+    project(arm)
+    …
+    -->
+    <!-- try
+    cmake .
+    -->
+Every listing has such a comment: one that nobody tries goes wrong one day. Those of ELSEWHERE are tried by another test.
 """
 import os
 import pathlib
@@ -17,8 +27,15 @@ import subprocess
 import sys
 import tempfile
 
-LISTING = re.compile(r"(?:^<!-- (?P<what>[^\n]*?) -->\n+)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
-TRIED = ("xml", "sh", "cpp", "ops", "cpf")
+TOKEN = re.compile(r"^<!-- (?P<what>.*?)\s*-->$|^```(?P<language>\w*)\n(?P<text>.*?)^```$|^(?P<indented> {4}\S.*?)$",
+                   re.M | re.S)
+PROMPT = re.compile(r"^(?:\w+ \[[A-Z]\])?> ?")
+ELSEWHERE = {("console.md", "console"): "tests/unit/console/document_test.py"}
+SOURCES = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+def same(expected, actual):
+    return re.fullmatch(".*".join(map(re.escape, expected.rstrip().split("…"))), actual.rstrip())
 
 
 def matches(expected, actual):
@@ -27,58 +44,101 @@ def matches(expected, actual):
         return not actual
     if expected[0] == "…":
         return any(matches(expected[1:], actual[i:]) for i in range(len(actual) + 1))
-    return bool(actual) and expected[0].rstrip() == actual[0].rstrip() and matches(expected[1:], actual[1:])
+    return bool(actual) and bool(same(expected[0], actual[0])) and matches(expected[1:], actual[1:])
 
 
 class Guide:
     def __init__(self, prefix, page, folder):
         self.page, self.folder = page, folder
         self.output = ""
-        self.failures = []
+        self.failed = False
         own = {"PATH": f"{prefix}/bin:{os.environ['PATH']}", "OROCOS_TARGET": "gnulinux", "CMAKE_PREFIX_PATH": prefix,
-               "RTT_COMPONENT_PATH": f"{prefix}/lib/orocos", "HOME": str(folder)}
-        dropped = ("LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "ORO_LOGLEVEL", "ORO_LOGFILE")
+               "PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig", "RTT_COMPONENT_PATH": f"{prefix}/lib/orocos",
+               "HOME": str(folder), "LC_ALL": "C.UTF-8"}
+        dropped = ("LD_LIBRARY_PATH", "ORO_LOGLEVEL", "ORO_LOGFILE", "CXXFLAGS", "CMAKE_GENERATOR", "MAKEFLAGS")
         self.environment = {k: v for k, v in os.environ.items() if k not in dropped} | own
 
     def fail(self, line, text):
-        self.failures.append(f"{self.page}:{line}: {text}")
+        self.failed = True
+        print(f"{self.page}:{line}: {text}", flush=True)
 
-    def run(self, line, commands, status):
-        process = subprocess.run(["bash", "-euo", "pipefail", "-c", commands], cwd=self.folder, env=self.environment,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                 timeout=300, check=False)
+    def run(self, line, commands, status, typed=""):
+        exported = self.folder / ".exported"
+        shell = ["timeout", "--kill-after=5", "200", "bash", "-euo", "pipefail", "-c"]
+        process = subprocess.run([*shell, f"trap 'env -0 > {exported}' EXIT\n{commands}"], cwd=self.folder,
+                                 env=self.environment, input=typed, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                 text=True, check=False)
+        if exported.exists():
+            self.environment = dict(entry.split("=", 1) for entry in exported.read_text().split("\0")[:-1])
         self.output = process.stdout
         if process.returncode != status:
             self.fail(line, f"exit status {process.returncode}, expected {status}:\n{commands}\n{self.output}")
 
+    def compare(self, line, expected):
+        if not matches(expected, self.output.splitlines()):
+            self.fail(line, f"the output is another:\n{self.output}")
+
+    def write(self, name, text):
+        target = self.folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text)
+
+    def type(self, line, options, session):
+        lines = session.splitlines()
+        typed = [entry[PROMPT.match(entry).end():] for entry in lines if PROMPT.match(entry)]
+        self.run(line, f"deployer {options}", 0, "".join(f"{entry}\n" for entry in typed))
+        self.compare(line, [entry for entry in lines if not PROMPT.match(entry)])
+
     def take(self, line, what, language, text):
-        word, _, rest = what.partition(" ")
-        if word == "file":
-            target = self.folder / rest
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(text)
+        head, _, frame = what.partition("\n")
+        word, _, rest = head.partition(" ")
+        if frame:
+            before, found, after = f"\n{frame}\n".partition("\n…\n")
+            if not found or word != "file":
+                self.fail(line, f"only a file has something around it, with a line … for the listing: {head}")
+            text = before[1:] + "\n" * bool(before[1:]) + text + after
+        if word == "file" and rest:
+            self.write(rest, text)
         elif word in ("run", "run:"):
             self.run(line, text, int(rest or 0))
+        elif word == "typed":
+            self.type(line, rest, text)
         elif word == "output":
-            if not matches(text.splitlines(), self.output.splitlines()):
-                self.fail(line, f"the output is another:\n{self.output}")
-        elif word == "shown" and rest:
-            pass
-        elif language in TRIED:
-            self.fail(line, f"a listing of {language} that nobody tries")
+            self.compare(line, text.splitlines())
+        elif what and not (word in ("shown", "shown:") and rest):
+            self.fail(line, f"not understood: <!-- {head} -->")
+        elif not what and (pathlib.Path(self.page).name, language) not in ELSEWHERE:
+            self.fail(line, f"a listing of {language or 'no language'} that nobody tries")
+
+    def read(self, text):
+        what, end = "", 0
+        for token in TOKEN.finditer(text):
+            line = text.count("\n", 0, token.start()) + 1
+            if what and (token["text"] is None or text[end:token.start()].strip()):
+                self.fail(line, f"no listing after <!-- {what} -->")
+                what = ""
+            end = token.end()
+            if token["indented"]:
+                self.fail(line, "an indented listing, which nobody tries; put it between ```")
+            elif token["what"] and token["what"].startswith("try\n"):
+                self.run(line, token["what"][4:], 0)
+            elif token["what"]:
+                what = token["what"]
+            else:
+                self.take(line, what, token["language"], token["text"])
+                what = ""
+        if what:
+            self.fail(line, f"no listing after <!-- {what} -->")
 
 
 def main():
     prefix, page = sys.argv[1:3]
-    text = pathlib.Path(page).read_text()
     with tempfile.TemporaryDirectory() as folder:
         guide = Guide(os.path.abspath(prefix), page, pathlib.Path(folder))
-        for listing in LISTING.finditer(text):
-            line = text.count("\n", 0, listing.start("text"))
-            guide.take(line, listing["what"] or "", listing["language"], listing["text"])
-    for failure in guide.failures:
-        print(failure)
-    sys.exit(1 if guide.failures else 0)
+        if (SOURCES / "examples").exists():
+            (guide.folder / "examples").symlink_to(SOURCES / "examples")
+        guide.read(pathlib.Path(page).read_text())
+    sys.exit(1 if guide.failed else 0)
 
 
 if __name__ == "__main__":
