@@ -15,6 +15,7 @@ public:
         addProperty("capacity", capacity).doc("in m3");
         addProperty("flow", flow).doc("through a valve, in m3 per cycle");
         addAttribute("level", level);
+        addPort("emergency", emergency).doc("why all has to stop");
         addOperation("inlet", [this](bool open) { inletOpen = open; }).doc("the upper valve").arg("open", "");
         addOperation("outlet", [this](bool open) { outletOpen = open; }).doc("the lower valve").arg("open", "");
         addOperation("say", &Tank::say, this).doc("prints a line").arg("what", "");
@@ -31,6 +32,7 @@ private:
 
     double capacity = 1, flow = 0, level = 0;
     bool inletOpen = false, outletOpen = false;
+    RTT::InputPort<std::string> emergency;
 };
 
 }  // namespace filling

@@ -7,7 +7,7 @@ rm -rf "$2" "$2.staging"
 cmake --install "$1" --prefix "$2.staging" > /dev/null
 mv "$2.staging" "$2"
 # The rest of a user's first steps: every program answers.
-for program in typegen orocreate-pkg deployer-gnulinux; do
+for program in typegen orocreate-pkg deployer-gnulinux helloworld-gnulinux; do
   [ ! -e "$2/bin/$program" ] || "$2/bin/$program" --help > /dev/null || { echo "$program --help failed"; exit 1; }
 done
 # No file that is meant to be read by others names the place it was built or first installed in.
