@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <malloc.h>
 #include <string>
 
 namespace deployment_bench {
@@ -64,7 +65,8 @@ void writeChain(long count, const std::string& activity) {
          << "</properties>\n";
 }
 
-void deployChain(benchmark::State& state, const std::string& activity) {
+/** The targets are those of 1,000 components. */
+void deployChain(benchmark::State& state, const std::string& activity, double targetMs) {
     writeChain(state.range(0), activity);
     OCL::DeploymentComponent deployer("Deployer", kFile + std::string(".none"));
     for (auto step : state) {
@@ -75,16 +77,36 @@ void deployChain(benchmark::State& state, const std::string& activity) {
         state.ResumeTiming();
     }
     std::remove(kFile);
+    if (state.range(0) == 1000) state.counters["target_ms"] = targetMs;
 }
 
-void sequential(benchmark::State& state) {
-    deployChain(state, "<struct name=\"Activity\" type=\"SequentialActivity\"/>\n");
-}
+const char* const kSequential = "<struct name=\"Activity\" type=\"SequentialActivity\"/>\n";
 
-void ownThreads(benchmark::State& state) { deployChain(state, ""); }
+void sequential(benchmark::State& state) { deployChain(state, kSequential, 60); }
+
+void ownThreads(benchmark::State& state) { deployChain(state, "", 120); }
 
 BENCHMARK(sequential)->Name("deployment/sequential")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(ownThreads)->Name("deployment/own_threads")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+/** Bytes on the heap, with what malloc adds. */
+double heapBytes() { return static_cast<double>(mallinfo2().uordblks + mallinfo2().hblkhd); }
+
+void memory(benchmark::State& state) {
+    constexpr long kComponents = 1000;
+    writeChain(kComponents, kSequential);
+    OCL::DeploymentComponent deployer("Deployer", kFile + std::string(".none"));
+    for (auto step : state) {
+        (void)step;
+        const double before = heapBytes();
+        if (!deployer.kickStart(kFile)) state.SkipWithError("the file was not deployed");
+        state.counters["bytes"] = (heapBytes() - before) / kComponents;
+    }
+    deployer.kickOutAll();
+    std::remove(kFile);
+    state.counters["target_bytes"] = 25e3;
+}
+BENCHMARK(memory)->Name("deployment/memory of a sequential component")->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /** Starts and stops the runtime around the benchmarks. */
 struct Runtime {

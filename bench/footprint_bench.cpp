@@ -46,7 +46,9 @@ double bytesPerComponent(bool ownThread) {
             if (!ownThread) components.back()->setActivity(new extras::SequentialActivity());
             components.back()->start();
         }
-        return (residentBytes() - before) / kComponents;
+        const double each = (residentBytes() - before) / kComponents;
+        for (const auto& component : components) component->stop();
+        return each;
     });
 }
 
