@@ -245,7 +245,8 @@ void TaskContext::portStep(base::TaskCore& task, base::PortInterface* port) {
 // while it is stopped. A port that was removed after it had been queued is nobody's any more, and may be destroyed.
 void TaskContext::callbackOf(base::PortInterface* port) {
     typedef internal::PortCallbacks::Announced Announced;
-    const Announced announced = port_callbacks_.announced(port);
+    const internal::PortCallbacks::Execution execution(port_callbacks_, port);
+    const Announced announced = execution.announced();
     if (announced == Announced::Not) return;
     const bool running = TaskCore::getTaskState() >= Running && TaskCore::getTargetState() >= Running;
     if (running || announced == Announced::WhileStopped)

@@ -49,7 +49,7 @@ void PortCallbacks::replace(base::PortInterface* port, EntryPtr entry, bool exec
 }
 
 void PortCallbacks::waitFor(Entry& entry, bool executesMessages) {
-    // seq_cst, like call(): either it sees that the port was removed, or we see that it executes the callback.
+    // seq_cst, like Execution: either it sees that the port was removed, or we see that it executes the callback.
     entry.removed.store(true, std::memory_order_seq_cst);
     const auto executes = [&entry] {
         if (entry.executing.load(std::memory_order_seq_cst) == 0) return false;
@@ -94,35 +94,37 @@ void PortCallbacks::queued(base::PortInterface* port, std::uint64_t announcement
     if (Entry* entry = find(port)) entry->queuedRound.store(announcement, std::memory_order_release);
 }
 
-PortCallbacks::Announced PortCallbacks::announced(base::PortInterface* port) const {
+PortCallbacks::EntryPtr PortCallbacks::hold(base::PortInterface* port) const {
     Reclaimer::Guard guard;
-    const Entry* entry = find(port);
-    if (!entry) return Announced::Not;
-    return entry->whileRunning.load(std::memory_order_relaxed) ? Announced::WhileRunning : Announced::WhileStopped;
+    if (const Table* table = table_.load(std::memory_order_acquire))
+        for (const EntryPtr& entry : *table)
+            if (entry->port == port) return entry;
+    return nullptr;
+}
+
+PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortInterface* port) : entry_(callbacks.hold(port)) {
+    if (!entry_) return;
+    entry_->thread.store(pthread_self(), std::memory_order_relaxed);  // seen with `executing`
+    entry_->executing.fetch_add(1, std::memory_order_seq_cst);
+}
+
+// Release: all that the callback did happens before what follows waitFor().
+PortCallbacks::Execution::~Execution() {
+    if (entry_) entry_->executing.fetch_sub(1, std::memory_order_release);
+}
+
+PortCallbacks::Announced PortCallbacks::Execution::announced() const {
+    if (!entry_ || entry_->removed.load(std::memory_order_seq_cst)) return Announced::Not;
+    return entry_->whileRunning.load(std::memory_order_relaxed) ? Announced::WhileRunning : Announced::WhileStopped;
 }
 
 void PortCallbacks::call(base::PortInterface* port, bool running) {
-    EntryPtr held;  // the callback may remove its own port
-    {
-        Reclaimer::Guard guard;
-        if (const Table* table = table_.load(std::memory_order_acquire))
-            for (const EntryPtr& entry : *table)
-                if (entry->port == port) held = entry;
-    }
-    if (!held) return;
-    struct Executing {
-        explicit Executing(Entry& e) : entry(e) {
-            entry.thread.store(pthread_self(), std::memory_order_relaxed);  // seen with `executing`
-            entry.executing.fetch_add(1, std::memory_order_seq_cst);
-        }
-        // Release: all that the callback did happens before what follows waitFor().
-        ~Executing() { entry.executing.fetch_sub(1, std::memory_order_release); }
-        Entry& entry;
-    } const executing(*held);
-    if (held->removed.load(std::memory_order_seq_cst)) return;
-    if ((held->round.load(std::memory_order_acquire) & 1) == 0) return;
-    held->round.fetch_add(1, std::memory_order_acq_rel);
-    if (running || !held->whileRunning.load(std::memory_order_relaxed)) held->callback(port);
+    const Execution execution(*this, port);
+    if (execution.announced() == Announced::Not) return;
+    Entry& entry = *execution.entry_;
+    if ((entry.round.load(std::memory_order_acquire) & 1) == 0) return;
+    entry.round.fetch_add(1, std::memory_order_acq_rel);
+    if (running || !entry.whileRunning.load(std::memory_order_relaxed)) entry.callback(port);
 }
 
 base::PortInterface* PortCallbacks::nextAnnounced(std::uint64_t& last) const {

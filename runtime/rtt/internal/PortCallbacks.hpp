@@ -48,8 +48,9 @@ public:
     /** From here on nobody else needs to queue the port before its callback begins. Any thread; real-time safe. */
     void queued(base::PortInterface* port, std::uint64_t announcement);
     enum class Announced { Not, WhileRunning, WhileStopped };
-    /** What the component was when the port was announced last; `Not` if the port was removed since. */
-    Announced announced(base::PortInterface* port) const;
+    /** While it lives, set() and remove() of this port wait, like for its callback. In the component's thread; real-time
+        safe. */
+    class RTT_API Execution;
     /** Calls the callback of a port that waits for it; nothing happens if it does not (several had queued it). What was
         announced while the component was running is dropped when it no longer is: it may be on its way to
         destruction. In the component's thread. */
@@ -74,6 +75,7 @@ private:
     typedef std::shared_ptr<Entry> EntryPtr;
     typedef std::vector<EntryPtr> Table;
 
+    EntryPtr hold(base::PortInterface* port) const;
     Entry* find(base::PortInterface* port) const;
     void replace(base::PortInterface* port, EntryPtr entry, bool executesMessages);
     static void waitFor(Entry& entry, bool executesMessages);
@@ -81,6 +83,21 @@ private:
     std::mutex mutex_;
     std::uint64_t entries_ = 0;                 // made so far
     std::atomic<const Table*> table_{nullptr};  // read under an internal::Reclaimer::Guard
+};
+
+class RTT_API PortCallbacks::Execution {
+public:
+    Execution(const PortCallbacks& callbacks, base::PortInterface* port);
+    ~Execution();
+    Execution(const Execution&) = delete;
+    Execution& operator=(const Execution&) = delete;
+
+    /** What the component was when the port was announced last; `Not` if the port has been removed. */
+    Announced announced() const;
+
+private:
+    friend class PortCallbacks;
+    const EntryPtr entry_;  // a callback may remove its own port
 };
 
 }  // namespace internal

@@ -243,6 +243,47 @@ TEST(EventPortRemoval, APortThatIsQueuedIsForgotten) {
     }
 }
 
+namespace {
+
+/** Looks at its port before it calls the callback. */
+class Looking final : public TaskContext {
+public:
+    Looking() : TaskContext("looking") { addEventPort(*in); }
+    ~Looking() override { stop(); }
+
+    std::unique_ptr<InputPort<int>> in{new InputPort<int>("in")};
+    std::atomic<bool> entered{false}, leave{false}, left{false};
+
+protected:
+    void dataOnPortCallback(base::PortInterface* port) override {
+        entered = true;
+        while (!leave) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_EQ(port->getName(), "in");
+        TaskContext::dataOnPortCallback(port);
+        left = true;
+    }
+};
+
+}  // namespace
+
+TEST(EventPortRemoval, WaitsForTheHookOfTheComponent) {
+    OutputPort<int> out("out");
+    Looking component;
+    ASSERT_TRUE(out.connectTo(component.in.get()));
+    ASSERT_TRUE(component.start());
+    out.write(1);
+    ASSERT_TRUE(soon([&] { return component.entered.load(); }));
+    bool leftBefore = false;
+    std::thread remover([&] {
+        component.in.reset();
+        leftBefore = component.left;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    component.leave = true;
+    remover.join();
+    EXPECT_TRUE(leftBefore);
+}
+
 TEST(EventPortRemoval, OfEachOthersPortsWithinTwoCallbacksEnds) {
     OutputPort<int> out("out");
     TaskContext left("left"), right("right");
