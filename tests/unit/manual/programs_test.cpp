@@ -34,6 +34,22 @@ TEST_F(Programs, TheNameOfTheDeployerIsGivenInSeveralForms) {
     for (const std::vector<std::string>& form : forms) expectAtPrompt(form, {{"Other.isConfigured()", kTrue}});
 }
 
+/** The scripts beside the programs, which are named as these without the target. */
+TEST_F(Programs, AreStartedByScriptsOnceTheTargetIsSet) {
+    directory_.write("app.ops", "this.isConfigured()\n");
+    for (const std::string program : {DEPLOYER_PROGRAM, RTTSCRIPT_PROGRAM}) {
+        const std::string script = program.substr(0, program.rfind('-')), target = program.substr(script.size() + 1);
+        environment_["OROCOS_TARGET"] = "";
+        const Outcome refused = run(command(script, {"-s", "app.ops"}));
+        EXPECT_EQ(1, refused.status);
+        EXPECT_THAT(refused.err, AllOf(HasSubstr("OROCOS_TARGET is not set"), HasSubstr(" " + target + "\n")));
+        environment_["OROCOS_TARGET"] = target;
+        EXPECT_EQ(run(command(program, {"--version"})).out, run(command(script, {"--version"})).out);
+        const Outcome started = run(command(script, {"-s", "app.ops"}));
+        EXPECT_EQ(0, started.status) << started.err;
+    }
+}
+
 TEST_F(Programs, HelpNamesAllOptions) {
     const Outcome outcome = run(command(DEPLOYER_PROGRAM, {"--help"}));
     EXPECT_EQ(0, outcome.status);

@@ -58,8 +58,26 @@ TEST_F(Search, PathAndImportStandInFilesWithCapitals) {
                                        {"arm.armservice.owner()", " = \"arm\"\n"}});
 }
 
+TEST_F(Search, PathInAFileMayBeAList) {
+    for (const std::string separator : {":", ";"}) {
+        writeXml("app.xml", simple("Path", "string", kRobot + separator + kRobot + "/robot-13") +
+                                bag("diagnostics", "Robot13::Diagnostics", "") + bag("arm", "robot::Arm", ""));
+        expectAtPrompt({"-s", "app.xml"}, {{"displayComponentTypes()", all}});
+    }
+}
+
 TEST_F(Search, ImportLoadsAFileThatExistsDirectly) {
     expectAtPrompt({}, {{"import(" + quoted(ROBOT_ARM_FILE) + ")", kTrue}, {"displayComponentTypes()", robotOnly}});
+    writeXml("app.xml", import(ROBOT_ARM_FILE) + bag("arm", "robot::Arm", ""));
+    expectAtPrompt({"-s", "app.xml"}, {{"displayComponentTypes()", robotOnly}});
+}
+
+TEST_F(Search, LibrariesMayHaveAnyNameThatEndsInSo) {
+    std::filesystem::create_directory(directory_ / "libraries");
+    std::filesystem::copy_file(ROBOT_ARM_FILE, directory_ / "libraries/orocos-helloworld.so");
+    expectAtPrompt({}, {{"path(\"libraries\")", kVoid}, {"loadComponent(\"arm\", \"robot::Arm\")", kTrue}});
+    expectAtPrompt({}, {{"import(\"libraries/orocos-helloworld.so\")", kTrue}, {"displayComponentTypes()", robotOnly}});
+    expectAtPrompt({}, {{"loadComponent(\"arm\", \"libraries/orocos-helloworld.so\")", kTrue}});
 }
 
 TEST_F(Search, RegularLibrariesCannotBeLoaded) {

@@ -111,8 +111,13 @@ TEST_F(Slides, CommandsOfThePrompt) {
                         {"var int name", " = 0\n"},
                         {"name = 3", testing::_},
                         {"setCounter(name)", kVoid},
+                        {"counter", " = 3\n"},
                         {"var SendHandle handle", testing::_},
-                        {"counter", " = 3\n"}});
+                        {"handle = setCounter.send(4);", kNothing},
+                        {"handle.collect()", " = SendSuccess\n"},
+                        {"counter", " = 4\n"},
+                        {"start()", kTrue},
+                        {"stop()", kTrue}});
 }
 
 }  // namespace
