@@ -3,5 +3,6 @@
 // The members of sequences, for generators that are derived from it and another one.
 #ifndef ORO_SEQUENCE_TYPE_INFO_BASE_HPP
 #define ORO_SEQUENCE_TYPE_INFO_BASE_HPP
+#include <rtt/internal/FusedFunctorDataSource.hpp>  // typekits take newFunctorDataSource() from here
 #include <rtt/types/SequenceTypeInfo.hpp>
 #endif

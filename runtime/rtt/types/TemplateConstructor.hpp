@@ -6,6 +6,7 @@
 #include "ErasedFunction.hpp"
 #include "TypeConstructor.hpp"
 #include "Types.hpp"
+#include <rtt/internal/FusedFunctorDataSource.hpp>  // typekits take newFunctorDataSource() from here
 #include <boost/function.hpp>
 
 namespace RTT {
