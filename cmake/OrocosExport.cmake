@@ -104,6 +104,8 @@ function(_oro_export_target result to_packages target package)
   list(REMOVE_DUPLICATES handed_on)
   # Not for now, but for whoever reads the file.
   string(REPLACE "$<" "\${_oro_dollar}<" handed_on "${handed_on}")
+  # For now: a name may be of a target that comes with a directory of subdirs(), after all others.
+  list(TRANSFORM handed_on REPLACE "^([A-Za-z0-9_][A-Za-z0-9_.+-]*)$" "$<$<NOT:$<TARGET_EXISTS:\\1>>:\\1>")
   if(NOT IS_ABSOLUTE ${destination})
     set(destination \${_oro_prefix}/${destination})
   endif()
@@ -182,6 +184,5 @@ function(_oro_add_config package version targets include_dirs)
       add_library(${package}::${target} ALIAS ${target})
     endif()
   endforeach()
-  cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]] CALL
-    _oro_write_config [[${package}]] [[${targets}]] [[${include_dirs}]])")
+  _oro_at_end(${PROJECT_SOURCE_DIR} "_oro_write_config [[${package}]] [[${targets}]] [[${include_dirs}]]")
 endfunction()

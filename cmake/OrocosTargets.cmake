@@ -5,6 +5,26 @@
 # Private names begin with _oro_. "_" + a public name would not do: that is where CMake keeps the old definition when
 # this file is read a second time, and the public macro would then call itself.
 
+# Remembers when the present directory has ended: directories of subdirs() come later, and nothing can be put off to an end
+# that has been.
+function(_oro_note_directory)
+  get_property(noted GLOBAL PROPERTY OROCOS_NOTED_${CMAKE_CURRENT_SOURCE_DIR})
+  if(NOT noted)
+    set_property(GLOBAL PROPERTY OROCOS_NOTED_${CMAKE_CURRENT_SOURCE_DIR} TRUE)
+    cmake_language(EVAL CODE
+      "cmake_language(DEFER CALL set_property GLOBAL PROPERTY [[OROCOS_ENDED_${CMAKE_CURRENT_SOURCE_DIR}]] TRUE)")
+  endif()
+endfunction()
+
+# Has a call made at the end of a directory; of the present one if that has ended.
+function(_oro_at_end directory call)
+  get_property(ended GLOBAL PROPERTY OROCOS_ENDED_${directory})
+  if(ended)
+    set(directory ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
+  cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${directory}]] CALL ${call})")
+endfunction()
+
 # Where things of a kind are built (empty: where CMake likes) and installed, and the end of the list that names them.
 # kind: component typekit plugin library executable
 function(_oro_layout kind)
@@ -48,6 +68,11 @@ function(_oro_add_target kind target)
   if(TARGET ${target})
     get_target_property(place ${target} SOURCE_DIR)
     message(FATAL_ERROR "orocos_${kind}(${target}): there is a target '${target}' already, made in ${place}; targets of one CMake run need names of their own, as do the libraries made of them")
+  endif()
+  _oro_note_directory()
+  get_property(ended GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_ENDED)
+  if(ended AND NOT kind STREQUAL "executable")
+    _oro_at_end(${CMAKE_CURRENT_SOURCE_DIR} "_oro_check_left_over [[${PROJECT_NAME}]]")
   endif()
   # Sources made by a generator that was called in another directory.
   get_property(generated GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_GENERATED_SOURCES)
@@ -139,8 +164,10 @@ macro(_oro_hand_up)
     set(${PROJECT_NAME}_EXPORTED_${_oro_list} "${${PROJECT_NAME}_EXPORTED_${_oro_list}}" PARENT_SCOPE)
   endforeach()
   get_directory_property(_oro_parent PARENT_DIRECTORY)
-  if(NOT _oro_parent STREQUAL PROJECT_SOURCE_DIR)
-    cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${_oro_parent}]] CALL _oro_hand_up)")
+  get_property(_oro_ended GLOBAL PROPERTY OROCOS_ENDED_${_oro_parent})
+  get_property(_oro_project_ended GLOBAL PROPERTY OROCOS_ENDED_${PROJECT_SOURCE_DIR})
+  if(NOT _oro_parent STREQUAL PROJECT_SOURCE_DIR AND NOT _oro_ended AND NOT _oro_project_ended)
+    _oro_at_end(${_oro_parent} _oro_hand_up)
   endif()
 endmacro()
 

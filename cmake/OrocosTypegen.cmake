@@ -267,8 +267,7 @@ function(_oro_typegen)
   set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES $<BUILD_INTERFACE:${include_dirs}>)
   set_target_properties(${target} PROPERTIES OROCOS_TYPEKIT_DIR ${dir})
   add_library(${target}-${OROCOS_TARGET} ALIAS ${target})
-  cmake_language(EVAL CODE
-    "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]] CALL _oro_link_typekit [[${PROJECT_NAME}]])")
+  _oro_at_end(${PROJECT_SOURCE_DIR} "_oro_link_typekit [[${PROJECT_NAME}]]")
   # The name depends on the language because options may; only that of C++ is read.
   cmake_language(EVAL CODE
     "cmake_language(DEFER CALL _oro_write_compiler_flags [[${target}]] [[${flags}-$<COMPILE_LANGUAGE>-$<CONFIG>.txt]])")

@@ -42,6 +42,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/OrocosExport.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosPackage.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/OrocosHelpers.cmake)
 
+_oro_note_directory()
 if(NOT USE_OROCOS_RTT)
   set(USE_OROCOS_RTT TRUE)
   add_definitions(${OROCOS-RTT_DEFINITIONS})
