@@ -33,6 +33,11 @@ else
     _oroforge_prefix=${OROFORGE_PREFIX:-}
 fi
 
+# Run by a shell of its own it changes nothing for its user. (In zsh, $0 is the file that is being read.)
+if [ -z "${ZSH_VERSION:-}" ] && [ -n "$_oroforge_place" ] && [ "$0" -ef "$_oroforge_place" ]; then
+    echo "env.sh: this changes nothing, because it was run; have the shell read it: . $0" >&2
+fi
+
 # _oroforge_put NAME FOLDER: at the front of the list, unless it is in there.
 _oroforge_put() {
     eval "_oroforge_list=\${$1:-}"

@@ -19,6 +19,15 @@ for shell in sh bash "bash --posix" dash zsh ksh mksh yash "busybox sh"; do
     { cat "$work/out"; fail "$shell"; }
   printf '%s\n' "$moved/bin:$PATH" "$moved" "$moved/lib/pkgconfig" "$moved/lib/orocos" "$moved/share/lua/5.1/?.lua;;" gnulinux "$moved/bin/typegen" |
     diff - <(tr -d "'" < "$work/out") || fail "what $shell has of env.sh"
+  # Run instead of read: one line tells. A script of the same name that reads it is something else.
+  # shellcheck disable=SC2086
+  clean $shell "$moved/env.sh" > "$work/out" 2>&1 || { cat "$work/out"; fail "$shell runs env.sh"; }
+  [ "$shell" = zsh ] || expect_text "$work/out" "this changes nothing, because it was run; have the shell read it: . $moved/env.sh"
+  mkdir -p "$work/mine"
+  echo ". '$moved/env.sh'" > "$work/mine/env.sh"
+  # shellcheck disable=SC2086
+  clean $shell "$work/mine/env.sh" > "$work/out" 2>&1 || { cat "$work/out"; fail "$shell runs a script that reads env.sh"; }
+  ! grep . "$work/out" || fail "$shell is told that it ran env.sh"
   # In a sub-shell, by a relative name, in front of what is there already, and behind a link.
   ln -sfn "$moved" "$work/link"
   # shellcheck disable=SC2016,SC2086

@@ -76,6 +76,25 @@ orocos_library(arm STATIC one.cpp)
 target_link_libraries(arm leg)
 orocos_generate_package()'
 
+# Directories of subdirs(), as old packages have them, are configured when that of the project has ended.
+mkdir -p pkg/sub/below
+printf '#pragma once\nstruct One { int a; };\n' > pkg/one.hpp
+echo 'orocos_library(late ../one.cpp)
+orocos_executable(program ../one.cpp)' > pkg/sub/CMakeLists.txt
+warned 'and so in no package: late (directories of subdirs() come after all statements; add_subdirectory() does not)' 'subdirs(sub)
+orocos_component(arm one.cpp)
+target_link_libraries(arm late m)
+orocos_generate_package()'
+[ "$(grep -o 'in no package' b.line | wc -l)" = 1 ] || fail "told more than once"
+targets=b/package-config/pkg/orocos-targets.cmake
+grep -q 'INTERFACE_LINK_LIBRARIES.*;m"' $targets || fail "the libraries of arm"
+! grep 'LIBRARIES.*late' $targets || fail "users of arm are told to link what is not installed"
+printf '%s\n' 'subdirs(below)' 'orocos_typegen_headers(../one.hpp)' 'orocos_library(leg ../one.cpp)' 'orocos_generate_package()' > pkg/sub/CMakeLists.txt
+printf '%s\n' 'orocos_library(foot ../../one.cpp)' 'orocos_generate_package()' > pkg/sub/below/CMakeLists.txt
+calls 'subdirs(sub)'
+configure || { cat b.log; fail "a package in directories of subdirs()"; }
+! grep -q 'in no package' b.line || { cat b.log; fail "a package below another one is told to have none"; }
+
 # Generators have one call in a project.
 echo '<package name="pkg"><component class="pkg::One"/></package>' > pkg/pkg.xml
 printf '#pragma once\nstruct One { int a; };\n' > pkg/one.hpp
@@ -97,5 +116,9 @@ refused "no such plugins for gnulinux: rtt-transport-corba, rtt-elsewhere (searc
   'find_package(OROCOS-RTT REQUIRED rtt-scripting rtt-transport-corba rtt-elsewhere)'
 refused "no such parts for gnulinux: ocl-logging; $prefix has: deployment, taskbrowser, common, helloworld, reporting, timer" \
   'find_package(OROCOS-OCL REQUIRED COMPONENTS deployment ocl-logging)'
+# The environment goes first, and says so.
+calls ''
+cmake -S pkg -B b -Wno-dev -DOROCOS_TARGET=lxrt > b.log 2>&1 || { cat b.log; fail "another target in the cache"; }
+expect_text b.log "OROCOS_TARGET is 'gnulinux', as the environment has it, instead of 'lxrt'"
 export OROCOS_TARGET=xenomai
 refused "OROCOS_TARGET is 'xenomai', but the toolchain in $prefix was built for 'gnulinux'" ''
