@@ -125,6 +125,26 @@ TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hoo
     return Outcome::Threw;
 }
 
+namespace {
+
+/** The caller only sees "false". */
+bool tellRefused(const TaskCore& task, Logger::LogLevel level, const char* function, const char* why) {
+    log(level) << task.getName() << ": " << function << " returns false: " << why << endlog();
+    return false;
+}
+
+/** Why a component in this state does not start; null if it is running already, which callers count on. */
+const char* whyNotStarted(TaskCore::TaskState state) {
+    switch (state) {
+        case TaskCore::PreOperational: return "the component is not configured; configure() comes first";
+        case TaskCore::Exception: return "the component is in state Exception; recover() comes first";
+        case TaskCore::FatalError: return "the component has failed for good";
+        default: return nullptr;
+    }
+}
+
+}  // namespace
+
 bool TaskCore::configure() {
     Change change(*this);
     const TaskState from = states().state;
@@ -135,7 +155,9 @@ bool TaskCore::configure() {
         return configureHook();
     })) {
         case Outcome::Accepted: return change.leave(from, Stopped);
-        case Outcome::Refused: change.leave(from, PreOperational); return false;
+        case Outcome::Refused:
+            change.leave(from, PreOperational);
+            return tellRefused(*this, Logger::Info, "configure()", "configureHook() did");
         case Outcome::Threw: break;
     }
     return false;
@@ -156,7 +178,10 @@ bool TaskCore::cleanup() {
 
 bool TaskCore::start() {
     Change change(*this);
-    if (!change || states().state != Stopped) return false;
+    const TaskState from = states().state;
+    const char* const why = change ? whyNotStarted(from) : nullptr;
+    if (why) tellRefused(*this, Logger::Warning, "start()", why);
+    if (!change || from != Stopped) return false;
     aim(Running);
     switch (callHook("start()", Stopped, [this] {
         const HookInProgress hook(this, "startHook()");
@@ -171,7 +196,7 @@ bool TaskCore::start() {
         case Outcome::Refused:
             // It may have called error().
             if (!change.leave(Stopped, Stopped)) change.leave(RunTimeError, Stopped);
-            return false;
+            return tellRefused(*this, Logger::Info, "start()", "startHook() did");
         case Outcome::Threw: break;
     }
     return false;

@@ -41,6 +41,38 @@ TEST_F(ComponentLog, SaysNothingOfAnOrdinaryLife) {
     EXPECT_EQ(log.text(), "");
 }
 
+// The caller only gets "false".
+TEST_F(ComponentLog, TellsWhyAComponentDoesNotStart) {
+    EXPECT_FALSE(c.start());
+    EXPECT_TRUE(log.contains("Warning") &&
+                log.contains("gripper: start() returns false: the component is not configured"))
+        << log.text();
+    c.onUpdate = [] { fail(); };
+    ASSERT_TRUE(c.configure() && c.start());
+    ASSERT_TRUE(eventually([this] { return c.inException(); }));
+    EXPECT_FALSE(c.start());
+    EXPECT_TRUE(log.contains("in state Exception; recover() comes first")) << log.text();
+}
+
+TEST_F(ComponentLog, SaysNothingOfAComponentThatRunsAlready) {
+    ASSERT_TRUE(c.configure() && c.start());
+    EXPECT_FALSE(c.start());
+    EXPECT_EQ(log.text(), "");
+}
+
+TEST_F(ComponentLog, TellsOfHooksThatRefuseWhenAsked) {
+    Logger::Instance()->setLogLevel(Logger::Info);
+    c.onConfigure = [] { return false; };
+    EXPECT_FALSE(c.configure());
+    EXPECT_TRUE(log.contains("gripper: configure() returns false: configureHook() did")) << log.text();
+    c.onConfigure = nullptr;
+    c.onStart = [] { return false; };
+    ASSERT_TRUE(c.configure());
+    EXPECT_FALSE(c.start());
+    EXPECT_TRUE(log.contains("gripper: start() returns false: startHook() did")) << log.text();
+    Logger::Instance()->setLogLevel(Logger::Warning);
+}
+
 TEST_F(ComponentLog, NamesTheHookThatThrew) {
     c.onConfigure = [] { return fail(), true; };
     EXPECT_FALSE(c.configure());
