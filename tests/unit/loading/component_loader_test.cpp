@@ -84,6 +84,34 @@ TEST_F(ComponentLoading, UnknownPackageIsAnErrorThatNamesThePath) {
     EXPECT_THAT(error, HasSubstr(kPath));
 }
 
+TEST_F(ComponentLoading, PackageOfWhichThereAreOnlySourcesHereIsToldWithThePath) {
+    const oroforge::test::TempDir workspace;
+    workspace.write("only_sources/package.xml", "<package/>");
+    const auto old = std::filesystem::current_path();
+    std::filesystem::current_path(workspace.path());
+    std::string error;
+    EXPECT_FALSE(loader_->import("only_sources", std::string(), error));
+    std::filesystem::current_path(old);
+    EXPECT_THAT(error, HasSubstr("no such package or directory in the search path: "));
+    EXPECT_THAT(error, HasSubstr(kPath));
+    EXPECT_THAT(error, HasSubstr("./only_sources has no components, typekits or plugins"));
+}
+
+TEST_F(ComponentLoading, MisspeltPackageIsToldWithTheNearestName) {
+    std::string error;
+    EXPECT_FALSE(loader_->import("Severl", std::string(), error));
+    EXPECT_THAT(error, HasSubstr("; did you mean 'several'?"));
+    EXPECT_FALSE(loader_->import("gnulinu", std::string(), error));
+    EXPECT_THAT(error, Not(HasSubstr("did you mean")));
+}
+
+TEST_F(ComponentLoading, EmptyNameIsAnError) {
+    std::string error;
+    EXPECT_FALSE(loader_->import("", std::string(), error));
+    EXPECT_THAT(error, HasSubstr("empty"));
+    EXPECT_FALSE(import(""));
+}
+
 TEST_F(ComponentLoading, PathListImportsWhatLiesDirectlyInIt) {
     EXPECT_TRUE(loader_->import(kTarget + "/single;" + kTarget + "/several"));
     EXPECT_THAT(loader_->listComponentTypes(), Contains("loading_test::First"));

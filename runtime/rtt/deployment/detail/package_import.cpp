@@ -4,12 +4,14 @@
 
 #include "ros_packages.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/plugin/detail/search_path.hpp>
 #include <rtt/rtt-config.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace RTT::plugin {
 namespace {
@@ -30,9 +32,33 @@ bool holdsLibraries(const std::string& directory) {
     return false;
 }
 
+bool holdLibraries(const std::vector<std::string>& directories) {
+    return std::any_of(directories.begin(), directories.end(), holdsLibraries);
+}
+
+/** The packages below search directories, by name. */
+std::vector<std::string> packagesIn(const std::vector<std::string>& paths) {
+    std::vector<std::string> names;
+    for (const std::string& path : paths)
+        for (const std::string& parent : {path, path + "/" OROCOS_TARGET_NAME}) {
+            std::error_code ignored;  // of a directory that is not there, or not ours to read
+            std::filesystem::directory_iterator entry(parent, ignored);
+            for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+                const std::string name = entry->path().filename();
+                if (name == OROCOS_TARGET_NAME || name == "types" || name == "plugins") continue;
+                if (holdLibraries(withTargetDirectory(entry->path()))) names.push_back(name);
+            }
+        }
+    return names;
+}
+
 }  // namespace
 
 void PackageImport::package(const std::string& name, const std::string& pathList) {
+    if (name.empty()) {
+        errors_.push_back("the name of the package is empty");
+        return;
+    }
     if (isFile(name)) return libraryFile(name);
     if (isAbsolute(name)) {
         const std::vector<std::string> directories = withTargetDirectory(name);
@@ -48,7 +74,7 @@ void PackageImport::package(const std::string& name, const std::string& pathList
     }
     // A folder here goes first, unless it holds no libraries: that is the source of the package, in a workspace.
     const std::vector<std::string> here = withTargetDirectory("./" + name);
-    if (std::any_of(here.begin(), here.end(), holdsLibraries)) return importAll(name, here);
+    if (holdLibraries(here)) return importAll(name, here);
     fromSearchPath(name, pathList);
 }
 
@@ -69,13 +95,19 @@ void PackageImport::libraryFile(const std::string& file) {
 
 void PackageImport::fromSearchPath(const std::string& name, const std::string& pathList) {
     std::vector<std::string> paths = splitPathList(pathList);
+    const std::vector<std::string> given = paths;
     if (std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
     std::vector<std::string> first;
+    std::string sources;
     std::string text;
     for (const std::string& path : paths) {
         const std::vector<std::string> directories = packageDirectories(path, name);
         text += (text.empty() ? "" : ", ") + path;
         if (directories.empty()) continue;
+        if (path == "." && first.empty() && !holdLibraries(directories)) {
+            sources = "; " + directories.front() + " has no components, typekits or plugins";
+            continue;
+        }
         // An overlay: the first path that has it hides the rest.
         if (first.empty())
             first = directories;
@@ -86,7 +118,8 @@ void PackageImport::fromSearchPath(const std::string& name, const std::string& p
     if (!first.empty())
         importAll(name, first);
     else if (!fromRos(name))
-        errors_.push_back("no such package or directory in the search path: " + text);
+        errors_.push_back("no such package or directory in the search path: " + text + sources +
+                          oroforge::diag::didYouMean(name, packagesIn(given)));
 }
 
 bool PackageImport::fromRos(const std::string& name) {
@@ -98,7 +131,7 @@ bool PackageImport::fromRos(const std::string& name) {
         for (const std::string& directory : packageDirectories(libraries, package.name))
             directories.push_back(directory);
         // What a package depends on may have nothing to do with components; the package itself may be no more than a list.
-        if (std::any_of(directories.begin(), directories.end(), holdsLibraries))
+        if (holdLibraries(directories))
             importAll(package.name, directories);
         else if (packages.size() == 1)
             errors_.push_back("ROS package '" + name + "' has no components, typekits or plugins in " + libraries);
