@@ -4,6 +4,7 @@
 
 #include <rtt/detail/log_line.hpp>
 #include <rtt/detail/log_sink.hpp>
+#include <rtt/internal/Reclaimer.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>
 
@@ -25,11 +26,12 @@ void logFromOs(int number, const char* module, std::string_view text) {
     if (logMayReach(level)) logSink().write(level, module, text, true);
 }
 
-/** A thread that begins: what it needs to log as a real-time thread. */
+/** A thread that begins: what it needs to log, and to use ports, as a real-time thread. */
 void prepareRealTimeThread() {
     Logger::Instance();
     logSink().startDrain();
     logLine();
+    const internal::Reclaimer::Guard record;  // of the thread, from now on
 }
 
 int startLogging() {

@@ -14,11 +14,17 @@
 #include <rtt/os/Condition.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/Semaphore.hpp>
+#include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/TimeService.hpp>
 #include <rtt/rt_list.hpp>
 #include <rtt/rt_string.hpp>
 
+#include <atomic>
 #include <gtest/gtest.h>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
 
 using namespace RTT;
 using oroforge::test::expectRealTime;
@@ -164,4 +170,35 @@ TEST_F(RealTimeOs, LinesBelowTheLevelAreNotMade) {
     log(Debug) << "first use in this thread" << endlog();
     const std::string text(100, 'x');
     expectRealTime([&] { log(Debug) << "a message " << text << 3.5 << 7 << endlog(); });
+}
+
+// Where each thread has a record to announce that it uses ports: there are some in advance, the others are made.
+TEST_F(RealTimeOs, AThreadUsesPortsForTheFirstTimeHoweverManyThereAre) {
+    struct FirstUse : Idle {
+        void loop() override {
+            realTime = os::inRealTimeThread();
+            if (realTime && !done) expectRealTime([] { const internal::Reclaimer::Guard inside; });
+            done = true;
+        }
+        std::atomic<bool> done{false}, realTime{false};
+    };
+    std::atomic<bool> end{false};
+    std::atomic<int> attached{0};
+    std::vector<std::thread> others;
+    for (int i = 0; i < 80; ++i)
+        others.emplace_back([&] {
+            { const internal::Reclaimer::Guard inside; }
+            ++attached;
+            while (!end) usleep(1000);
+        });
+    while (attached < 80) usleep(100);
+    FirstUse runner;
+    Activity activity(ORO_SCHED_RT, 1, 0.0, &runner, "first_use");
+    EXPECT_TRUE(activity.start() && activity.trigger());
+    for (int i = 0; i < 20000 && !runner.done; ++i) usleep(1000);
+    EXPECT_TRUE(runner.done);
+    activity.stop();
+    end = true;
+    for (std::thread& other : others) other.join();
+    if (!runner.realTime) GTEST_SKIP() << "this process may not have real-time threads";
 }
