@@ -126,14 +126,14 @@ bool Timer::set(TimerId id, Seconds first, Seconds period) {
 bool Timer::startTimer(TimerId id, Seconds period) {
     if (Seconds_to_nsecs(period) > 0 && period < 9e9) return set(id, period, period);
     detail::log(detail::LogError, "Timer",
-                "invalid period for timer " + std::to_string(id) + ", expected seconds above 0");
+                "invalid period for timer " + std::to_string(id) + ", expected seconds above 0 and below 9e9");
     return false;
 }
 
 bool Timer::arm(TimerId id, Seconds delay) {
     if (delay >= 0 && delay < 9e9) return set(id, delay, 0.0);
     detail::log(detail::LogError, "Timer",
-                "invalid wait time for timer " + std::to_string(id) + ", expected seconds not below 0");
+                "invalid wait time for timer " + std::to_string(id) + ", expected seconds from 0 on and below 9e9");
     return false;
 }
 
