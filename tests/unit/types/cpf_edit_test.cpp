@@ -154,6 +154,20 @@ TEST_F(CpfEdit, LineEndsOfTheFileAreUsed) {
               get());
 }
 
+TEST_F(CpfEdit, TabsOfTheFileAreUsed) {
+    PropertyBag inner;
+    inner.ownProperty(new Property<int>("b", "", 2));
+    own("a", 1);
+    bag.ownProperty(new Property<PropertyBag>("s", "", inner));
+    putText("<properties>\n\t<simple name=\"a\" type=\"long\">\n\t\t<value>0</value>\n\t</simple>\n</properties>\n");
+    EXPECT_TRUE(saveToFile(bag, file, SaveMode::merge, sink)) << said();
+    EXPECT_EQ(
+        "<properties>\n\t<simple name=\"a\" type=\"long\">\n\t\t<value>1</value>\n\t</simple>\n"
+        "\t<struct name=\"s\" type=\"PropertyBag\">\n"
+        "\t\t<simple name=\"b\" type=\"long\"><value>2</value></simple>\n\t</struct>\n</properties>\n",
+        get());
+}
+
 TEST_F(CpfEdit, DescriptionsAreAddedButNotReplaced) {
     own("p", 1, "mine");
     EXPECT_EQ("<simple name=\"p\" type=\"long\"><description>mine</description><value>1</value></simple>",

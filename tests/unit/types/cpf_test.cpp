@@ -63,7 +63,7 @@ TEST_F(Cpf, AllErrorsOfAFileAreReportedWithTheirPlaces) {
         "'0'\n"
         "test.cpf:9:39: error: [CPF006] property 'f' of type long cannot be '99999999999'; expected a whole number in "
         "the range of this type\n"
-        "test.cpf:10:41: warning: [CPF007] text after the number in '1.5abc' is ignored\n"
+        "test.cpf:10:41: warning: [CPF007] text after the number in '1.5abc' is ignored; the value is 1.5\n"
         "test.cpf:11:3: warning: [CPF002] unknown element <strange> is ignored; expected simple, struct or sequence\n",
         said());
 }

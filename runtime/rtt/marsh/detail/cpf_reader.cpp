@@ -38,6 +38,13 @@ private:
         if (places_) (*places_)[property] = element.where;
     }
 
+    void warnOfTail(const xml::Element& value, const base::PropertyBase& property) {
+        std::string type, taken;
+        writeSimple(property, type, taken);
+        sink_.warning(value.textWhere, "CPF007",
+                      "text after the number in '" + value.text + "' is ignored; the value is " + taken);
+    }
+
     void readSimpleElement(const xml::Element& element, PropertyBag& into) {
         const auto* type = element.attribute("type");
         const auto* value = element.child("value");
@@ -56,8 +63,7 @@ private:
                         "property '" + name + "' of type " + type->value + " cannot be '" + value->text +
                             "'; expected " + read.expected + (read.outOfRange ? " in the range of this type" : ""));
         } else {
-            if (read.trailingText)
-                sink_.warning(value->textWhere, "CPF007", "text after the number in '" + value->text + "' is ignored");
+            if (read.trailingText) warnOfTail(*value, *read.property);
             keep(element, read.property, into);
         }
     }

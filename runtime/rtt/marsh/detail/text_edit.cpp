@@ -6,10 +6,19 @@ namespace RTT {
 namespace marsh {
 
 namespace {
+constexpr std::size_t kTab = 3;  // as far as the writer indents what is within another
+
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/** The first line that is indented tells. */
+bool isIndentedByTabs(const std::string& text) {
+    const std::size_t tab = text.find("\n\t");
+    return tab != std::string::npos && tab < text.find("\n ");
+}
 }  // namespace
 
-TextEdit::TextEdit(const std::string& text) : text_(text) {}
+TextEdit::TextEdit(const std::string& text)
+    : text_(text), crLf_(text.find("\r\n") != std::string::npos), tabs_(isIndentedByTabs(text)) {}
 
 void TextEdit::replace(std::size_t begin, std::size_t end, std::string by) {
     changes_.push_back(Change{begin, end, std::move(by)});
@@ -31,7 +40,10 @@ std::size_t TextEdit::beforeBlanks(std::size_t at, std::size_t lowest) const {
 std::size_t TextEdit::indentAt(std::size_t at, std::size_t otherwise) const {
     std::size_t begin = at;
     while (begin != 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
-    return begin == 0 || text_[begin - 1] == '\n' ? at - begin : otherwise;
+    if (begin != 0 && text_[begin - 1] != '\n') return otherwise;
+    std::size_t width = 0;
+    for (std::size_t i = begin; i != at; ++i) width += text_[i] == '\t' ? kTab : 1;
+    return width;
 }
 
 bool TextEdit::hasLineEnd(std::size_t begin, std::size_t end) const {
@@ -39,16 +51,25 @@ bool TextEdit::hasLineEnd(std::size_t begin, std::size_t end) const {
     return at != std::string::npos && at < end;
 }
 
+void TextEdit::append(const std::string& inserted, std::string& made) const {
+    std::size_t at = 0;
+    while (at != inserted.size()) {
+        const char c = inserted[at++];
+        if (c == '\n' && crLf_) made += '\r';
+        made += c;
+        while (c == '\n' && tabs_ && inserted.compare(at, kTab, "   ") == 0) {
+            made += '\t';
+            at += kTab;
+        }
+    }
+}
+
 std::string TextEdit::result() const {
-    const bool crLf = text_.find("\r\n") != std::string::npos;
     std::string made;
     std::size_t at = 0;
     for (const Change& change : changes_) {
         made.append(text_, at, change.begin - at);
-        for (const char c : change.by) {
-            if (c == '\n' && crLf) made += '\r';
-            made += c;
-        }
+        append(change.by, made);
         at = change.end;
     }
     return made.append(text_, at, std::string::npos);

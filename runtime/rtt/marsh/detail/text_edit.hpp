@@ -23,12 +23,13 @@ public:
 
     /** `at`, or the place behind the last letter before it, but not before `lowest`. */
     std::size_t beforeBlanks(std::size_t at, std::size_t lowest) const;
-    /** How many blanks the line begins with that `at` is in; `otherwise` if there are letters before `at`. */
+    /** How wide the blanks are that the line begins with in which `at` is, a tab being 3; `otherwise` if there are letters
+        before `at`. */
     std::size_t indentAt(std::size_t at, std::size_t otherwise) const;
 
     bool hasLineEnd(std::size_t begin, std::size_t end) const;
 
-    /** What is inserted gets the line ends of the text. */
+    /** What is inserted gets the line ends of the text, and is indented by tabs if the text is. */
     std::string result() const;
 
 private:
@@ -36,7 +37,10 @@ private:
         std::size_t begin, end;
         std::string by;
     };
+    void append(const std::string& inserted, std::string& made) const;
+
     const std::string& text_;
+    const bool crLf_, tabs_;
     std::vector<Change> changes_;
 };
 
