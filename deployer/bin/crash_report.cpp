@@ -4,11 +4,14 @@
 
 #include <rtt/internal/HookInProgress.hpp>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 
 #include <execinfo.h>
 #include <signal.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
 #include <unistd.h>
 
 namespace OCL::deploy {
@@ -55,6 +58,34 @@ const char* meaningOf(int signal) {
     }
 }
 
+/** The stack pointer where the signal came; 0 where that is not known. */
+std::uintptr_t stackPointer(const void* context) {
+#if defined(__x86_64__)
+    return static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RSP]);
+#elif defined(__i386__)
+    return static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_ESP]);
+#elif defined(__aarch64__)
+    return static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.sp);
+#else
+    (void)context;
+    return 0;
+#endif
+}
+
+/** Asks the system, which reads the mask before it refuses to do such a thing with it. */
+bool isReadable(std::uintptr_t address) {
+    const int kNothing = -1;
+    constexpr std::size_t kMaskSize = 8;
+    return syscall(SYS_rt_sigprocmask, kNothing, address, nullptr, kMaskSize) == 0 || errno != EFAULT;
+}
+
+/** True if nothing more can be put on the stack. */
+bool isStackUsedUp(const void* context) {
+    const std::uintptr_t pointer = stackPointer(context);
+    constexpr std::uintptr_t kNextCall = 256;
+    return pointer > kNextCall && !isReadable((pointer - kNextCall) & ~std::uintptr_t{7});
+}
+
 struct sigaction previous[NSIG];
 
 void tell(int signal, siginfo_t* info, void* context) {
@@ -65,7 +96,12 @@ void tell(int signal, siginfo_t* info, void* context) {
             line << "component '" << hook->component << "' crashed in " << hook->hook << ": ";
         else
             line << "a crash outside of all components: ";
-        line << meaningOf(signal);
+        const bool overflow = signal == SIGSEGV && isStackUsedUp(context);
+        if (overflow)
+            line << "it used up the stack of its thread, by calls within calls without end or by large variables "
+                    "(SIGSEGV)";
+        else
+            line << meaningOf(signal);
         if (signal == SIGSEGV || signal == SIGBUS) line << ", at address " << info->si_addr;
     }
     void* frames[64];
@@ -86,6 +122,15 @@ void tell(int signal, siginfo_t* info, void* context) {
 }  // namespace
 
 void tellCrashes() {
+    static char handlersStack[64 * 1024];  // of this thread; those of components have one
+    stack_t stack;
+    std::memset(&stack, 0, sizeof stack);
+    if (sigaltstack(nullptr, &stack) == 0 && (stack.ss_flags & SS_DISABLE) != 0) {
+        stack.ss_sp = handlersStack;
+        stack.ss_size = sizeof handlersStack;
+        stack.ss_flags = 0;
+        sigaltstack(&stack, nullptr);
+    }
     void* frame;
     (void)backtrace(&frame, 1);  // loads what it needs, which it must not do in a handler
     for (const int signal : kSignals) {

@@ -13,6 +13,9 @@
 #include <cstring>
 #include <new>
 
+#include <signal.h>
+#include <sys/mman.h>
+
 /**
  * @file
  * Creation, properties and end of a thread. What it executes is in ThreadSession.cpp, start() and stop() in
@@ -32,6 +35,42 @@ std::string formatted(const char* format, double value) {
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
+
+/** A stack for signal handlers of this thread: a report of the crash where its own stack is used up needs one. */
+class SignalStack {
+public:
+    SignalStack() {
+        stack_t present{};
+        // A sanitizer has set one already.
+        if (sigaltstack(nullptr, &present) != 0 || !(present.ss_flags & SS_DISABLE)) return;
+        // Mapped: as long as no handler runs it takes no memory.
+        void* const memory =
+            mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
+        if (memory == MAP_FAILED) return;
+        stack_t own{};
+        own.ss_sp = memory;
+        own.ss_size = kSize;
+        if (sigaltstack(&own, nullptr) == 0)
+            memory_ = memory;
+        else
+            munmap(memory, kSize);
+    }
+    ~SignalStack() {
+        stack_t present{};
+        if (!memory_ || sigaltstack(nullptr, &present) != 0) return;
+        stack_t none{};
+        none.ss_flags = SS_DISABLE;
+        // What the thread executed may have set another one.
+        if (present.ss_sp == memory_ && sigaltstack(&none, nullptr) != 0) return;
+        munmap(memory_, kSize);
+    }
+    SignalStack(const SignalStack&) = delete;
+    SignalStack& operator=(const SignalStack&) = delete;
+
+private:
+    static constexpr std::size_t kSize = 64 * 1024;
+    void* memory_ = nullptr;
+};
 
 }  // namespace
 
@@ -72,6 +111,7 @@ Thread::~Thread() {
 }
 
 void* Thread::entry(void* self) {
+    const SignalStack forHandlers;
     Thread* const thread = static_cast<Thread*>(self);
     thread->state_->task.pid = detail::currentTid();
     pthread_setname_np(pthread_self(), detail::shortThreadName(thread->state_->name).c_str());

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace oroforge::test;
+using testing::AllOf;
 using testing::HasSubstr;
 
 class Crash : public deployer_test::DeployerInDirectory {
@@ -43,6 +44,17 @@ TEST_F(Crash, InAnOperationOfItsOwnThread) {
 TEST_F(Crash, ByAbort) {
     EXPECT_THAT(crashIn("abort").err,
                 HasSubstr("error: component 'bad' crashed in updateHook(): abort() was called (SIGABRT)\n"));
+}
+
+TEST_F(Crash, WhereTheStackIsUsedUp) {
+    for (const std::string hook : {"configure", "update"}) {
+        const Outcome outcome = crashIn("deep " + hook);
+        EXPECT_EQ(128 + SIGSEGV, outcome.status) << hook;
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("error: component 'bad' crashed in " + hook +
+                                                 "Hook(): it used up the stack of its thread"),
+                                       HasSubstr("libdeploycrash-")))
+            << hook;
+    }
 }
 
 TEST_F(Crash, OfADestructorThatThrows) {
