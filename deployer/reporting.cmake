@@ -18,3 +18,4 @@ oroforge_component_library(reporting
   reporting/source.cpp
   reporting/text_target.cpp
   reporting/value_tree.cpp)
+target_link_libraries(orocos-ocl-reporting PRIVATE $<BUILD_INTERFACE:oroforge_diag>)

@@ -124,10 +124,9 @@ bool ReportingComponent::startHook() {
         log(RTT::Error) << "'" << getName() << "' needs at least one marshaller to write reports" << endlog();
         return false;
     }
-    impl_->findValuesAnew();
+    const reporting::Sources sources = impl_->present();
     impl_->lostRows = 0;
-    impl_->report.reset(
-        new RunningReport(impl_->sources, impl_->options(), std::move(impl_->target), impl_->marshallers));
+    impl_->report.reset(new RunningReport(sources, impl_->options(), std::move(impl_->target), impl_->marshallers));
     const bool periodic = impl_->isPeriodic();
     if (periodic) impl_->report->writeRow();
     impl_->report->clearPorts();
@@ -184,7 +183,7 @@ void ReportingComponent::cleanupHook() {
 
 bool ReportingComponent::reportComponent(const std::string& component) {
     const std::lock_guard<std::mutex> lock(impl_->changes);
-    if (!impl_->addComponent(component)) return false;
+    if (!impl_->addComponent(component, Impl::Known::ConnectAnew)) return false;
     impl_->rememberEntry("Component", component);
     return true;
 }
@@ -203,7 +202,7 @@ bool ReportingComponent::reportData(const std::string& component, const std::str
 
 bool ReportingComponent::unreportData(const std::string& component, const std::string& data) {
     const std::lock_guard<std::mutex> lock(impl_->changes);
-    impl_->forgetEntry("Data", component + "." + data);
+    (void)impl_->forgetEntry("Data", component + "." + data);
     return impl_->remove(component + "." + data);
 }
 
@@ -216,7 +215,7 @@ bool ReportingComponent::reportPort(const std::string& component, const std::str
 
 bool ReportingComponent::unreportPort(const std::string& component, const std::string& port) {
     const std::lock_guard<std::mutex> lock(impl_->changes);
-    impl_->forgetEntry("Port", component + "." + port);
+    (void)impl_->forgetEntry("Port", component + "." + port);
     return impl_->remove(component + "." + port);
 }
 

@@ -3,6 +3,7 @@
 // What is reported: peers, ports and values by name, and the property ReportData that lists them.
 #include "reporting_state.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Attribute.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/Property.hpp>
@@ -13,6 +14,7 @@
 
 namespace OCL {
 
+using oroforge::diag::didYouMean;
 using reporting::Source;
 using RTT::endlog;
 using RTT::log;
@@ -55,72 +57,135 @@ TaskContext* peerOf(TaskContext& self, const std::string& component) {
         std::string known;
         for (const std::string& name : peers) known += (known.empty() ? "" : ", ") + name;
         log(RTT::Error) << "'" << self.getName() << "' could not report component '" << component
-                        << "': no such peer; its peers: " << (known.empty() ? "none" : known) << endlog();
+                        << "': no such peer; its peers: " << (known.empty() ? "none" : known)
+                        << didYouMean(component, peers) << endlog();
     }
     return peer;
 }
 
-}  // namespace
-
-bool ReportingComponent::Impl::isReported(const std::string& name) const {
-    return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source->name() == name; });
+/** Null if it has none of that name, not even an input. */
+RTT::base::PortInterface* portOf(TaskContext& component, std::string path) {
+    const RTT::Service::shared_ptr service = serviceOf(component, path);
+    return service ? service->getPort(path) : nullptr;
 }
 
-bool ReportingComponent::Impl::isConnected(const std::string& name) const {
-    return std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
-        return source->name() == name && (!source->port() || source->port()->connected());
-    });
+// Those of the component itself; for messages.
+std::vector<std::string> outputsOf(TaskContext& component) {
+    std::vector<std::string> names;
+    for (RTT::base::PortInterface* port : component.ports()->getPorts())
+        if (dynamic_cast<OutputPortInterface*>(port)) names.push_back(port->getName());
+    return names;
+}
+std::vector<std::string> valuesOf(TaskContext& component) {
+    std::vector<std::string> names = component.attributes()->getAttributeNames();
+    const std::vector<std::string> properties = component.properties()->list();
+    names.insert(names.end(), properties.begin(), properties.end());
+    return names;
+}
+
+/** Null, and an error, if there is none that could be reported. */
+OutputPortInterface* outputOf(TaskContext& peer, const std::string& component, const std::string& path) {
+    RTT::base::PortInterface* const port = portOf(peer, path);
+    auto* const output = dynamic_cast<OutputPortInterface*>(port);
+    if (output) return output;
+    if (port)
+        log(RTT::Error) << "can not report input port '" << path << "' of component '" << component << "'" << endlog();
+    else
+        log(RTT::Error) << "could not report port '" << path << "': no such port on component '" << component << "'"
+                        << didYouMean(path, outputsOf(peer)) << endlog();
+    return nullptr;
+}
+
+bool isEntry(const RTT::base::PropertyBase* entry, const std::string& kind, const std::string& value) {
+    const auto* const text = dynamic_cast<const RTT::Property<std::string>*>(entry);
+    return text && text->getName() == kind && text->get() == value;
+}
+
+}  // namespace
+
+reporting::Sources::iterator ReportingComponent::Impl::find(const std::string& name) {
+    return std::find_if(sources.begin(), sources.end(), [&](const auto& source) { return source->name() == name; });
+}
+
+bool ReportingComponent::Impl::isReported(const std::string& name) { return find(name) != sources.end(); }
+
+bool ReportingComponent::Impl::isReportedNow(const std::string& name) {
+    const auto found = find(name);
+    return found != sources.end() && isUpToDate(**found);
+}
+
+bool ReportingComponent::Impl::isUpToDate(const Source& source) const {
+    TaskContext* const peer = self.getPeer(source.component());
+    if (!peer) return false;
+    if (!source.port()) return valueOf(*peer, source.path()) == source.original();
+    RTT::base::PortInterface* const port = portOf(*peer, source.path());
+    return port && port->connectedTo(source.port());
+}
+
+std::string ReportingComponent::Impl::freeName(const std::string& component, const std::string& port) {
+    const auto old = find(component + "." + port);
+    const RTT::base::PortInterface* const replaced = old == sources.end() ? nullptr : (*old)->port();
+    // Port c of component a_b, and port b_c of component a.
+    std::string name = component + "_" + port;
+    for (const RTT::base::PortInterface* at; (at = self.ports()->getPort(name)) && at != replaced;) name += "_";
+    return name;
+}
+
+void ReportingComponent::Impl::put(std::shared_ptr<Source> source) {
+    const auto old = find(source->name());
+    if (old == sources.end()) {
+        sources.push_back(source);
+    } else {
+        if (InputPortInterface* const port = (*old)->port()) self.ports()->removePort(port->getName());
+        *old = source;
+    }
+    if (!source->port()) return;
+    self.ports()->addLocalEventPort(*source->port());
+    source->port()->signalInterface(false);  // until the component runs
 }
 
 bool ReportingComponent::Impl::remove(const std::string& name) {
-    const auto found = std::find_if(sources.begin(), sources.end(), [&](const auto& s) { return s->name() == name; });
+    const auto found = find(name);
     if (found == sources.end()) return false;
     if (InputPortInterface* const port = (*found)->port()) self.ports()->removePort(port->getName());
     sources.erase(found);
     return true;
 }
 
-bool ReportingComponent::Impl::addComponent(const std::string& component) {
+bool ReportingComponent::Impl::addComponent(const std::string& component, Known known) {
     TaskContext* const peer = peerOf(self, component);
     if (!peer) return false;
     // A port of a type that no typekit has is said to be left out: the others of such a component have their columns.
-    for (RTT::base::PortInterface* port : peer->ports()->getPorts())
-        if (dynamic_cast<OutputPortInterface*>(port)) (void)addPort(component, port->getName());
+    for (RTT::base::PortInterface* port : peer->ports()->getPorts()) {
+        if (!dynamic_cast<OutputPortInterface*>(port)) continue;
+        const bool stays = known == Known::Stay && isReportedNow(component + "." + port->getName());
+        if (!stays) (void)addPort(component, port->getName());
+    }
     return true;
 }
 
 bool ReportingComponent::Impl::addPort(const std::string& component, const std::string& path) {
     TaskContext* const peer = peerOf(self, component);
-    if (!peer) return false;
-    std::string last = path;
-    const RTT::Service::shared_ptr service = serviceOf(*peer, last);
-    RTT::base::PortInterface* const port = service ? service->getPort(last) : nullptr;
-    if (!port) {
-        log(RTT::Error) << "could not report port '" << path << "': no such port on component '" << component << "'"
-                        << endlog();
-        return false;
-    }
-    auto* const output = dynamic_cast<OutputPortInterface*>(port);
-    if (!output) {
-        log(RTT::Error) << "can not report input port '" << path << "' of component '" << component << "'" << endlog();
-        return false;
-    }
+    OutputPortInterface* const output = peer ? outputOf(*peer, component, path) : nullptr;
+    if (!output) return false;
     const std::string name = component + "." + path;
-    const DataSourceBase::shared_ptr sample = placeFor(port->getTypeInfo(), name);
-    if (!sample) return false;
-    if (isReported(name)) {
+    if (isReportedNow(name))
         log(RTT::Warning) << "already reporting '" << name << "': removing the old port first" << endlog();
-        (void)remove(name);
-    }
-    std::unique_ptr<InputPortInterface> input(port->getTypeInfo()->inputPort(component + "_" + path));
-    if (!input || !output->connectTo(input.get(), policy)) {
+    return connect(component, path, *output);
+}
+
+bool ReportingComponent::Impl::connect(const std::string& component, const std::string& path,
+                                       OutputPortInterface& output) {
+    const std::string name = component + "." + path;
+    const DataSourceBase::shared_ptr sample = placeFor(output.getTypeInfo(), name);
+    if (!sample) return false;
+    std::unique_ptr<InputPortInterface> input(output.getTypeInfo()->inputPort(freeName(component, path)));
+    if (!input || !output.connectTo(input.get(), policy)) {
         log(RTT::Error) << "could not report '" << name << "': its port takes no connection" << endlog();
         return false;
     }
     input->doc("Reports " + name);
-    self.ports()->addLocalEventPort(*input);
-    input->signalInterface(false);  // until the component runs
-    sources.push_back(std::make_shared<Source>(component, path, std::move(input), sample));
+    put(std::make_shared<Source>(component, path, std::move(input), sample));
     return true;
 }
 
@@ -131,32 +196,40 @@ bool ReportingComponent::Impl::addData(const std::string& component, const std::
     const DataSourceBase::shared_ptr value = valueOf(*peer, data);
     if (!value) {
         log(RTT::Error) << "could not report '" << data << "': no such property or attribute of component '"
-                        << component << "'" << endlog();
+                        << component << "'" << didYouMean(data, valuesOf(*peer)) << endlog();
         return true;  // files that name what is not there have always been accepted
     }
     const DataSourceBase::shared_ptr sample = placeFor(value->getTypeInfo(), name);
     if (!sample) return false;
-    (void)remove(name);
-    sources.push_back(std::make_shared<Source>(component, data, value, sample));
+    put(std::make_shared<Source>(component, data, value, sample));
     return true;
 }
 
-void ReportingComponent::Impl::findValuesAnew() {
-    for (const std::shared_ptr<Source>& source : reporting::Sources(sources)) {
-        if (source->port()) continue;
-        TaskContext* const peer = self.getPeer(source->component());
-        const DataSourceBase::shared_ptr value = peer ? valueOf(*peer, source->path()) : nullptr;
-        if (value == source->original()) continue;
-        const auto at = std::find(sources.begin(), sources.end(), source);
-        const DataSourceBase::shared_ptr sample = value ? placeFor(value->getTypeInfo(), source->name()) : nullptr;
-        if (sample) {
-            *at = std::make_shared<Source>(source->component(), source->path(), value, sample);
-            continue;
-        }
-        log(RTT::Error) << "'" << self.getName() << "' no longer reports '" << source->name()
-                        << "': no such peer, or it has no such property or attribute any more" << endlog();
-        sources.erase(at);
+bool ReportingComponent::Impl::renew(const Source& source) {
+    TaskContext* const peer = self.getPeer(source.component());
+    if (source.port()) {
+        // One that has gone keeps its column, with the last value.
+        RTT::base::PortInterface* const port = peer ? portOf(*peer, source.path()) : nullptr;
+        if (auto* const output = dynamic_cast<OutputPortInterface*>(port))
+            (void)connect(source.component(), source.path(), *output);
+        return true;
     }
+    const DataSourceBase::shared_ptr value = peer ? valueOf(*peer, source.path()) : nullptr;
+    const DataSourceBase::shared_ptr sample = value ? placeFor(value->getTypeInfo(), source.name()) : nullptr;
+    if (sample) {
+        put(std::make_shared<Source>(source.component(), source.path(), value, sample));
+        return true;
+    }
+    log(RTT::Error) << "'" << self.getName() << "' leaves out '" << source.name()
+                    << "': no such peer, or it has no such property or attribute any more" << endlog();
+    return false;
+}
+
+reporting::Sources ReportingComponent::Impl::present() {
+    reporting::Sources result;
+    for (const std::shared_ptr<Source>& source : reporting::Sources(sources))
+        if (isUpToDate(*source) || renew(*source)) result.push_back(*find(source->name()));
+    return result;
 }
 
 bool ReportingComponent::Impl::removeAllOf(const std::string& component) {
@@ -165,11 +238,10 @@ bool ReportingComponent::Impl::removeAllOf(const std::string& component) {
     for (const std::shared_ptr<Source>& source : reporting::Sources(sources)) {
         if (source->name().compare(0, prefix.size(), prefix) != 0) continue;
         any |= remove(source->name());
-        forgetEntry("Port", source->name());
-        forgetEntry("Data", source->name());
+        (void)forgetEntry("Port", source->name());
+        (void)forgetEntry("Data", source->name());
     }
-    forgetEntry("Component", component);
-    return any;
+    return forgetEntry("Component", component) || any;
 }
 
 // --- the property ReportData ---------------------------------------------------------------------------------------
@@ -198,10 +270,11 @@ bool ReportingComponent::Impl::addEntry(const RTT::base::PropertyBase& entry) {
     }
     const std::string& kind = entry.getName();
     const std::string value = text->get();
-    if (kind == "Component") return addComponent(value);
+    if (kind == "Component") return addComponent(value, Known::Stay);
     if (kind != "Port" && kind != "Data") {
         log(RTT::Error) << "property of ReportData: found name \"" << kind
-                        << "\", expected \"Component\", \"Port\" or \"Data\"" << endlog();
+                        << "\", expected \"Component\", \"Port\" or \"Data\""
+                        << didYouMean(kind, {"Component", "Port", "Data"}) << endlog();
         return false;
     }
     const std::size_t dot = value.find('.');
@@ -211,23 +284,23 @@ bool ReportingComponent::Impl::addEntry(const RTT::base::PropertyBase& entry) {
                         << (kind == "Port" ? "ports" : "properties or attributes") << endlog();
         return false;
     }
-    // By an operation that was called before configure(). A port that has gone since is looked for again.
-    if (isConnected(value)) return true;
-    if (kind == "Port") (void)remove(value);
+    // By an operation that was called before configure(). What has gone since is looked for again.
+    if (isReportedNow(value)) return true;
     const std::string component = value.substr(0, dot), name = value.substr(dot + 1);
     return kind == "Port" ? addPort(component, name) : addData(component, name);
 }
 
 void ReportingComponent::Impl::rememberEntry(const std::string& kind, const std::string& value) {
-    forgetEntry(kind, value);
+    for (const RTT::base::PropertyBase* entry : reportData)
+        if (isEntry(entry, kind, value)) return;  // its place is that of the column
     reportData.ownProperty(new RTT::Property<std::string>(kind, "", value));
 }
 
-void ReportingComponent::Impl::forgetEntry(const std::string& kind, const std::string& value) {
-    for (RTT::base::PropertyBase* entry : RTT::PropertyBag::Properties(reportData.getProperties())) {
-        const auto* const text = dynamic_cast<RTT::Property<std::string>*>(entry);
-        if (text && text->getName() == kind && text->get() == value) reportData.removeProperty(entry);
-    }
+bool ReportingComponent::Impl::forgetEntry(const std::string& kind, const std::string& value) {
+    bool any = false;
+    for (RTT::base::PropertyBase* entry : RTT::PropertyBag::Properties(reportData.getProperties()))
+        if (isEntry(entry, kind, value)) any |= reportData.removeProperty(entry);
+    return any;
 }
 
 void ReportingComponent::Impl::forgetAll() {

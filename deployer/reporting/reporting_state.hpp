@@ -8,6 +8,7 @@
 #include <ocl/ReportingComponent.hpp>
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/PropertyBag.hpp>
+#include <rtt/base/OutputPortInterface.hpp>
 
 #include <memory>
 #include <mutex>
@@ -20,21 +21,36 @@ struct ReportingComponent::Impl {
     explicit Impl(ReportingComponent& component) : self(component) {}
 
     // --- report_entries.cpp; the caller holds `changes` ---
-    bool addComponent(const std::string& component);
+    /** What a component's ports are that are reported already. */
+    enum class Known {
+        ConnectAnew,  ///< with a warning
+        Stay
+    };
+    bool addComponent(const std::string& component, Known known);
     bool addPort(const std::string& component, const std::string& port);
     bool addData(const std::string& component, const std::string& data);
-    bool isReported(const std::string& name) const;
-    /** Reported, and not by a port whose component has gone. */
-    bool isConnected(const std::string& name) const;
-    /** Properties and attributes: their component may have gone, or been replaced, since they were added. */
-    void findValuesAnew();
+    bool isReported(const std::string& name);
+    reporting::Sources::iterator find(const std::string& name);
+    /** And up to date. */
+    bool isReportedNow(const std::string& name);
+    /** It is of the component that the peer of that name is now. */
+    bool isUpToDate(const reporting::Source& source) const;
+    /** Those that there are; components may have gone, or been replaced, since their values and ports were added. */
+    reporting::Sources present();
+    /** Takes another one of that name. False, and an error: there is no such value any more. */
+    bool renew(const reporting::Source& source);
+    /** Of a port of ours that is to be connected to that one. */
+    std::string freeName(const std::string& component, const std::string& port);
+    bool connect(const std::string& component, const std::string& port, RTT::base::OutputPortInterface& output);
+    /** In the place of the one of that name, or behind all others. */
+    void put(std::shared_ptr<reporting::Source> source);
     bool remove(const std::string& name);
     bool removeAllOf(const std::string& component);
     /** What ReportData says; reports all its errors. */
     bool addEntries();
     bool addEntry(const RTT::base::PropertyBase& entry);
     void rememberEntry(const std::string& kind, const std::string& value);
-    void forgetEntry(const std::string& kind, const std::string& value);
+    bool forgetEntry(const std::string& kind, const std::string& value);
     void forgetAll();
 
     reporting::ReportOptions options() const;

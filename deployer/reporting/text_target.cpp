@@ -20,6 +20,11 @@ bool isRegular(int file) {
     return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool isPipe(const std::string& name) {
+    struct stat status {};
+    return ::stat(name.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
 class FileTarget : public TextTarget {
 public:
     FileTarget(int file, std::string name) : file_(file), name_(std::move(name)) {}
@@ -62,11 +67,13 @@ private:
 }  // namespace
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
-    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    // To open a pipe that nobody reads from would last until somebody does, and start() with it.
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
     if (file < 0) {
-        error = systemError();
+        error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : systemError();
         return nullptr;
     }
+    (void)::fcntl(file, F_SETFL, O_APPEND);  // written to it is as fast as it takes it
     std::unique_ptr<TextTarget> target(new FileTarget(file, name));
     if (!isRegular(file)) return target;
     // Its rows would be gone, and ours among those that follow. Not all file systems have locks: without, nobody knows.

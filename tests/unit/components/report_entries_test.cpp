@@ -53,9 +53,12 @@ TEST_F(ReportEntries, AllBadEntriesAreReported) {
     EXPECT_FALSE(reporter->configure());
     const std::string said = log();
     EXPECT_THAT(said, HasSubstr("found 'Machine', expected the name of a component, a dot"));
-    EXPECT_THAT(said, HasSubstr("found name \"Ports\", expected \"Component\", \"Port\" or \"Data\""));
-    EXPECT_THAT(said, HasSubstr("could not report component 'Machin': no such peer; its peers: Machine"));
-    EXPECT_THAT(said, HasSubstr("could not report port 'sped': no such port on component 'Machine'"));
+    EXPECT_THAT(said,
+                HasSubstr("found name \"Ports\", expected \"Component\", \"Port\" or \"Data\"; did you mean 'Port'?"));
+    EXPECT_THAT(
+        said,
+        HasSubstr("could not report component 'Machin': no such peer; its peers: Machine; did you mean 'Machine'?"));
+    EXPECT_THAT(said, HasSubstr("no such port on component 'Machine'; did you mean 'speed'?"));
     EXPECT_THAT(said, HasSubstr("can not report input port 'setpoint'"));
     EXPECT_THAT(said, HasSubstr("property \"Data\" of ReportData: found type int, expected string"));
 }
@@ -64,6 +67,7 @@ TEST_F(ReportEntries, UnknownDataIsAnErrorInTheLogOnly) {
     const LogText log;
     EXPECT_TRUE(reporter->reportData("Machine", "again"));
     EXPECT_THAT(log(), HasSubstr("could not report 'again': no such property or attribute of component 'Machine'"));
+    EXPECT_THAT(log(), HasSubstr("; did you mean 'gain'?"));
     EXPECT_EQ("", entries());
 }
 
@@ -107,6 +111,16 @@ TEST_F(ReportEntries, OperationsKeepReportDataUpToDate) {
     EXPECT_EQ(" TimeStamp", header());
 }
 
+TEST_F(ReportEntries, AComponentWithoutPortsIsReportedUntilItIsUnreported) {
+    RTT::TaskContext other("Other");
+    reporter->addPeer(&other);
+    ASSERT_TRUE(reporter->reportComponent("Other"));
+    EXPECT_EQ("Component=Other ", entries());
+    EXPECT_TRUE(reporter->unreportComponent("Other"));
+    EXPECT_FALSE(reporter->unreportComponent("Other"));
+    EXPECT_EQ("", entries());
+}
+
 TEST_F(ReportEntries, ReportingAgainReplacesThePort) {
     const LogText log;
     ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
@@ -137,6 +151,79 @@ TEST_F(ReportEntries, ConfigureConnectsAPortAnewWhoseComponentWasReplaced) {
     EXPECT_EQ("Port=Machine.speed ", entries());
     EXPECT_EQ(" TimeStamp Machine.speed", header());
     reporter->removePeer("Machine");
+}
+
+TEST_F(ReportEntries, ATakenNameGetsThePortAlsoWhileTheOldComponentLives) {
+    for (const char* port : {"speed", "mode"}) ASSERT_TRUE(reporter->reportPort("Machine", port));
+    Machine other;
+    reporter->removePeer("Machine");
+    reporter->addPeer(&other);
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_FALSE(machine.speed.connected());
+    EXPECT_TRUE(other.speed.connected());
+    reporter->removePeer("Machine");
+    reporter->addPeer(&machine);
+    machine.speed.write(7);
+    ASSERT_TRUE(reporter->start());
+    EXPECT_FALSE(other.speed.connected());
+    EXPECT_EQ(" TimeStamp Machine.speed Machine.mode\n 0 7 Idle \n", report());
+}
+
+TEST_F(ReportEntries, ColumnsKeepTheirPlaceWhenTheirSourceIsReplaced) {
+    auto other = std::make_unique<Machine>();
+    reporter->removePeer("Machine");
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    ASSERT_TRUE(reporter->reportData("Machine", "gain"));
+    ASSERT_TRUE(reporter->reportComponent("Machine"));
+    const std::string before = entries(), columns = header();
+    EXPECT_EQ(0u, columns.find(" TimeStamp Machine.speed Machine.gain Machine.place"));
+    other = std::make_unique<Machine>();
+    reporter->addPeer(other.get());
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_EQ(before, entries());
+    text.str("");
+    EXPECT_EQ(columns, header());
+    reporter->reportPort("Machine", "speed");
+    reporter->reportData("Machine", "gain");
+    EXPECT_EQ(before, entries());
+    text.str("");
+    EXPECT_EQ(columns, header());
+    reporter->removePeer("Machine");
+}
+
+TEST_F(ReportEntries, ConfigureKeepsThePortsOfAReportedComponent) {
+    ASSERT_TRUE(reporter->reportComponent("Machine"));
+    const RTT::base::PortInterface* const port = reporter->getPort("Machine_speed");
+    const LogText log;
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_EQ("", log());
+    EXPECT_EQ(port, reporter->getPort("Machine_speed"));
+    RTT::OutputPort<int> late("late");
+    machine.addPort(late);
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_THAT(header(), testing::EndsWith(" Machine.mode Machine.late"));
+}
+
+TEST_F(ReportEntries, PortsWhoseNamesWouldBeTheSameAreBothReported) {
+    const LogText log;
+    RTT::TaskContext one("a"), other("a_b");
+    RTT::OutputPort<int> first("b_c"), second("c");
+    one.addPort(first);
+    other.addPort(second);
+    reporter->addPeer(&one);
+    reporter->addPeer(&other);
+    ASSERT_TRUE(reporter->reportPort("a", "b_c"));
+    ASSERT_TRUE(reporter->reportPort("a_b", "c"));
+    first.write(1);
+    second.write(2);
+    EXPECT_EQ("", log());
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" TimeStamp a.b_c a_b.c\n 0 1 2 \n", report());
+    EXPECT_TRUE(reporter->unreportPort("a", "b_c"));
+    EXPECT_FALSE(first.connected());
+    EXPECT_TRUE(second.connected());
+    reporter->cleanup();
 }
 
 TEST_F(ReportEntries, ConfigureRefusesAPortWhoseComponentHasGone) {
@@ -185,12 +272,18 @@ TEST_F(ReportEntries, ValuesAreLookedForAgainAtEachStart) {
     ASSERT_TRUE(reporter->start());
     other->properties()->removeProperty(other->getProperty("kept"));
     EXPECT_EQ(" TimeStamp Other.kept Machine.gain\n 0 three 1.5 \n", report());
-    EXPECT_THAT(log(),
-                HasSubstr("'Reporter' no longer reports 'Other.gone': no such peer, or it has no such property"));
+    EXPECT_THAT(log(), HasSubstr("'Reporter' leaves out 'Other.gone': no such peer, or it has no such property"));
     other.reset();
     text.str("");
     ASSERT_TRUE(reporter->start());
     EXPECT_EQ(" TimeStamp Machine.gain\n 0 1.5 \n", report());
+    // Back again, in its old place.
+    other.reset(new RTT::TaskContext("Other"));
+    other->addProperty("gone", gone);
+    reporter->addPeer(other.get());
+    text.str("");
+    ASSERT_TRUE(reporter->start());
+    EXPECT_EQ(" TimeStamp Other.gone Machine.gain\n 0 1 1.5 \n", report());
 }
 
 TEST_F(ReportEntries, ReportPolicyDecidesHowPortsAreConnected) {

@@ -231,4 +231,29 @@ TEST(RowWriter, APipeWithoutReaderIsAnErrorInTheLog) {
     EXPECT_NE(std::string::npos, log.str().find("pipe': Broken pipe; no further rows are written")) << log.str();
 }
 
+TEST_F(ReportFile, APipeThatNobodyReadsIsNotWaitedFor) {
+    ASSERT_EQ(0, mkfifo(name_.c_str(), 0600));
+    EXPECT_EQ(nullptr, openFile(name_, error_));
+    EXPECT_EQ("nobody reads from this pipe", error_);
+}
+
+TEST_F(ReportFile, APipeTakesMoreThanItHolds) {
+    ASSERT_EQ(0, mkfifo(name_.c_str(), 0600));
+    const int reader = open(name_.c_str(), O_RDONLY | O_NONBLOCK);
+    std::unique_ptr<TextTarget> target = openFile(name_, error_);
+    ASSERT_NE(nullptr, target) << error_;
+    std::string text(300000, 'x');
+    std::thread writing([&] {
+        put(*target, text);
+        target.reset();
+    });
+    ASSERT_EQ(0, fcntl(reader, F_SETFL, 0));
+    char part[1000];
+    std::size_t got = 0;
+    for (ssize_t more; (more = read(reader, part, sizeof part)) > 0;) got += static_cast<std::size_t>(more);
+    writing.join();
+    close(reader);
+    EXPECT_EQ(text.size(), got);
+}
+
 }  // namespace
