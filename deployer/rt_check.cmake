@@ -8,6 +8,7 @@ find_package(Threads REQUIRED)
 add_library(orocos-rtcheck SHARED
   rt_check/findings.cpp
   rt_check/locks.c
+  rt_check/lookups.c
   rt_check/memory.c
   rt_check/next.c
   rt_check/raw_calls.c

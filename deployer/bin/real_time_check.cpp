@@ -43,18 +43,41 @@ bool isRealTime(const HookInProgress& hook) {
     return (thread && RTT::os::realTimeWanted(*thread)) || RTT::os::inRealTimeThread();
 }
 
-bool isUpdateHook(const HookInProgress& hook) { return std::strcmp(hook.hook, "updateHook()") == 0; }
+/** What each step of a component may consist of, in the order of oroforge_rt_place; and what the report calls it. */
+const struct {
+    const char* hook;
+    const char* where;
+    const char* many;
+} kPlaces[OROFORGE_RT_PLACES] = {{"updateHook()", "updateHook()", "updateHook()"},
+                                 {"errorHook()", "errorHook()", "errorHook()"},
+                                 {"the callback of a port", "the callback of a port", "callbacks of ports"},
+                                 {"a message", "an operation", "operations"},
+                                 {"a function", "a script", "scripts"}};
+
+/** OROFORGE_RT_PLACES: none of them. */
+int placeOf(const HookInProgress& hook) {
+    int place = 0;
+    while (place != OROFORGE_RT_PLACES && std::strcmp(hook.hook, kPlaces[place].hook) != 0) ++place;
+    return place;
+}
+
+/** Before start() it may take its time. */
+bool isRunning(const HookInProgress& hook) {
+    using Core = RTT::base::TaskCore;
+    return hook.task && hook.task->Core::getTaskState() >= Core::Running;
+}
 
 void onBegin(const HookInProgress& hook) {
-    if (!isUpdateHook(hook)) return;
-    const bool realTime = isRealTime(hook);
+    const int place = placeOf(hook);
+    if (place == OROFORGE_RT_PLACES) return;
+    const bool realTime = isRunning(hook) && isRealTime(hook);
     // The logger's line of this thread: a real-time thread has one before it executes anything.
-    if (realTime) const RTT::Logger::In prepared("updateHook");
-    beginWatch(hook.component, realTime);
+    if (realTime) const RTT::Logger::In prepared(kPlaces[place].where);
+    beginWatch(hook.component, static_cast<oroforge_rt_place>(place), realTime);
 }
 
 void onEnd(const HookInProgress& hook) {
-    if (isUpdateHook(hook)) endWatch();
+    if (placeOf(hook) != OROFORGE_RT_PLACES) endWatch();
 }
 
 const RTT::internal::HookWatch kWatch = {&onBegin, &onEnd};
@@ -129,10 +152,23 @@ void add(void* to, const oroforge_rt_finding* finding) {
     oroforge::diag::Diagnostic diagnostic;
     const Fault fault = describe(finding->fault);
     diagnostic.code = fault.code;
-    diagnostic.message = std::string("component '") + finding->component + "' " + fault.verb +
-                         " in updateHook(): " + finding->function + "(), " + times(finding->count, "time", "times");
+    diagnostic.message = std::string("component '") + finding->component + "' " + fault.verb + " in " +
+                         kPlaces[finding->place].where + ": " + finding->function + "(), " +
+                         times(finding->count, "time", "times");
     for (unsigned i = 0; i != finding->depth; ++i) diagnostic.hint(finding->frames[i]);
     static_cast<Findings*>(to)->push_back(std::move(diagnostic));
+}
+
+/** "300 executions of updateHook(), 2 of scripts"; empty if there were none. */
+std::string executions(const oroforge_rt_totals& totals) {
+    std::string text;
+    for (int place = 0; place != OROFORGE_RT_PLACES; ++place) {
+        const unsigned long count = totals.executions[place];
+        if (count == 0) continue;
+        text += text.empty() ? times(count, "execution", "executions") : ", " + std::to_string(count);
+        text += std::string(" of ") + kPlaces[place].many;
+    }
+    return text;
 }
 
 /** The place that "'function()' (file+0x1234)" or "file+0x1234" ends in; no file if it is none. */
@@ -194,11 +230,12 @@ bool reportRealTimeCheck(const std::string& program) {
     if (totals.lost != 0)
         std::cerr << program << ": warning: --rt-check had no room for "
                   << times(totals.lost, "more call", "more calls") << "\n";
-    if (totals.hooks == 0)
+    const std::string executed = executions(totals);
+    if (executed.empty())
         std::cerr << program << ": warning: --rt-check saw no updateHook() of a component with a real-time scheduler\n";
     else
-        std::cerr << program << ": --rt-check: " << times(found.size(), "finding", "findings") << " in "
-                  << times(totals.hooks, "execution", "executions") << " of updateHook()\n";
+        std::cerr << program << ": --rt-check: " << times(found.size(), "finding", "findings") << " in " << executed
+                  << "\n";
     return found.empty();
 }
 

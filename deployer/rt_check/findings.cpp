@@ -15,6 +15,7 @@ Finding findings[kFindings];
 namespace {
 
 std::atomic<unsigned> addressGeneration{0};
+std::atomic<unsigned> made{0};
 
 std::size_t hashOf(const Call& call, unsigned generation) noexcept {
     std::uint64_t hash = 1469598103934665603u;
@@ -29,16 +30,18 @@ std::size_t hashOf(const Call& call, unsigned generation) noexcept {
 }  // namespace
 
 bool Finding::isOf(const Call& call, std::size_t itsHash, unsigned itsGeneration) const noexcept {
-    return hash == itsHash && generation == itsGeneration && fault == call.fault && depth == call.depth &&
-           std::strcmp(function, call.function) == 0 &&
+    return hash == itsHash && generation == itsGeneration && place == call.place && fault == call.fault &&
+           depth == call.depth && std::strcmp(function, call.function) == 0 &&
            std::strncmp(component, call.component, kLongestName - 1) == 0 &&
            std::equal(frames, frames + depth, call.frames);
 }
 
 void Finding::fill(const Call& call, std::size_t itsHash, unsigned itsGeneration) noexcept {
     hash = itsHash;
+    number = made.fetch_add(1, std::memory_order_relaxed);
     generation = itsGeneration;
     std::strncpy(component, call.component, kLongestName - 1);
+    place = call.place;
     fault = call.fault;
     function = call.function;
     depth = call.depth;

@@ -13,6 +13,7 @@ namespace oroforge::rt_check {
 /** A call that was made: what, by whom, from where. */
 struct Call {
     const char* component;
+    oroforge_rt_place place;
     oroforge_rt_fault fault;
     const char* function;
     void* const* frames;  // the innermost first
@@ -36,8 +37,10 @@ struct Finding {
     std::atomic<int> state{kFree};
     std::atomic<unsigned long> count{0};
     std::size_t hash = 0;
+    unsigned number = 0;      // in the order in which they were made
     unsigned generation = 0;  // of the addresses in frames
     char component[kLongestName] = {};
+    oroforge_rt_place place = OROFORGE_RT_UPDATE;
     oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION;
     const char* function = nullptr;
     unsigned depth = 0;

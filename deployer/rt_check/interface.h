@@ -21,9 +21,20 @@ enum oroforge_rt_fault {
     OROFORGE_RT_STREAM = 6
 };
 
+/* What a component's thread executes for it. */
+enum oroforge_rt_place {
+    OROFORGE_RT_UPDATE,    /* updateHook() */
+    OROFORGE_RT_ERROR,     /* errorHook() */
+    OROFORGE_RT_CALLBACK,  /* of a port */
+    OROFORGE_RT_OPERATION, /* that somebody else has called or sent */
+    OROFORGE_RT_SCRIPT,    /* a step of one, or of another function */
+    OROFORGE_RT_PLACES
+};
+
 /* Calls of one function from one place. The texts live until the next call of oroforge_rt_check_findings(). */
 struct oroforge_rt_finding {
     const char* component;
+    enum oroforge_rt_place place;
     enum oroforge_rt_fault fault;
     const char* function; /* that was called */
     unsigned long count;
@@ -31,16 +42,16 @@ struct oroforge_rt_finding {
     const char* const* frames; /* of the first call, the innermost first */
 };
 
-/* The calling thread begins and ends an updateHook(). They nest; within a watched one all are watched. */
-void oroforge_rt_check_begin(const char* component, int real_time);
+/* The calling thread begins and ends one of these. They nest; within a watched one all are watched. */
+void oroforge_rt_check_begin(const char* component, enum oroforge_rt_place place, int real_time);
 void oroforge_rt_check_end(void);
 
 struct oroforge_rt_totals {
-    unsigned long hooks; /* how often a watched updateHook() was executed */
-    unsigned long lost;  /* calls for which there was no room */
+    unsigned long executions[OROFORGE_RT_PLACES]; /* of what is watched */
+    unsigned long lost;                           /* calls for which there was no room */
 };
 typedef void (*oroforge_rt_visitor)(void* to, const struct oroforge_rt_finding* finding);
-/* Hands over what was found so far, ordered by component, fault, and number of calls. For one thread at a time. */
+/* Hands over what was found so far, ordered by component, place, fault, and number of calls. For one thread at a time. */
 struct oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visitor visit, void* to);
 
 #ifdef __cplusplus

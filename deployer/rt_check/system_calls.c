@@ -9,7 +9,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <mqueue.h>
-#include <netdb.h>
 #include <pthread.h>
 #include <spawn.h>
 #include <stdarg.h>
@@ -17,13 +16,20 @@
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/ipc.h>
 #include <sys/mman.h>
+#include <sys/msg.h>
+#include <semaphore.h>
 #include <sys/resource.h>
+#include <sys/sem.h>
 #include <sys/sendfile.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/uio.h>
+#include <sys/vfs.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 int oroforge_rt_may_block(int fd) {
@@ -64,6 +70,12 @@ WATCH_FD(int, close, (int fd), (fd))
 WATCH_FD(ssize_t, preadv, (int fd, Parts parts, int n, off_t at), (fd, parts, n, at))
 WATCH_FD(ssize_t, pwritev, (int fd, Parts parts, int n, off_t at), (fd, parts, n, at))
 WATCH_FD(int, syncfs, (int fd), (fd))
+WATCH_FD(ssize_t, copy_file_range, (int fd, off64_t* from, int out, off64_t* to, size_t size, unsigned flags), (fd, from, out, to, size, flags))
+WATCH_FD(ssize_t, splice, (int fd, off64_t* from, int out, off64_t* to, size_t size, unsigned flags), (fd, from, out, to, size, flags))
+/* Whatever the line was opened with: it waits until all is sent. */
+OROFORGE_WATCH(SYSTEM_CALL, int, tcdrain, (int fd), (fd))
+OROFORGE_WATCH(SYSTEM_CALL, int, tcsendbreak, (int fd, int duration), (fd, duration))
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, tcsetattr, (int fd, int when, const struct termios* to), (fd, when, to), when != TCSANOW)
 WATCH_FD(int, fallocate, (int fd, int how, off_t at, off_t size), (fd, how, at, size))
 WATCH_FD(int, posix_fallocate, (int fd, off_t at, off_t size), (fd, at, size))
 OROFORGE_WATCH_IF(SYSTEM_CALL, int, flock, (int fd, int what), (fd, what), !(what & (LOCK_NB | LOCK_UN)))
@@ -81,12 +93,16 @@ OROFORGE_WATCH_IF(SYSTEM_CALL, int, recvmmsg, (int s, struct mmsghdr* m, unsigne
 WATCH_FD(int, accept, (int fd, Address a, socklen_t* n), (fd, a, n))
 WATCH_FD(int, accept4, (int fd, Address a, socklen_t* n, int flags), (fd, a, n, flags))
 WATCH_FD(int, connect, (int fd, ToAddress a, socklen_t n), (fd, a, n))
-OROFORGE_WATCH(SYSTEM_CALL, int, getaddrinfo, (const char* host, const char* service, const struct addrinfo* hints, struct addrinfo** found), (host, service, hints, found))
 
 OROFORGE_WATCH_IF(SYSTEM_CALL, int, mq_send, (mqd_t q, const char* from, size_t size, unsigned priority), (q, from, size, priority), QUEUE_MAY_BLOCK)
 OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, mq_receive, (mqd_t q, char* to, size_t size, unsigned* priority), (q, to, size, priority), QUEUE_MAY_BLOCK)
 OROFORGE_WATCH_IF(SYSTEM_CALL, int, mq_timedsend, (mqd_t q, const char* from, size_t size, unsigned priority, Time t), (q, from, size, priority, t), QUEUE_MAY_BLOCK)
 OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, mq_timedreceive, (mqd_t q, char* to, size_t size, unsigned* priority, Time t), (q, to, size, priority, t), QUEUE_MAY_BLOCK)
+
+OROFORGE_WATCH_IF(SYSTEM_CALL, int, msgsnd, (int q, const void* from, size_t size, int flags), (q, from, size, flags), !(flags & IPC_NOWAIT))
+OROFORGE_WATCH_IF(SYSTEM_CALL, ssize_t, msgrcv, (int q, void* to, size_t size, long type, int flags), (q, to, size, type, flags), !(flags & IPC_NOWAIT))
+OROFORGE_WATCH(SYSTEM_CALL, int, semop, (int set, struct sembuf* what, size_t n), (set, what, n))
+OROFORGE_WATCH(SYSTEM_CALL, int, semtimedop, (int set, struct sembuf* what, size_t n, Time t), (set, what, n, t))
 
 OROFORGE_WATCH(SYSTEM_CALL, int, creat, (const char* path, mode_t mode), (path, mode))
 OROFORGE_WATCH(SYSTEM_CALL, int, stat, (const char* path, struct stat* to), (path, to))
@@ -95,6 +111,16 @@ OROFORGE_WATCH(SYSTEM_CALL, int, access, (const char* path, int what), (path, wh
 OROFORGE_WATCH(SYSTEM_CALL, int, fstatat, (int at, const char* path, struct stat* to, int flags), (at, path, to, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, truncate, (const char* path, off_t size), (path, size))
 OROFORGE_WATCH(SYSTEM_CALL, ssize_t, readlink, (const char* path, char* to, size_t size), (path, to, size))
+OROFORGE_WATCH_VERSION(SYSTEM_CALL, "GLIBC_2.3", char*, realpath, (const char* path, char* to), (path, to), 1)
+OROFORGE_WATCH(SYSTEM_CALL, int, statvfs, (const char* path, struct statvfs* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, statfs, (const char* path, struct statfs* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, statx, (int at, const char* path, int flags, unsigned mask, struct statx* to), (at, path, flags, mask, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, chmod, (const char* path, mode_t mode), (path, mode))
+OROFORGE_WATCH(SYSTEM_CALL, int, link, (const char* path, const char* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, symlink, (const char* path, const char* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, mkstemp, (char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, int, mkostemp, (char* path, int flags), (path, flags))
+OROFORGE_WATCH(SYSTEM_CALL, char*, mkdtemp, (char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, int, chdir, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, int, unlink, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, int, unlinkat, (int at, const char* path, int flags), (at, path, flags))
@@ -106,6 +132,8 @@ OROFORGE_WATCH(SYSTEM_CALL, DIR*, opendir, (const char* path), (path))
 OROFORGE_WATCH(SYSTEM_CALL, struct dirent*, readdir, (DIR* d), (d))
 OROFORGE_WATCH(SYSTEM_CALL, int, msync, (void* at, size_t size, int flags), (at, size, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, shm_open, (const char* name, int flags, mode_t mode), (name, flags, mode))
+OROFORGE_WATCH(SYSTEM_CALL, int, shm_unlink, (const char* name), (name))
+OROFORGE_WATCH(SYSTEM_CALL, int, mq_unlink, (const char* name), (name))
 
 OROFORGE_WATCH(SYSTEM_CALL, pid_t, fork, (void), ())
 OROFORGE_WATCH_IF(SYSTEM_CALL, pid_t, waitpid, (pid_t p, int* status, int how), (p, status, how), !(how & WNOHANG))
@@ -127,6 +155,10 @@ WATCH_FD(int, ftruncate64, (int fd, off64_t size), (fd, size))
 WATCH_FD(int, fallocate64, (int fd, int how, off64_t at, off64_t size), (fd, how, at, size))
 WATCH_FD(int, posix_fallocate64, (int fd, off64_t at, off64_t size), (fd, at, size))
 OROFORGE_WATCH_IF(SYSTEM_CALL, int, lockf64, (int fd, int what, off64_t size), (fd, what, size), what == F_LOCK)
+OROFORGE_WATCH(SYSTEM_CALL, int, statvfs64, (const char* path, struct statvfs64* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, statfs64, (const char* path, struct statfs64* to), (path, to))
+OROFORGE_WATCH(SYSTEM_CALL, int, mkstemp64, (char* path), (path))
+OROFORGE_WATCH(SYSTEM_CALL, int, mkostemp64, (char* path, int flags), (path, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, creat64, (const char* path, mode_t mode), (path, mode))
 OROFORGE_WATCH(SYSTEM_CALL, int, truncate64, (const char* path, off64_t size), (path, size))
 OROFORGE_WATCH(SYSTEM_CALL, int, stat64, (const char* path, struct stat64* to), (path, to))
@@ -140,6 +172,7 @@ extern ssize_t __pread_chk(int, void*, size_t, off_t, size_t);
 extern ssize_t __pread64_chk(int, void*, size_t, off64_t, size_t);
 extern ssize_t __recv_chk(int, void*, size_t, size_t, int);
 extern ssize_t __recvfrom_chk(int, void*, size_t, size_t, int, Address, socklen_t*);
+extern char* __realpath_chk(const char*, char*, size_t);
 extern int __open_2(const char*, int);
 extern int __open64_2(const char*, int);
 extern int __openat_2(int, const char*, int);
@@ -149,6 +182,7 @@ WATCH_FD(ssize_t, __pread_chk, (int fd, void* to, size_t size, off_t at, size_t 
 WATCH_FD(ssize_t, __pread64_chk, (int fd, void* to, size_t size, off64_t at, size_t room), (fd, to, size, at, room))
 WATCH_SOCKET(__recv_chk, (int s, void* to, size_t size, size_t room, int flags), (s, to, size, room, flags))
 WATCH_SOCKET(__recvfrom_chk, (int s, void* to, size_t size, size_t room, int flags, Address a, socklen_t* n), (s, to, size, room, flags, a, n))
+OROFORGE_WATCH(SYSTEM_CALL, char*, __realpath_chk, (const char* path, char* to, size_t room), (path, to, room))
 OROFORGE_WATCH(SYSTEM_CALL, int, __open_2, (const char* path, int flags), (path, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, __open64_2, (const char* path, int flags), (path, flags))
 OROFORGE_WATCH(SYSTEM_CALL, int, __openat_2, (int at, const char* path, int flags), (at, path, flags))
@@ -190,6 +224,30 @@ OPEN(open)
 OPEN(open64)
 OPEN_AT(openat)
 OPEN_AT(openat64)
+
+OROFORGE_IN_FRONT mqd_t mq_open(const char* name, int flags, ...) {
+    va_list list;
+    va_start(list, flags);
+    const mode_t mode = flags & O_CREAT ? (mode_t)va_arg(list, int) : 0;
+    struct mq_attr* const attributes = flags & O_CREAT ? va_arg(list, struct mq_attr*) : 0;
+    va_end(list);
+    OROFORGE_COUNT(SYSTEM_CALL, "mq_open");
+    const mqd_t result = OROFORGE_NEXT_OF(mq_open, 0)(name, flags, mode, attributes);
+    OROFORGE_COUNTED();
+    return result;
+}
+
+OROFORGE_IN_FRONT sem_t* sem_open(const char* name, int flags, ...) {
+    va_list list;
+    va_start(list, flags);
+    const mode_t mode = flags & O_CREAT ? (mode_t)va_arg(list, int) : 0;
+    const unsigned value = flags & O_CREAT ? va_arg(list, unsigned) : 0;
+    va_end(list);
+    OROFORGE_COUNT(SYSTEM_CALL, "sem_open");
+    sem_t* const result = OROFORGE_NEXT_OF(sem_open, 0)(name, flags, mode, value);
+    OROFORGE_COUNTED();
+    return result;
+}
 
 /* Most of what it does is done at once; a lock is waited for. */
 #define FCNTL(NAME)                                                                     \

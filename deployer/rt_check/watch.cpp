@@ -27,9 +27,10 @@ namespace {
 constexpr int kMaxFrames = 64;
 constexpr unsigned kMaxNested = 8;
 
-/** An updateHook() that is being executed; the frames are those in which it was begun. */
+/** What is being executed for a component; the frames are those in which it was begun. */
 struct Hook {
     char component[Finding::kLongestName];  // a copy: it may destroy itself
+    oroforge_rt_place place;
     bool watched;
     int depth;
     void* frames[kMaxFrames];
@@ -42,7 +43,7 @@ struct Hooks {
 };
 __thread Hooks hooks __attribute__((tls_model("initial-exec")));
 
-std::atomic<unsigned long> hooksWatched{0};
+std::atomic<unsigned long> executions[OROFORGE_RT_PLACES];
 std::atomic<unsigned long> callsLost{0};
 
 // Its first call loads a library.
@@ -69,7 +70,7 @@ void note(oroforge_rt_fault fault, const char* function, const void* caller) {
     void* frames[kMaxFrames];
     const int depth = backtrace(frames, kMaxFrames);
     const auto own = ownFrames(frames, depth, caller, hook);
-    if (!count({hook.component, fault, function, own.first, own.second}))
+    if (!count({hook.component, hook.place, fault, function, own.first, own.second}))
         callsLost.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -79,42 +80,56 @@ std::timed_mutex& textMutex() {
     return mutex;
 }
 
+/** "'function()' (file+0x1234)" and "file+0x1234" are in that file. */
+std::string libraryOf(const std::string& frame) {
+    const std::size_t named = frame[0] == '\'' ? frame.find("' (", 1) : std::string::npos;
+    const std::size_t begin = named == std::string::npos ? 0 : named + 3;
+    return frame.substr(begin, frame.rfind("+0x") - begin);
+}
+
+/** The line that has the call made: what the libraries below the component's own do for it, a hundred allocations in a hundred
+    places, is one finding. */
+std::vector<std::string> ownPlace(const Finding& finding) {
+    const std::vector<std::string> texts(finding.texts, finding.texts + finding.depth);
+    const std::string library = libraryOf(texts.back());
+    return {std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return libraryOf(text) == library; }),
+            texts.end()};
+}
+
 /** What the report says of a place, and how often that was. */
 struct Row {
-    const Finding* finding;
+    const Finding* finding;  // the first one there
+    std::vector<std::string> place;
     unsigned long count;
+
+    bool isSame(const Row& other) const {
+        const Finding &a = *finding, &b = *other.finding;
+        return a.place == b.place && a.fault == b.fault && std::strcmp(a.component, b.component) == 0 &&
+               std::strcmp(a.function, b.function) == 0 && place == other.place;
+    }
+    void add(const Row& other) {
+        count += other.count;
+        if (other.finding->number < finding->number) finding = other.finding;
+    }
+    auto key() const {
+        return std::make_tuple(std::string(finding->component), int(finding->place), int(finding->fault), ~count,
+                               std::string(finding->function), place);
+    }
 };
-
-std::vector<std::string> textsOf(const Finding& finding) {
-    return std::vector<std::string>(finding.texts, finding.texts + finding.depth);
-}
-
-bool isSamePlace(const Finding& a, const Finding& b) {
-    return a.fault == b.fault && a.depth == b.depth && std::strcmp(a.component, b.component) == 0 &&
-           std::strcmp(a.function, b.function) == 0 && textsOf(a) == textsOf(b);
-}
 
 std::vector<Row> sortedRows() {
     std::vector<Row> rows;
     forEachFinding([&rows](const Finding& finding) {
         const bool described = finding.depth != 0 && finding.texts[finding.depth - 1];
         if (!described || finding.isAllowed()) return;  // a thread that is still running may have made one just now
-        const unsigned long count = finding.count.load(std::memory_order_relaxed);
-        const auto same =
-            std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return isSamePlace(*row.finding, finding); });
+        const Row row = {&finding, ownPlace(finding), finding.count.load(std::memory_order_relaxed)};
+        const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& known) { return known.isSame(row); });
         if (same != rows.end())
-            same->count += count;
+            same->add(row);
         else
-            rows.push_back({&finding, count});
+            rows.push_back(row);
     });
-    const auto before = [](const Row& a, const Row& b) {
-        const auto key = [](const Row& row) {
-            return std::make_tuple(std::string(row.finding->component), int(row.finding->fault), ~row.count,
-                                   std::string(row.finding->function), textsOf(*row.finding));
-        };
-        return key(a) < key(b);
-    };
-    std::sort(rows.begin(), rows.end(), before);
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.key() < b.key(); });
     return rows;
 }
 
@@ -175,17 +190,18 @@ void oroforge_rt_closed() {
     if (known.exchange(now) != now) beginAddressesAnew();
 }
 
-OROFORGE_IN_FRONT void oroforge_rt_check_begin(const char* component, int real_time) {
+OROFORGE_IN_FRONT void oroforge_rt_check_begin(const char* component, oroforge_rt_place place, int real_time) {
     const Unwatched unwatched;
     // Those that are nested deeper count as the last one.
     if (hooks.count++ < kMaxNested) {
         Hook& hook = hooks.nested[hooks.count - 1];
         std::strncpy(hook.component, component, Finding::kLongestName - 1);
+        hook.place = place;
         hook.watched = real_time != 0 || oroforge_rt_watched != 0;
         hook.depth = hook.watched ? backtrace(hook.frames, kMaxFrames) : 0;
     }
     if (!hooks.nested[std::min(hooks.count, kMaxNested) - 1].watched) return;
-    hooksWatched.fetch_add(1, std::memory_order_relaxed);
+    executions[place].fetch_add(1, std::memory_order_relaxed);
     ++oroforge_rt_watched;
 }
 
@@ -199,11 +215,15 @@ OROFORGE_IN_FRONT oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visi
     oroforge_rt_resolve();
     for (const Row& row : sortedRows()) {
         const Finding& finding = *row.finding;
-        const oroforge_rt_finding found = {finding.component, finding.fault, plainName(finding.function),
+        const oroforge_rt_finding found = {finding.component, finding.place, finding.fault, plainName(finding.function),
                                            row.count,         finding.depth, finding.texts};
         visit(to, &found);
     }
-    return {hooksWatched.load(std::memory_order_relaxed), callsLost.load(std::memory_order_relaxed)};
+    oroforge_rt_totals totals{};
+    for (int place = 0; place != OROFORGE_RT_PLACES; ++place)
+        totals.executions[place] = executions[place].load(std::memory_order_relaxed);
+    totals.lost = callsLost.load(std::memory_order_relaxed);
+    return totals;
 }
 
 }  // extern "C"

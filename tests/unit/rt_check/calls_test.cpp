@@ -18,11 +18,15 @@
 #include <string>
 #include <thread>
 
+#include <climits>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <linux/futex.h>
 #include <malloc.h>
+#include <netdb.h>
 #include <poll.h>
 #include <pthread.h>
+#include <pwd.h>
 #include <semaphore.h>
 #include <spawn.h>
 #include <sys/epoll.h>
@@ -31,6 +35,7 @@
 #include <sys/select.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <sys/wait.h>
@@ -286,6 +291,35 @@ TEST(SystemCalls, ThatStartProgramsAreCounted) {
                   while (waitpid(child, &status, WNOHANG) == 0) sched_yield();
               }));
     EXPECT_EQ(0, status);
+}
+
+TEST(SystemCalls, ThatLookSomethingUpAreCounted) {
+    EXPECT_EQ("RTC005 gethostbyname 1", counted([] { EXPECT_NE(nullptr, gethostbyname("127.0.0.1")); }));
+    EXPECT_EQ("RTC005 getaddrinfo 1", counted([] {
+                  addrinfo *found = nullptr, numeric{};
+                  numeric.ai_flags = AI_NUMERICHOST;
+                  EXPECT_EQ(0, getaddrinfo("127.0.0.1", nullptr, &numeric, &found));
+                  block = found;
+              }));
+    freeaddrinfo(static_cast<addrinfo*>(block));
+    EXPECT_EQ("RTC005 getpwuid 1", counted([] { (void)getpwuid(0); }));
+    char path[PATH_MAX];
+    EXPECT_EQ("RTC005 realpath 1", counted([&] { EXPECT_STREQ("/", realpath("/tmp/..", path)); }));
+    struct statvfs system {};
+    EXPECT_EQ("RTC005 statvfs 1", counted([&] { EXPECT_EQ(0, statvfs("/", &system)); }));
+    EXPECT_LT(0u, system.f_bsize);
+}
+
+/** By the name alone: only the library that asks knows the folder. */
+TEST(SystemCalls, ThatLoadALibraryAreCountedAndFindIt) {
+    void* const opener = dlopen(OPENER_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(nullptr, opener) << dlerror();
+    const auto openOther = reinterpret_cast<void* (*)()>(dlsym(opener, "openOtherLibrary"));
+    void* other = openOther();
+    ASSERT_NE(nullptr, other) << dlerror();
+    EXPECT_THAT(counted([&] { EXPECT_EQ(other, openOther()); }), testing::HasSubstr("RTC005 dlopen 1"));
+    for (int i = 0; i != 2; ++i) EXPECT_EQ(0, dlclose(other));
+    EXPECT_EQ(0, dlclose(opener));
 }
 
 TEST(Streams, AreCountedOnceWhateverTheyDo) {

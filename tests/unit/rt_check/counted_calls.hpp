@@ -29,7 +29,7 @@ inline Counts counts() {
 /** What is counted of a watched call, each with how often: "RTC001 malloc 1, RTC002 free 1". */
 inline std::string counted(const std::function<void()>& call, int realTime = 1) {
     const Counts before = counts();
-    oroforge_rt_check_begin("c", realTime);
+    oroforge_rt_check_begin("c", OROFORGE_RT_UPDATE, realTime);
     call();
     oroforge_rt_check_end();
     std::string text;

@@ -21,9 +21,10 @@ protected:
     }
 
     static bool countFrom(std::size_t place, const char* component = "one", const char* function = "malloc",
-                          oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION) {
+                          oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION,
+                          oroforge_rt_place during = OROFORGE_RT_UPDATE) {
         void* const frames[] = {&code[place], &code[1]};
-        return count({component, fault, function, frames, 2});
+        return count({component, during, fault, function, frames, 2});
     }
     /** How many findings there are, and how many calls they stand for. */
     static std::pair<std::size_t, unsigned long> sum() {
@@ -44,14 +45,16 @@ TEST_F(Findings, WhateverDiffersMakesAnother) {
     EXPECT_TRUE(countFrom(7, "two"));
     EXPECT_TRUE(countFrom(7, "one", "calloc"));
     EXPECT_TRUE(countFrom(7, "one", "malloc", OROFORGE_RT_RELEASE));
-    EXPECT_EQ(std::make_pair(std::size_t(5), 5ul), sum());
+    EXPECT_TRUE(countFrom(7, "one", "malloc", OROFORGE_RT_ALLOCATION, OROFORGE_RT_SCRIPT));
+    EXPECT_EQ(std::make_pair(std::size_t(6), 6ul), sum());
 }
 
 TEST_F(Findings, LongNamesAndDeepStacksAreCut) {
     const std::string name(1000, 'n');
     std::vector<void*> frames(1000, code);
     for (int i = 0; i != 2; ++i)
-        EXPECT_TRUE(count({name.c_str(), OROFORGE_RT_LOCK, "pthread_mutex_lock", frames.data(), 1000}));
+        EXPECT_TRUE(
+            count({name.c_str(), OROFORGE_RT_UPDATE, OROFORGE_RT_LOCK, "pthread_mutex_lock", frames.data(), 1000}));
     EXPECT_EQ(std::make_pair(std::size_t(1), 2ul), sum());
     forEachFinding([](const Finding& finding) {
         EXPECT_EQ(std::string(Finding::kLongestName - 1, 'n'), finding.component);

@@ -152,17 +152,46 @@ TEST_F(RtCheck, NothingIsReportedOfComponentsThatDoNothingOfIt) {
     directory_.write("count.osd",
                      "StateMachine Count { initial state counting { run { set count = count + 1 } } "
                      "final state end { } }\nRootMachine Count machine\n");
-    directory_.write("begin.ops",
-                     "program p { while (true) { set clean.count = clean.count + 1 yield } }\np.start()\n");
+    directory_.write("begin.ops", "program p { while (true) { set count = count + 1; yield } }\np.start()\n");
     const std::string wire = "<struct name='wire' type='ConnPolicy'>" + element("type", "short", "0") + "</struct>";
     const std::string ports =
         list("Ports", "PropertyBag", element("in", "string", "wire") + element("out", "string", "wire")) +
-        element("StateMachineScript", "string", "count.osd");
+        element("StateMachineScript", "string", "count.osd") + element("RunScript", "string", "begin.ops");
     const Outcome outcome = check(wire + realTime("clean", ports));
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_EQ(0, errors(outcome)) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("logged by clean"));
-    EXPECT_THAT(outcome.err, ContainsRegex("--rt-check: 0 findings in [1-9][0-9]* executions of updateHook\\(\\)\n"));
+    EXPECT_THAT(outcome.err, ContainsRegex("--rt-check: 0 findings in [1-9][0-9]* executions of updateHook\\(\\), "
+                                           "[1-9][0-9]* of scripts\n"));
+}
+
+TEST_F(RtCheck, WhateverTheThreadExecutesWhileTheComponentRunsIsWatched) {
+    directory_.write("begin.ops", "program p { while (true) { do inScript(); yield } }\np.start()\n");
+    const std::string wire = "<struct name='wire' type='ConnPolicy'>" + element("type", "short", "0") + "</struct>";
+    const std::string eachPlace =
+        activity("ORO_SCHED_RT", 10, "0.001") + list("Ports", "PropertyBag", element("in", "string", "wire"));
+    const std::string idle = list("idle", "plantedfaults::EachPlace", activity("ORO_SCHED_RT", 10, "0.001"));
+    const std::string mover = component("mover", activity("ORO_SCHED_OTHER", 0, "0.001") +
+                                                     list("Ports", "PropertyBag", element("out", "string", "wire")) +
+                                                     list("Peers", "PropertyBag",
+                                                          "<simple type='string'><value>eachPlace</value></simple>"
+                                                          "<simple type='string'><value>idle</value></simple>"));
+    const Outcome outcome =
+        check(wire + component("eachPlace", eachPlace + element("RunScript", "string", "begin.ops")) + idle + mover);
+    EXPECT_EQ(255, outcome.status);
+    const std::string one = "error: [RTC003] component 'eachPlace' takes a lock in ";
+    const char* const places[][2] = {{"errorHook()", "errorHook"},
+                                     {"the callback of a port", "inCallback"},
+                                     {"an operation", "inOperation"},
+                                     {"a script", "inScript"}};
+    for (const auto& [place, function] : places)
+        EXPECT_THAT(finding(outcome, one + place + ": pthread_mutex_lock(), "),
+                    HasSubstr("called by 'plantedfaults::EachPlace::" + std::string(function) + "()'"))
+            << place << "\n"
+            << outcome.err;
+    EXPECT_EQ(4, errors(outcome)) << outcome.err;  // and none of the one that is not started
+    EXPECT_THAT(outcome.err, ContainsRegex("executions of updateHook\\(\\), [0-9]+ of errorHook\\(\\), [0-9]+ of "
+                                           "callbacks of ports, [0-9]+ of operations, [0-9]+ of scripts\n"));
 }
 
 TEST_F(RtCheck, ComponentsWithoutARealTimeSchedulerAreNotWatched) {

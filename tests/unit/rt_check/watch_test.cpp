@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -26,21 +27,21 @@ TEST(Watch, CoversWhatIsNestedAndNothingElse) {
     const auto allocate = [] { block = std::malloc(10); };
     EXPECT_EQ("", counted(allocate, 0));
     EXPECT_EQ("RTC001 malloc 2", counted([&] {
-                  oroforge_rt_check_begin("inner", 0);  // in the thread of one that is watched
+                  oroforge_rt_check_begin("inner", OROFORGE_RT_UPDATE, 0);  // in the thread of one that is watched
                   allocate();
                   oroforge_rt_check_end();
                   allocate();
               }));
     EXPECT_EQ("RTC001 malloc 1", counted(
                                      [&] {
-                                         oroforge_rt_check_begin("inner", 1);
+                                         oroforge_rt_check_begin("inner", OROFORGE_RT_UPDATE, 1);
                                          allocate();
                                          oroforge_rt_check_end();
                                          allocate();
                                      },
                                      0));
     EXPECT_EQ("RTC001 malloc 20", counted([&] {
-                  for (int i = 0; i != 20; ++i) oroforge_rt_check_begin("deep", 0), allocate();
+                  for (int i = 0; i != 20; ++i) oroforge_rt_check_begin("deep", OROFORGE_RT_UPDATE, 0), allocate();
                   for (int i = 0; i != 20; ++i) oroforge_rt_check_end();
               }));
     EXPECT_EQ("", counted([] {}));
@@ -64,7 +65,7 @@ TEST(Watch, KnowsWhatWasInALibraryThatIsClosedNow) {
     void* const library = dlopen(CLOSED_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     ASSERT_NE(nullptr, library) << dlerror();
     const auto allocate = reinterpret_cast<void* (*)()>(dlsym(library, "allocateInClosedLibrary"));
-    oroforge_rt_check_begin("closed", 1);
+    oroforge_rt_check_begin("closed", OROFORGE_RT_UPDATE, 1);
     block = allocate();
     oroforge_rt_check_end();
     std::free(block);
@@ -84,7 +85,7 @@ void* allocateIn(const char* library, const char* function) {
     void* const handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     EXPECT_NE(nullptr, handle) << dlerror();
     void* const address = dlsym(handle, function);
-    oroforge_rt_check_begin("one of two", 1);
+    oroforge_rt_check_begin("one of two", OROFORGE_RT_UPDATE, 1);
     block = reinterpret_cast<void* (*)()>(address)();
     oroforge_rt_check_end();
     std::free(block);
@@ -107,6 +108,37 @@ TEST(Watch, TellsLibrariesApartThatCameToTheSameAddressOneAfterTheOther) {
         &found);
     EXPECT_EQ((std::map<std::string, unsigned long>{{"'allocateInClosedLibrary'", 2}, {"'allocateInOtherLibrary'", 1}}),
               found);
+}
+
+[[gnu::noinline]] char* printedToMemory() {
+    char* text = nullptr;
+    EXPECT_EQ(4, asprintf(&text, "%d", 1234));
+    return text;
+}
+
+/** libc allocates in more than one place for it. */
+TEST(Watch, WhatALibraryDoesForOneCallIsOneFinding) {
+    oroforge_rt_check_begin("printing", OROFORGE_RT_UPDATE, 1);
+    block = printedToMemory();
+    oroforge_rt_check_end();
+    std::free(block);
+    struct Found {
+        int findings = 0;
+        unsigned long calls = 0;
+        std::string last;
+    } found;
+    oroforge_rt_check_findings(
+        [](void* to, const oroforge_rt_finding* finding) {
+            if (std::strcmp(finding->component, "printing") != 0 || finding->fault != OROFORGE_RT_ALLOCATION) return;
+            auto& all = *static_cast<Found*>(to);
+            ++all.findings;
+            all.calls += finding->count;
+            all.last = finding->frames[finding->depth - 1];
+        },
+        &found);
+    EXPECT_EQ(1, found.findings);
+    EXPECT_LE(2u, found.calls);
+    EXPECT_NE(std::string::npos, found.last.find("rt_check_calls_test")) << found.last;
 }
 
 TEST(Watch, KeepsTheErrorNumber) {

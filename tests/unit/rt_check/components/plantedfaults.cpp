@@ -14,6 +14,7 @@
 #include <poll.h>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace plantedfaults {
@@ -124,12 +125,56 @@ class Caller : public Working {
     RTT::OperationCaller<int()> answer_{"answer"};
 };
 
-/** Executes a slave. */
-class Master : public Working {
-    using Working::Working;
-    bool prepare() override { return (slave_ = getPeer("locker")) != nullptr; }
-    void work() override { slave_->update(); }
+/** Executes a slave, which may be started later, as long as it runs. */
+class Master : public RTT::TaskContext {
+    using RTT::TaskContext::TaskContext;
+    bool startHook() override { return (slave_ = getPeer("locker")) != nullptr; }
+    void updateHook() override { slave_->update(); }
     RTT::TaskContext* slave_ = nullptr;
+};
+
+/** Takes a lock in whatever its thread executes, but for updateHook(). */
+class EachPlace : public RTT::TaskContext {
+public:
+    explicit EachPlace(const std::string& name) : RTT::TaskContext(name) {
+        addEventPort("in", in_, [this](RTT::base::PortInterface*) { inCallback(); });
+        addOperation("inOperation", &EachPlace::inOperation, this, RTT::OwnThread);
+        addOperation("inScript", &EachPlace::inScript, this, RTT::ClientThread);
+    }
+
+private:
+    void lock() { mutex_.lock(), mutex_.unlock(); }
+    [[gnu::noinline]] void inCallback() { lock(), ++done_; }
+    [[gnu::noinline]] void inOperation() { lock(), ++done_; }
+    [[gnu::noinline]] bool inScript() { return lock(), true; }
+    bool startHook() override { return ++started; }
+    void updateHook() override {
+        if (done_ > 2 * kCycles && ++updates_ == 1) error();
+    }
+    void errorHook() override {
+        lock();
+        if (!std::exchange(told_, true)) ++finished;
+    }
+    RTT::InputPort<int> in_;
+    std::mutex mutex_;
+    int done_ = 0, updates_ = 0;
+    bool told_ = false;
+};
+
+/** Has the others of its peers do something. */
+class Mover : public RTT::TaskContext {
+public:
+    explicit Mover(const std::string& name) : RTT::TaskContext(name) { addPort("out", out_); }
+
+private:
+    void updateHook() override {
+        out_.write(1);
+        for (const std::string& peer : getPeerList()) {
+            RTT::OperationCaller<void()> operation(getPeer(peer)->getOperation("inOperation"), engine());
+            operation();
+        }
+    }
+    RTT::OutputPort<int> out_;
 };
 
 /** Throws, which allocates; what the runtime does about it is not its fault. */
@@ -213,6 +258,8 @@ ORO_LIST_COMPONENT_TYPE(plantedfaults::Opener)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Printer)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Caller)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Master)
+ORO_LIST_COMPONENT_TYPE(plantedfaults::EachPlace)
+ORO_LIST_COMPONENT_TYPE(plantedfaults::Mover)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Thrower)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Clean)
 ORO_LIST_COMPONENT_TYPE(plantedfaults::Teller)
