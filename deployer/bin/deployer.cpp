@@ -33,9 +33,10 @@ bool stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending
 
 int main(int argc, char** argv) {
     const OCL::deploy::ProgramText text = {
-        "Creates, connects, configures and starts the components that the files describe, and runs them until\n"
-        "its console is left or SIGTERM, SIGHUP or SIGINT comes. The console is on the terminal; without one, "
-        "commands\n"
-        "are read from standard input, at whose end it is left. With --daemon there is none."};
+        "Creates, connects, configures and starts the components that the files describe,\n"
+        "and runs them until its console is left or SIGTERM, SIGHUP or SIGINT comes. The\n"
+        "console is on the terminal; without one, commands are read from standard input,\n"
+        "at whose end it is left. With --daemon there is none.",
+        /*needsFiles=*/false};
     return OCL::deploy::runProgram(argc, argv, text, &stay);
 }

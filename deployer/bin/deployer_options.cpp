@@ -4,6 +4,7 @@
 
 #include "real_time_memory.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 
 #include <boost/program_options.hpp>
@@ -13,6 +14,7 @@
 #include <sstream>
 
 namespace po = boost::program_options;
+namespace diag = oroforge::diag;
 
 namespace OCL::deploy {
 namespace {
@@ -26,7 +28,8 @@ const struct {
 } kOptions[] = {
     {"help,h", Takes::Nothing, "show this text"},
     {"version", Takes::Nothing, "show the version"},
-    {"explain", Takes::Nothing, "show what codes mean, as the DEP031 in \"error: [DEP031] ...\"; none = list them all"},
+    {"explain", Takes::Nothing,
+     "explain the codes that follow, such as the DEP031 in 'error: [DEP031]'; none = list them all"},
     {"start,s", Takes::Words, "deploy from this XML file (.xml, .cpf) or script (.ops, .osd, .lua); may be repeated"},
     {"site-file", Takes::Word, "deploy from this file first; default: <name>-site.cpf, if there is one"},
     {"log-level,l", Takes::Word,
@@ -46,6 +49,9 @@ const struct {
     {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
     {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
 };
+
+// By their numbers.
+const char* const kLevels[] = {"Never", "Fatal", "Critical", "Error", "Warning", "Info", "Debug", "RealTime"};
 
 po::options_description visibleOptions() {
     po::options_description options("Options");
@@ -69,9 +75,8 @@ std::string lower(std::string text) {
 
 /** The level of that name, −1 if there is none. */
 int logLevelOf(const std::string& name) {
-    static const char* const names[] = {"never", "fatal", "critical", "error", "warning", "info", "debug", "realtime"};
     for (int level = RTT::Never; level <= RTT::RealTime; ++level)
-        if (lower(name) == names[level]) return level;
+        if (lower(name) == lower(kLevels[level])) return level;
     return -1;
 }
 
@@ -81,14 +86,27 @@ bool isScript(const std::string& word) {
     return false;
 }
 
+/** True for what people do not call a component, but a file. */
+bool looksLikeFile(const std::string& word) { return word.find_first_of("./ ") != std::string::npos; }
+
+/** Remappings and parameters that ROS launch files add to every command line. */
+bool isForRos(const std::string& word) { return word[0] == '_' || word.find(":=") != std::string::npos; }
+
 /** Words without an option: files, the name of the deployer, and remappings of ROS launch files, which are ignored. */
-void takeWords(const std::vector<std::string>& words, Options& options) {
+void takeWords(const std::vector<std::string>& words, Options& options, std::string& error) {
+    std::string name;
     for (const std::string& word : words) {
-        if (word.empty() || word[0] == '_') continue;
+        if (word.empty() || isForRos(word)) continue;
         if (isScript(word))
             options.files.push_back(word);
+        else if (looksLikeFile(word))
+            error = "'" + word +
+                    "' is no file to deploy, whose name ends in .xml, .cpf, .ops, .osd or .lua, and no name for the "
+                    "deployer";
+        else if (!name.empty() && word != name)
+            error = "two names for the deployer, '" + name + "' and '" + word + "'";
         else
-            options.name = word;
+            options.name = name = word;
     }
 }
 
@@ -98,12 +116,14 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
                      : values.count("explain") ? Options::Explain
                                                : Options::Run;
     if (values.count("start")) options.files = values["start"].as<std::vector<std::string>>();
+    if (std::find(options.files.begin(), options.files.end(), "") != options.files.end())
+        error = "the name of a file is empty";
     if (values.count("DeployerName")) {
         const auto& words = values["DeployerName"].as<std::vector<std::string>>();
         if (options.action == Options::Explain)
             options.codes = words;
         else
-            takeWords(words, options);
+            takeWords(words, options, error);
     }
     if (values.count("site-file")) options.siteFile = values["site-file"].as<std::string>();
     options.consoleLog = !values.count("no-consolelog");
@@ -127,8 +147,18 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
     options.logLevel = logLevelOf(level);
-    if (options.logLevel < 0) error = "unknown log level '" + level + "'";
+    if (options.logLevel < 0)
+        error = "unknown log level '" + level + "', expected " + diag::oneOf({std::begin(kLevels), std::end(kLevels)});
     return error.empty();
+}
+
+std::string likelyOption(const std::string& given) {
+    std::vector<std::string> known;
+    for (const auto& option : kOptions) {
+        const std::string name = option.name;
+        known.push_back("--" + name.substr(0, name.find(',')));
+    }
+    return diag::didYouMean(given, known);
 }
 
 }  // namespace
@@ -143,6 +173,9 @@ bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
         po::store(po::command_line_parser(words).options(visibleOptions()).positional(positions).run(), values);
         po::notify(values);
         return takeValues(values, options, error);
+    } catch (const po::unknown_option& thrown) {
+        error = thrown.what() + likelyOption(thrown.get_option_name());
+        return false;
     } catch (const po::error& thrown) {
         error = thrown.what();
         return false;
@@ -152,7 +185,8 @@ bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
 std::string usage(const std::string& program, const ProgramText& text) {
     std::ostringstream all;
     all << "Usage: " << program << " [options] [name] [file…] [-- options of the runtime]\n\n"
-        << text.purpose << " Exit status: 0, or 255 if a file could not be deployed.\n\n"
+        << text.purpose << "\nExit status: 0, or 255 if a file could not be deployed.\n\n"
+        << "Example: " << program << " -s application.xml\n\n"
         << visibleOptions();
     return all.str();
 }

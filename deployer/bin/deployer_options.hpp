@@ -27,6 +27,8 @@ struct Options {
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
 
     bool endsAtOnce() const { return check || dryRun; }
+    /** The file that is deployed before all others if there is one. */
+    std::string siteFileOrDefault() const { return siteFile.empty() ? name + "-site.cpf" : siteFile; }
 };
 
 /** Reads the command line. False, with the reason, if it cannot be understood. */
@@ -35,6 +37,7 @@ bool parseOptions(int argc, char** argv, Options& options, std::string& error);
 /** What is said of a program that differs from others with the same command line. */
 struct ProgramText {
     const char* purpose;
+    bool needsFiles;  // has nothing to do without any
 };
 
 /** What --help shows. */

@@ -5,7 +5,9 @@
 #include <diag/explain.hpp>
 #include <diag/print.hpp>
 
+#include <cctype>
 #include <iostream>
+#include <set>
 
 namespace oroforge::embedded {
 diag::EmbeddedFiles codesOfDeployer();
@@ -15,10 +17,38 @@ namespace OCL::deploy {
 
 namespace diag = oroforge::diag;
 
+namespace {
+
+/** The letters that a code begins with. */
+std::string kindOf(const std::string& code) {
+    std::string kind;
+    for (const char letter : code) {
+        if (!std::isalpha(static_cast<unsigned char>(letter))) break;
+        kind += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    }
+    return kind;
+}
+
+/** Of the programs that make packages. */
+bool isOfGenerators(const std::string& code) {
+    static const std::set<std::string> kinds = {"EMIT", "OC", "OM", "TK"};
+    return kinds.count(kindOf(code)) != 0;
+}
+
+}  // namespace
+
 bool explain(const std::vector<std::string>& codes, const std::string& program) {
     diag::Sink sink;
     const diag::Explanations all(oroforge::embedded::codesOfDeployer());
-    all.print(codes, {program, ""}, std::cout, sink);
+    std::vector<std::string> own;
+    for (const std::string& code : codes) {
+        if (isOfGenerators(code))
+            sink.error({program, 0, 0}, "", "code '" + code + "' is not of this program")
+                .hint("typegen --explain " + code + " and orocreate-pkg --explain " + code + " explain it");
+        else
+            own.push_back(code);
+    }
+    if (codes.empty() || !own.empty()) all.print(own, {program, ""}, std::cout, sink);
     diag::print(std::cerr, sink);
     return !sink.hadErrors();
 }

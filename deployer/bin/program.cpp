@@ -14,8 +14,10 @@
 #include <rtt/scripting/check.hpp>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iostream>
@@ -41,6 +43,12 @@ bool checkScript(DeploymentComponent& deployer, const std::string& file) {
     return RTT::scripting::checkScript(file, deployer, std::cerr);
 }
 
+bool runScript(DeploymentComponent& deployer, const std::string& file, const Options& options) {
+    if (deployer.runScript(file)) return true;
+    if (!options.consoleLog) std::cerr << file << ": error: could not run the script, the log file says why\n";
+    return false;
+}
+
 bool deployFile(DeploymentComponent& deployer, const std::string& file, const Options& options) {
     for (const char* suffix : {".xml", ".cpf"})
         if (endsWith(file, suffix))
@@ -48,14 +56,22 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
     for (const char* suffix : {".ops", ".osd"})
         if (options.endsAtOnce() && endsWith(file, suffix)) return checkScript(deployer, file);
     for (const char* suffix : {".ops", ".osd", ".lua"})
-        if (endsWith(file, suffix)) return deployer.runScript(file);
+        if (endsWith(file, suffix)) return runScript(deployer, file, options);
     std::cerr
         << file
         << ": error: unknown kind of file, expected .xml or .cpf for deployment, .ops, .osd or .lua for scripts\n";
     return false;
 }
 
-bool deployFiles(DeploymentComponent& deployer, const SignalCatcher& ending, const Options& options) {
+/** For the handler of signals: what is being deployed when one comes. */
+char endNotice[512];
+
+void tellOfEnd() {
+    const ssize_t written = write(STDERR_FILENO, endNotice, std::strlen(endNotice));
+    (void)written;
+}
+
+bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options) {
     bool all = !deployer.siteFileFailed();
     if (!all && !options.dryRun) return false;
     for (const std::string& file : options.files) {
@@ -63,7 +79,13 @@ bool deployFiles(DeploymentComponent& deployer, const SignalCatcher& ending, con
             std::cerr << file << ": error: not deployed: a signal came that ends the program\n";
             return false;
         }
-        all = deployFile(deployer, file, options) && all;
+        std::snprintf(endNotice, sizeof endNotice,
+                      "%s: a signal came that ends the program, after the present step; a second one ends it at once\n",
+                      file.c_str());
+        ending.atFirst(&tellOfEnd);
+        const bool good = deployFile(deployer, file, options);
+        ending.atFirst(nullptr);
+        all = good && all;
         if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
     }
     return all;
@@ -120,22 +142,34 @@ int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay
     return status;
 }
 
+/** What is only checked, or ends after its files, is of no use without any: a word is missing, perhaps an empty variable. */
+bool hasFiles(const Options& options, const ProgramText& text, std::string& error) {
+    const bool needsFiles = options.action == Options::Run && (text.needsFiles || options.endsAtOnce());
+    std::error_code unreadable;  // which is told when it is read
+    if (!needsFiles || !options.files.empty() || !options.siteFile.empty() ||
+        std::filesystem::exists(options.siteFileOrDefault(), unreadable) || unreadable)
+        return true;
+    error = "no file is given";
+    return false;
+}
+
 }  // namespace
 
 int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
+    const std::string program = std::filesystem::path(argv[0]).filename().string();
     Options options;
     std::string error;
-    if (!parseOptions(argc, argv, options, error)) {
-        std::cerr << argv[0] << ": error: " << error << "\n\n" << usage(argv[0], text);
+    if (!parseOptions(argc, argv, options, error) || !hasFiles(options, text, error)) {
+        std::cerr << program << ": error: " << error << "\n" << program << " --help shows all options\n";
         return kFailure;
     }
-    if (options.action == Options::Explain) return explain(options.codes, argv[0]) ? 0 : kFailure;
+    if (options.action == Options::Explain) return explain(options.codes, program) ? 0 : kFailure;
     if (options.action != Options::Run) {
-        std::cout << (options.action == Options::ShowHelp ? usage(argv[0], text) : version(argv[0]));
+        std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
         return 0;
     }
     if (processors() < options.minimumProcessors) {
-        std::cerr << argv[0] << ": error: " << options.minimumProcessors
+        std::cerr << program << ": error: " << options.minimumProcessors
                   << " processors are needed, and this process has " << processors() << "\n";
         return kTooFewProcessors;
     }
@@ -147,14 +181,14 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
 
     if (error.empty() && options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
     if (!error.empty()) {
-        std::cerr << argv[0] << ": error: " << error << "\n";
+        std::cerr << program << ": error: " << error << "\n";
         return kFailure;
     }
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);
     if (options.realTimeMemory != 0) reportRealTimeMemory();
-    if (options.realTimeCheck && !reportRealTimeCheck(argv[0])) status = kFailure;
+    if (options.realTimeCheck && !reportRealTimeCheck(program)) status = kFailure;
     return status;
 }
 

@@ -11,7 +11,9 @@ bool leave(OCL::DeploymentComponent&, OCL::deploy::SignalCatcher&, const OCL::de
 
 int main(int argc, char** argv) {
     const OCL::deploy::ProgramText text = {
-        "Deploys the files and runs the scripts, one after the other, then stops and removes all components and ends.\n"
-        "A script that is to go on until a signal comes ends with waitForInterrupt()."};
+        "Deploys the files and runs the scripts, one after the other, then stops and\n"
+        "removes all components and ends. A script that is to go on until a signal comes\n"
+        "ends with waitForInterrupt().",
+        /*needsFiles=*/true};
     return OCL::deploy::runProgram(argc, argv, text, &leave);
 }

@@ -54,6 +54,29 @@ TEST_F(DeployerCheck, StartsNothingWhateverScriptsSay) {
         EXPECT_THAT(deployed.out, HasSubstr(std::string(name) + ": started"));
 }
 
+TEST_F(DeployerCheck, StopsWhatTheCodeOfComponentsStarts) {
+    directory_.write("app.xml", R"(<properties>
+  <simple name="Import" type="string"><value>deploytest</value></simple>
+  <struct name="e" type="deploytest::Eager">
+    <simple name="AutoConf" type="boolean"><value>1</value></simple>
+    <struct name="Peers" type="PropertyBag"><simple type="string"><value>c</value></simple></struct>
+  </struct>
+  <struct name="c" type="deploytest::Consumer"/>
+</properties>
+)");
+    const Outcome check = run(command({"--check", "-s", "app.xml"}));
+    EXPECT_EQ(0, check.status) << check.err;
+    EXPECT_THAT(check.err, HasSubstr("app.xml:3:17: warning: [DEP059] component 'e' was started by"));
+    EXPECT_THAT(check.err, HasSubstr("app.xml:7:17: warning: [DEP059] component 'c' was started by"));
+    EXPECT_EQ(
+        "e: created\ne: started\nc: created\ne: stopped\nc: started\ne: configured\nc: stopped\n"
+        "c: cleaned up\ne: cleaned up\nc: deleted\ne: deleted\n",
+        check.out);
+    Command program = command({"-s", "app.xml"});
+    program.program = RTTSCRIPT_PROGRAM;
+    EXPECT_THAT(run(program).err, Not(HasSubstr("DEP059")));
+}
+
 TEST_F(DeployerCheck, StartsNothingOfTheSiteFile) {
     const Outcome check = run(command({"--check", "--site-file", "app.xml"}));
     EXPECT_EQ(0, check.status) << check.err;
@@ -75,7 +98,9 @@ TEST_F(DeployerCheck, ASiteFileThatWasAskedForIsMissed) {
     const Outcome named = run(command({"--check", "--site-file", "none.cpf"}));
     EXPECT_EQ(0, named.status);
     EXPECT_THAT(named.err, HasSubstr("there is no site file 'none.cpf'"));
-    EXPECT_EQ("", run(command({"--check"})).err);
+    directory_.write("import.xml",
+                     "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
+    EXPECT_EQ("", run(command({"--check", "import.xml"})).err);
 }
 
 TEST_F(DeployerCheck, ASignalWhileFilesAreDeployedEndsThatInOrder) {
@@ -88,6 +113,7 @@ TEST_F(DeployerCheck, ASignalWhileFilesAreDeployedEndsThatInOrder) {
         deployer.send(signal);
         const Outcome outcome = deployer.finish();
         EXPECT_EQ(255, outcome.status) << "app.xml was not deployed";
+        EXPECT_THAT(outcome.err, HasSubstr("wait.ops: a signal came that ends the program, after the present step; "));
         EXPECT_THAT(outcome.err, HasSubstr("app.xml: error: not deployed: a signal came that ends the program"));
         EXPECT_EQ("c: created\nc: started\nc: stopped\nc: cleaned up\nc: deleted\n", outcome.out);
     }

@@ -183,6 +183,10 @@ TEST_F(ExplainingDeployer, RefusesACodeThatDoesNotExist) {
     EXPECT_EQ(255, outcome.status);
     EXPECT_THAT(outcome.err, HasSubstr("error: no diagnostic has the code 'DEP999'; did you mean 'DEP009'?"));
     EXPECT_THAT(outcome.out, StartsWith("XML003: "));
+    const Outcome other = oroforge::test::run(command({"--explain", "tk014"}));
+    EXPECT_EQ(255, other.status);
+    EXPECT_THAT(other.err, HasSubstr("typegen --explain tk014"));
+    EXPECT_EQ("", other.out);
 }
 
 }  // namespace

@@ -116,12 +116,52 @@ TEST_F(DeployerProgram, HelpVersionAndBadOptions) {
     const Outcome option = run(command({"--no-such-option"}));
     EXPECT_EQ(255, option.status);
     EXPECT_THAT(option.err, HasSubstr("no-such-option"));
+    EXPECT_EQ("deployer-" OROCOS_TARGET_WORD
+              ": error: unrecognised option '--strat'; did you mean '--start'?\n"
+              "deployer-" OROCOS_TARGET_WORD " --help shows all options\n",
+              run(command({"--strat", "app.xml"})).err);
     const Outcome level = run(command({"-l", "loud"}));
     EXPECT_EQ(255, level.status);
-    EXPECT_THAT(level.err, HasSubstr("unknown log level 'loud'"));
+    EXPECT_THAT(level.err, HasSubstr("unknown log level 'loud', expected 'Never', 'Fatal'"));
     const Outcome kind = run(command({"-s", "file.txt"}));
     EXPECT_EQ(255, kind.status);
     EXPECT_THAT(kind.err, HasSubstr("unknown kind of file"));
+}
+
+TEST_F(DeployerProgram, AWordIsAFileOrTheNameOfTheDeployer) {
+    directory_.write("app.xml",
+                     "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
+    directory_.write("application", "");
+    for (const char* word : {"app.xm", "application", "./app", "."}) {
+        const Outcome outcome = run(command({"--check", "app.xml", word}));
+        EXPECT_EQ(255, outcome.status) << word;
+        EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + word + "' is no file to deploy")) << word;
+    }
+    const Outcome two = run(command({"--check", "app.xml", "One", "Two"}));
+    EXPECT_EQ(255, two.status);
+    EXPECT_THAT(two.err, HasSubstr("two names for the deployer, 'One' and 'Two'"));
+    EXPECT_EQ(0, run(command({"--check", "_x:=y", "/from:=/to", "app.xml", "my-robot", "__name:=z"})).status);
+}
+
+TEST_F(DeployerProgram, WithoutAFileThereIsNothingToCheckOrToRun) {
+    Command script = command({});
+    script.program = RTTSCRIPT_PROGRAM;
+    for (const Command& program : {command({"--check"}), command({"--dry-run", "Robot"}), script}) {
+        const Outcome outcome = run(program);
+        EXPECT_EQ(255, outcome.status);
+        EXPECT_THAT(outcome.err, HasSubstr(": error: no file is given\n"));
+    }
+    EXPECT_EQ(0, run(command({})).status);
+    directory_.write("Robot-site.cpf",
+                     "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
+    EXPECT_EQ(0, run(command({"--dry-run", "Robot"})).status);
+}
+
+TEST_F(DeployerProgram, AScriptThatFailsIsToldAlsoWithoutTheLog) {
+    directory_.write("bad.ops", "nothing()\n");
+    const Outcome outcome = run(command({"--no-consolelog", "-s", "bad.ops"}));
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_EQ("bad.ops: error: could not run the script, the log file says why\n", outcome.err);
 }
 
 TEST_F(DeployerProgram, LogLevelAndNoConsolelogDecideWhatIsShown) {
@@ -172,31 +212,31 @@ TEST_F(DeployerProgram, WrapperAddsTheComponentPathOfTheWorkspace) {
 }
 
 TEST_F(DeployerProgram, EndsWhereProcessorsAreTooFew) {
-    const Outcome outcome = run(command({"--check", "--minNumberCPU", "1000"}));
+    const Outcome outcome = run(command({"--minNumberCPU", "1000"}));
     EXPECT_EQ(254, outcome.status);
     EXPECT_THAT(outcome.err, HasSubstr("1000 processors are needed"));
-    EXPECT_EQ(0, run(command({"--check", "--minNumberCPU=1"})).status);
-    EXPECT_EQ(255, run(command({"--check", "--minNumberCPU=-1"})).status);
+    EXPECT_EQ(0, run(command({"--minNumberCPU=1"})).status);
+    EXPECT_EQ(255, run(command({"--minNumberCPU=-1"})).status);
 }
 
 TEST_F(DeployerProgram, SizeOfRealTimeMemoryIsTakenFromTheOption) {
-    const Outcome outcome = run(command({"--check", "--rtalloc-mem-size", "1.5m"}));
+    const Outcome outcome = run(command({"--rtalloc-mem-size", "1.5m"}));
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("bytes free of 1572864\n"));
     EXPECT_THAT(outcome.out, HasSubstr(" at most"));
-    EXPECT_THAT(run(command({"--check"})).out, Not(HasSubstr("Real-time memory")));
+    EXPECT_THAT(run(command({})).out, Not(HasSubstr("Real-time memory")));
 }
 
 TEST_F(DeployerProgram, UnusableSizeOfRealTimeMemoryIsAnError) {
     for (const std::string size : {"0", "k", "1kk", "much", "nan"}) {
-        const Outcome outcome = run(command({"--check", "--rtalloc-mem-size", size}));
+        const Outcome outcome = run(command({"--rtalloc-mem-size", size}));
         EXPECT_EQ(255, outcome.status) << size;
         EXPECT_THAT(outcome.err, HasSubstr("no size of real-time memory: '" + size + "'"));
     }
-    const Outcome tooFew = run(command({"--check", "--rtalloc-mem-size", "100"}));
+    const Outcome tooFew = run(command({"--rtalloc-mem-size", "100"}));
     EXPECT_EQ(255, tooFew.status);
     EXPECT_THAT(tooFew.err, HasSubstr("100 bytes are too few for real-time memory"));
-    Command unlimited = command({"--check", "--rtalloc-mem-size", "900000g"});
+    Command unlimited = command({"--rtalloc-mem-size", "900000g"});
     // A sanitizer's malloc ends the program otherwise.
     for (const std::string tool : {"ASAN_OPTIONS", "TSAN_OPTIONS"})
         unlimited.environment[tool] = "allocator_may_return_null=1";
