@@ -86,6 +86,8 @@ bool DeploymentComponent::import(const std::string& package) {
 }
 
 void DeploymentComponent::path(const std::string& paths) {
+    for (const std::string& directory : deploy::missingDirectories(paths))
+        log(RTT::Warning) << "there is no directory '" << directory << "' to search" << endlog();
     deploy::addSearchPath(paths);
     RTT::ComponentLoader::Instance()->import(paths);
 }
@@ -211,7 +213,8 @@ void DeploymentComponent::kickOut(const std::string& file) {
 bool DeploymentComponent::runScript(const std::string& file) {
     std::string error;
     const bool ran = deploy::runScript(*this, deploy::ScriptPlan::Run, file, error);
-    if (!ran) log(RTT::Error) << "could not run script '" << file << "': " << error << endlog();
+    if (!ran)
+        log(RTT::Error) << "could not run script '" << file << "'" << (error.empty() ? "" : ": ") << error << endlog();
     return ran;
 }
 

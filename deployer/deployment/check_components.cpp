@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include "check_properties.hpp"
 #include "lookup.hpp"
-#include "read_value.hpp"
 #include "session.hpp"
-#include "shutdown.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/sample_type_name.hpp>
 #include <rtt/types/TypeOps.hpp>
 
-#include <algorithm>
 #include <cstring>
-#include <set>
 #include <typeinfo>
 
 namespace OCL::deploy {
@@ -121,21 +117,6 @@ private:
     bool incomplete_ = false;
 };
 
-void checkProperties(const Session& session, const Record& record, diag::Sink& sink) {
-    std::vector<std::string> known = record.instance->properties()->list();
-    if (record.instance == session.deployer)
-        for (const std::string& name : shutdownProperties()) known.push_back(name);
-    for (const xml::Element& properties : record.plan.properties)
-        for (const xml::Element& property : properties.children) {
-            const Text name = nameOf(property);
-            if (property.name == "description" || name.empty()) continue;
-            if (std::find(known.begin(), known.end(), name.value) != known.end()) continue;
-            sink.error(name.where, "DEP043",
-                       "component '" + record.name + "' has no property '" + name.value + "'" +
-                           diag::didYouMean(name.value, known));
-        }
-}
-
 }  // namespace
 
 void checkComponents(const Session& session, int group, bool configured, diag::Sink& sink) {
@@ -143,7 +124,7 @@ void checkComponents(const Session& session, int group, bool configured, diag::S
         ConnectionCheck(connection, configured, sink).run();
     if (configured) return;
     for (const Record& record : session.records.all)
-        if (record.optionsGroup == group) checkProperties(session, record, sink);
+        if (record.optionsGroup == group) checkProperties(record, session.deployer, sink);
 }
 
 }  // namespace OCL::deploy

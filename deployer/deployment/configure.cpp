@@ -4,7 +4,6 @@
 #include "properties.hpp"
 #include "scripts.hpp"
 #include "session.hpp"
-#include "xml_to_plan.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
@@ -71,9 +70,10 @@ void runScripts(Record& record, diag::Sink& sink) {
     const std::vector<ScriptPlan> scripts = record.plan.scripts;  // a copy: they may load files that add to the plan
     for (const ScriptPlan& script : scripts) {
         std::string error;
-        if (!runScript(*record.instance, script.kind, resolveFile(script.file), error))
+        if (!runScript(record, script, error))
             sink.error(script.file.where, "DEP053",
-                       "could not run script '" + script.file.value + "' in component '" + record.name + "': " + error);
+                       "could not run script '" + script.file.value + "' in component '" + record.name +
+                           "': " + (error.empty() ? "the log says why" : error));
     }
 }
 
@@ -110,6 +110,18 @@ void startOne(Record& record, diag::Sink& sink) {
 
 }  // namespace
 
+void stopWhatStarted(Session& session, diag::Sink& sink) {
+    if (!session.startsNothing) return;
+    for (Record& record : session.records.all) {
+        RTT::TaskContext& component = *record.instance;
+        if (!component.isRunning() || &component == session.deployer) continue;
+        sink.warning(
+            record.plan.name.where, "DEP059",
+            "component '" + record.name + "' was started by the code of a component, and is stopped: this is a check");
+        (void)stopOne(component);
+    }
+}
+
 bool configure(Session& session, int group, diag::Sink& sink) {
     checkComponents(session, group, false, sink);
     if (sink.hadErrors()) return false;
@@ -126,8 +138,11 @@ bool configure(Session& session, int group, diag::Sink& sink) {
     for (const RTT::TaskContext* component : components) {
         Record* const record = session.records.find(component);
         if (!record) continue;  // a script unloaded it
+        const bool hadScripts = !record->plan.scripts.empty();
         runScripts(*record, sink);
-        if (record->plan.autoConf.value_or(false)) configureOne(*record, sink);
+        const bool configures = record->plan.autoConf.value_or(false);  // if no script has changed that
+        if (configures) configureOne(*record, sink);
+        if (configures || hadScripts) stopWhatStarted(session, sink);
     }
     if (sink.hadErrors()) return false;
 

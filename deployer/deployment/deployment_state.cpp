@@ -3,6 +3,7 @@
 #include "deployment_state.hpp"
 
 #include "report.hpp"
+#include "scripts.hpp"
 #include "signals.hpp"
 
 #include <rtt/Logger.hpp>
@@ -69,7 +70,10 @@ void DeploymentComponent::Impl::undo(int group, const State& before) {
     }
     // What scripts created meanwhile, or could not be removed, has to stay known.
     for (const deploy::Record& old : before.records)
-        if (deploy::Record* const left = session.records.find(old.instance)) *left = old;
+        if (deploy::Record* const left = session.records.find(old.instance)) {
+            deploy::unloadScripts(*left->instance, left->loaded, old.loaded);
+            *left = old;
+        }
 }
 
 bool DeploymentComponent::Impl::forGroupsDown(bool (*step)(deploy::Session&, int)) {

@@ -9,10 +9,12 @@
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/sample_type_name.hpp>
 
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace OCL::deploy {
 namespace {
@@ -51,8 +53,9 @@ public:
 
     std::string text() {
         text_ << "digraph " << quoted(session_.deployer->getName()) << " {\n  rankdir=LR;\n  node [shape=box];\n";
-        for (const std::string& name : session_.deployer->getPeerList()) addNode(name);
-        for (const std::string& name : session_.deployer->getPeerList()) addEdges(*session_.deployer->getPeer(name));
+        findNodes();
+        for (const auto& [name, component] : nodes_) addNode(*component, name);
+        for (const auto& [name, component] : nodes_) addEdges(*component, name);
         for (const Plan& plan : session_.planned)
             for (const ComponentPlan& component : plan.components) addPlanned(component);
         for (const std::string& connection : connections_)
@@ -63,24 +66,46 @@ public:
     }
 
 private:
-    void addNode(const std::string& name) {
+    /** One for each component, by its own name if the deployer has it by that. */
+    void findNodes() {
+        for (const std::string& name : session_.deployer->getPeerList()) {
+            RTT::TaskContext* const component = session_.deployer->getPeer(name);
+            std::string& node = nodeOf_[component];
+            if (node.empty() || name == component->getName()) node = name;
+        }
+        for (const std::string& name : session_.deployer->getPeerList()) {
+            RTT::TaskContext* const component = session_.deployer->getPeer(name);
+            if (nodeOf_.at(component) == name) nodes_.emplace_back(name, component);
+        }
+    }
+
+    void addNode(RTT::TaskContext& component, const std::string& name) {
         std::string type;
         for (const Record& record : session_.records.all)
-            if (record.name == name) type = record.plan.type.value;
+            if (record.instance == &component) type = record.plan.type.value;
         text_ << "  " << quoted(name) << " [label=" << label(name, type) << "];\n";
+    }
+
+    /** The node of a component, whatever its peers call it. */
+    std::string nodeOf(const RTT::TaskContext& component) const {
+        const auto known = nodeOf_.find(&component);
+        return known == nodeOf_.end() ? component.getName() : known->second;
     }
 
     static std::string label(const std::string& name, const std::string& type) {
         return type.empty() || type == "PropertyBag" ? quoted(name) : twoLines(name, type);
     }
 
-    void addEdges(RTT::TaskContext& component) {
-        addConnections(component.getName(), *component.provides(), "");
-        for (const std::string& peer : component.getPeerList()) addPeer(component.getName(), peer);
+    void addEdges(RTT::TaskContext& component, const std::string& node) {
+        addConnections(node, *component.provides(), "");
+        for (const std::string& name : component.getPeerList()) {
+            const RTT::TaskContext& peer = *component.getPeer(name);
+            addPeer(node, nodeOf(peer), name == peer.getName() ? "peer" : "peer " + name);
+        }
     }
 
-    void addPeer(const std::string& from, const std::string& to) {
-        text_ << "  " << quoted(from) << " -> " << quoted(to) << " [style=dashed, label=\"peer\"];\n";
+    void addPeer(const std::string& from, const std::string& to, const std::string& name) {
+        text_ << "  " << quoted(from) << " -> " << quoted(to) << " [style=dashed, label=" << quoted(name) << "];\n";
     }
 
     /** Of the output ports of a service, and of those in it. */
@@ -95,7 +120,7 @@ private:
         for (const auto& connection : output.getManager()->getConnections()) {
             const PortInterface* const peer = connection.get<0>()->peer();
             const RTT::DataFlowInterface* const owner = peer ? peer->getInterface() : nullptr;
-            const std::string end = owner && owner->getOwner() ? quoted(owner->getOwner()->getName())
+            const std::string end = owner && owner->getOwner() ? quoted(nodeOf(*owner->getOwner()))
                                                                : quoted(connection.get<0>()->toString());
             std::string text = path + output.getName();
             if (peer) text += " → " + peer->getName();
@@ -106,7 +131,7 @@ private:
 
     void addPlanned(const ComponentPlan& component) {
         const std::string& name = component.name.value;
-        if (nodes_.insert(name).second)  // further structs of it add options
+        if (planned_.insert(name).second)  // further structs of it add options
             text_ << "  " << quoted(name) << " [label=" << label(name, component.type.value) << "];\n";
         for (const PortPlan& port : component.ports) {
             connections_.insert(port.connection.value);
@@ -115,12 +140,14 @@ private:
                   << " [dir=none, label=" << quoted(port.port.value) << "];\n";
         }
         for (const Text& peer : component.peers)
-            if (peers_.emplace(name, peer.value).second) addPeer(name, peer.value);
+            if (peers_.emplace(name, peer.value).second) addPeer(name, peer.value, "peer");
     }
 
     const Session& session_;
     std::ostringstream text_;
-    std::set<std::string> nodes_, connections_;                         // of plans
+    std::vector<std::pair<std::string, RTT::TaskContext*>> nodes_;  // of components that exist
+    std::map<const RTT::TaskContext*, std::string> nodeOf_;
+    std::set<std::string> planned_, connections_;                       // of plans
     std::set<std::tuple<std::string, std::string, std::string>> ends_;  // component, port, connection
     std::set<std::pair<std::string, std::string>> peers_;
 };

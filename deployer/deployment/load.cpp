@@ -4,6 +4,7 @@
 #include "session.hpp"
 #include "validate.hpp"
 
+#include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
@@ -45,6 +46,9 @@ bool doImport(const ImportPlan& step, std::string& error) {
 void doImports(const Plan& plan, diag::Sink& sink) {
     for (const ImportPlan& step : plan.imports) {
         std::string error;
+        if (step.kind == ImportPlan::Path)
+            for (const std::string& directory : missingDirectories(step.what.value))
+                sink.warning(step.what.where, "DEP030", "there is no directory '" + directory + "' to search");
         if (doImport(step, error)) continue;
         // A directory of packages has nothing to import itself, yet is a good search path.
         if (step.kind == ImportPlan::Path)
@@ -110,8 +114,17 @@ std::string componentTypeOf(const std::string& word, std::string& error) {
         return word;
     }
     std::error_code none;
-    const bool isLibrary = word.find(".so") != std::string::npos && std::filesystem::is_regular_file(word, none);
-    if (!isLibrary || !loader->loadLibrary(word, error)) return word;
+    if (word.find(".so") == std::string::npos) return word;
+    if (!std::filesystem::is_regular_file(word, none)) {
+        // No component type has such a name.
+        if (word.find('/') != std::string::npos || word.substr(word.size() - 3) == ".so")
+            error = "there is no library file '" + word + "'";
+        return word;
+    }
+    if (!loader->loadLibrary(word, error)) {
+        error = "could not load library '" + word + "': " + error;
+        return word;
+    }
     const std::vector<std::string> types = loader->listComponentTypes(word);
     if (types.size() == 1) return types.front();
     error = "library '" + word + "' has " + std::to_string(types.size()) + " component types, name one of them:";
@@ -121,6 +134,10 @@ std::string componentTypeOf(const std::string& word, std::string& error) {
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
+    if (name.empty()) {
+        error = "its name is empty";
+        return nullptr;
+    }
     if (session.component(name)) {
         error = "a component of that name is already there";
         return nullptr;
@@ -180,8 +197,10 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
         for (const Text& service : component.services)
             if (!loadService(*record->instance, service.value))
                 sink.error(service.where, "DEP033",
-                           "could not load service '" + service.value + "' into component '" + record->name + "'");
+                           "could not load service '" + service.value + "' into component '" + record->name + "'" +
+                               diag::didYouMean(service.value, PluginLoader::Instance()->listServices()));
     }
+    stopWhatStarted(session, sink);
     return !sink.hadErrors();
 }
 
@@ -195,6 +214,18 @@ bool loadLibrary(const std::string& file, std::string& error) {
     const std::string directory = std::filesystem::absolute(file, none).parent_path().filename().string();
     if (directory == "types" || directory == "plugins") return PluginLoader::Instance()->loadLibrary(file, error);
     return ComponentLoader::Instance()->loadLibrary(file, error);
+}
+
+std::vector<std::string> missingDirectories(const std::string& paths) {
+    std::vector<std::string> missing;
+    for (std::size_t begin = 0; begin <= paths.size();) {
+        const std::size_t end = std::min(paths.find_first_of(":;", begin), paths.size());
+        const std::string directory = paths.substr(begin, end - begin);
+        std::error_code none;
+        if (!directory.empty() && !std::filesystem::is_directory(directory, none)) missing.push_back(directory);
+        begin = end + 1;
+    }
+    return missing;
 }
 
 void addSearchPath(const std::string& paths) {

@@ -17,17 +17,17 @@ void flag(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
 }
 
 void service(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
-    if (const auto name = readString(element, sink)) plan.services.push_back(*name);
+    if (const auto name = readWord(element, sink)) plan.services.push_back(*name);
 }
 
 template <PropertyFilePlan::Mode mode>
 void propertyFile(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
-    if (const auto file = readString(element, sink)) plan.propertyFiles.push_back(PropertyFilePlan{mode, *file});
+    if (const auto file = readWord(element, sink)) plan.propertyFiles.push_back(PropertyFilePlan{mode, *file});
 }
 
 template <ScriptPlan::Kind kind>
 void script(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
-    if (const auto file = readString(element, sink)) plan.scripts.push_back(ScriptPlan{kind, *file});
+    if (const auto file = readWord(element, sink)) plan.scripts.push_back(ScriptPlan{kind, *file});
 }
 
 void properties(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
@@ -54,7 +54,7 @@ void peers(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     for (const xml::Element& child : element.children)
         if (child.name != "description")
-            if (const auto peer = readString(child, sink)) plan.peers.push_back(*peer);
+            if (const auto peer = readWord(child, sink)) plan.peers.push_back(*peer);
 }
 
 void activity(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
@@ -132,6 +132,7 @@ bool readProperties(const xml::Element& element, diag::Sink& sink) {
     for (const xml::Element& child : element.children)
         if (child.name != "description" && nameOf(child).empty())
             sink.error(child.where, "DEP003", "an element of 'Properties' has no name, expected that of a property");
+    checkTwice(element, {}, sink);
     RTT::PropertyBag scratch;
     (void)RTT::marsh::readBag(element, scratch, sink);
     return true;
@@ -141,6 +142,7 @@ ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink) {
     ComponentPlan plan;
     plan.name = nameOf(element);
     plan.type = typeOf(element);
+    checkTwice(element, {"AutoConf", "AutoConnect", "AutoSave", "AutoStart"}, sink);
     for (const xml::Element& child : element.children)
         if (child.name != "description") readElement(child, plan, sink);
     return plan;

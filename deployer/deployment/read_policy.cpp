@@ -18,13 +18,17 @@ struct NumberMember {
     const char* name;
     long long least, most;
     void (*store)(ConnPolicy&, int);
+    const char* meaning = "";  // of the numbers
 };
 
 const NumberMember kNumbers[] = {
-    {"type", ConnPolicy::UNBUFFERED, ConnPolicy::CIRCULAR_BUFFER, [](ConnPolicy& p, int v) { p.type = v; }},
+    {"type", ConnPolicy::UNBUFFERED, ConnPolicy::CIRCULAR_BUFFER, [](ConnPolicy& p, int v) { p.type = v; },
+     "0 for data, 1 for a buffer, 2 for a circular buffer"},
     {"size", 0, INT_MAX, [](ConnPolicy& p, int v) { p.size = v; }},
-    {"lock_policy", ConnPolicy::UNSYNC, ConnPolicy::LOCK_FREE, [](ConnPolicy& p, int v) { p.lock_policy = v; }},
-    {"buffer_policy", RTT::UnspecifiedBufferPolicy, RTT::Shared, [](ConnPolicy& p, int v) { p.buffer_policy = v; }},
+    {"lock_policy", ConnPolicy::UNSYNC, ConnPolicy::LOCK_FREE, [](ConnPolicy& p, int v) { p.lock_policy = v; },
+     "0 for unsynchronised, 1 for locked, 2 for lock free"},
+    {"buffer_policy", RTT::UnspecifiedBufferPolicy, RTT::Shared, [](ConnPolicy& p, int v) { p.buffer_policy = v; },
+     "1 for each connection, 2 for each input port, 3 for each output port, 4 for shared by all"},
     {"max_threads", 0, INT_MAX, [](ConnPolicy& p, int v) { p.max_threads = v; }},
     {"transport", 0, INT_MAX, [](ConnPolicy& p, int v) { p.transport = v; }},
     {"data_size", 0, INT_MAX, [](ConnPolicy& p, int v) { p.data_size = v; }},
@@ -58,7 +62,7 @@ void readMember(const xml::Element& element, ConnPolicy& policy, diag::Sink& sin
     const Text name = nameOf(element);
     for (const NumberMember& member : kNumbers)
         if (name.value == member.name) {
-            if (const auto number = readInteger(element, member.least, member.most, sink))
+            if (const auto number = readInteger(element, member.least, member.most, sink, member.meaning))
                 member.store(policy, static_cast<int>(*number));
             return;
         }
@@ -95,18 +99,23 @@ PolicyPlan readPolicy(const xml::Element& element, const RTT::ConnPolicy& policy
     PolicyPlan plan;
     plan.policy = policy;
     plan.name = nameOf(element);
-    bool any = false;
+    const std::size_t errorsBefore = sink.errorCount();
+    checkTwice(element, {}, sink);
+    bool any = false, namesSize = false;
     for (const xml::Element& child : element.children)
         if (child.name != "description") {
             readMember(child, plan.policy, sink);
             any = true;
+            namesSize |= nameOf(child).value == "size";
         }
     if (!any)
         sink.warning(element.where, "DEP011",
                      "connection policy '" + plan.name.value + "' has no members; the default policy is used");
     const bool buffered = plan.policy.type == ConnPolicy::BUFFER || plan.policy.type == ConnPolicy::CIRCULAR_BUFFER;
     const bool isStream = plan.policy.transport != 0;  // transports choose a size themselves
-    if (buffered && plan.policy.size <= 0 && !isStream)
+    // A size that is there but wrong has been reported already.
+    const bool reported = namesSize && sink.errorCount() != errorsBefore;
+    if (buffered && plan.policy.size <= 0 && !isStream && !reported)
         sink.error(element.where, "DEP011",
                    "buffered connection '" + plan.name.value + "' has no 'size', expected at least 1");
     return plan;

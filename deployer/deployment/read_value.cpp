@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <system_error>
 
 namespace OCL::deploy {
@@ -23,7 +24,8 @@ bool contains(TypeNames names, const std::string& name) {
 }
 
 /** The text of the value if the element is a simple one of one of these types. `expected` names them to the user. */
-std::optional<Text> valueOf(const xml::Element& element, TypeNames types, const char* expected, diag::Sink& sink) {
+std::optional<Text> valueOf(const xml::Element& element, TypeNames types, const std::string& expected,
+                            diag::Sink& sink) {
     const std::string name = nameOf(element).value;
     if (element.name != "simple") {
         sink.error(element.where, "DEP004",
@@ -68,7 +70,9 @@ struct Digits {
 bool isNumber(const std::from_chars_result& read, const Digits& digits, const Text& text, diag::Sink& sink) {
     if (read.ec != std::errc()) return false;
     if (read.ptr != digits.end)
-        sink.warning(text.where, "CPF007", "text after the number in '" + text.value + "' is ignored");
+        sink.warning(text.where, "CPF007",
+                     "text after the number in '" + text.value + "' is ignored; the value is " +
+                         std::string(text.value.data(), read.ptr));
     return true;
 }
 
@@ -100,14 +104,17 @@ std::optional<bool> readBoolean(const xml::Element& element, diag::Sink& sink) {
     return std::nullopt;
 }
 
-std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink) {
-    const std::optional<Text> text = valueOf(element, kIntegers, "short or long", sink);
+std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink,
+                                     const std::string& meaning) {
+    const std::optional<Text> text =
+        valueOf(element, kIntegers, "short or long" + (meaning.empty() ? meaning : ": " + meaning), sink);
     if (!text) return std::nullopt;
     const Digits digits(text->value, true);
     long long number = 0;
     const auto read = std::from_chars(digits.begin, digits.end, number, digits.base);
     if (number >= least && number <= most && isNumber(read, digits, *text, sink)) return number;
-    badValue(element, *text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), sink);
+    const std::string range = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    badValue(element, *text, meaning.empty() ? range : meaning, sink);
     return std::nullopt;
 }
 
@@ -125,6 +132,27 @@ std::optional<double> readReal(const xml::Element& element, diag::Sink& sink) {
 
 std::optional<Text> readString(const xml::Element& element, diag::Sink& sink) {
     return valueOf(element, kStrings, "string", sink);
+}
+
+std::optional<Text> readWord(const xml::Element& element, diag::Sink& sink) {
+    const std::optional<Text> text = readString(element, sink);
+    if (!text || !text->empty()) return text;
+    sink.error(element.where, "DEP003", "'" + nameOf(element).value + "' has an empty <value>");
+    return std::nullopt;
+}
+
+void checkTwice(const xml::Element& parent, const std::vector<std::string>& names, diag::Sink& sink) {
+    std::map<std::string, diag::Location> seen;
+    for (const xml::Element& child : parent.children) {
+        const Text name = nameOf(child);
+        if (child.name == "description" || name.empty()) continue;
+        if (!names.empty() && std::find(names.begin(), names.end(), name.value) == names.end()) continue;
+        const auto [first, isNew] = seen.emplace(name.value, name.where);
+        if (isNew) continue;
+        sink.warning(name.where, "DEP060", "a second '" + name.value + "', which replaces the first")
+            .note(first->second, "the first is here");
+        first->second = name.where;
+    }
 }
 
 }  // namespace OCL::deploy

@@ -10,15 +10,22 @@
 #include <diag/sink.hpp>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace OCL::deploy {
 
 std::optional<bool> readBoolean(const xml::Element& element, diag::Sink& sink);
-/** Any of the integer types; DEP005 if outside of [least, most]. */
-std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink);
+/** Any of the integer types; DEP005 if outside of [least, most]. `meaning` tells users what the numbers stand for. */
+std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink,
+                                     const std::string& meaning = {});
 /** A floating point or integer type. */
 std::optional<double> readReal(const xml::Element& element, diag::Sink& sink);
 std::optional<Text> readString(const xml::Element& element, diag::Sink& sink);
+/** A string that must not be empty (DEP003). */
+std::optional<Text> readWord(const xml::Element& element, diag::Sink& sink);
+/** Warns (DEP060) of elements of the same name, of those in `names` if that is not empty; of these the last counts. */
+void checkTwice(const xml::Element& parent, const std::vector<std::string>& names, diag::Sink& sink);
 
 /** The name attribute and its place; empty, at the element, if there is none. */
 Text nameOf(const xml::Element& element);

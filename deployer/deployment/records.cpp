@@ -30,13 +30,6 @@ bool isSameFile(const std::string& a, const std::string& b) {
     return a == b || std::filesystem::equivalent(a, b, none);
 }
 
-/** True if both are one statement of one file, whatever the file was called. */
-bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b) {
-    const diag::Location &one = a.file.where, &other = b.file.where;
-    return a.file.value == b.file.value && one.line == other.line && one.column == other.column &&
-           isSameFile(one.file, other.file);
-}
-
 /** A statement of a file that was read again adds nothing: its script runs once. */
 void appendScripts(std::vector<ScriptPlan>& scripts, const std::vector<ScriptPlan>& more) {
     for (const ScriptPlan& script : more) {
@@ -50,6 +43,12 @@ void replace(Flag& flag, const Flag& newer) {
 }
 
 }  // namespace
+
+bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b) {
+    const diag::Location &one = a.file.where, &other = b.file.where;
+    return a.file.value == b.file.value && one.line == other.line && one.column == other.column &&
+           isSameFile(one.file, other.file);
+}
 
 Record& Records::add(const std::string& name, RTT::TaskContext* instance) {
     erase(instance);  // of a component that others destroyed, and whose memory this one has got

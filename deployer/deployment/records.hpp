@@ -18,6 +18,12 @@ class TaskContext;
 
 namespace OCL::deploy {
 
+/** What a script has left in its component. */
+struct LoadedScript {
+    ScriptPlan script;
+    std::vector<std::string> programs, machines;
+};
+
 struct Record {
     std::string name;
     RTT::TaskContext* instance = nullptr;
@@ -25,8 +31,9 @@ struct Record {
     int group = 0;            // that created it
     int optionsGroup = 0;     // that last gave it options: these are applied with that group
     ComponentPlan plan;
-    std::string master;  // whose activity executes this component; empty: none
-    Text loadedFile;     // the last property file that was applied; AutoSave writes it
+    std::string master;                // whose activity executes this component; empty: none
+    Text loadedFile;                   // the last property file that was applied; AutoSave writes it
+    std::vector<LoadedScript> loaded;  // in the order in which the scripts ran
 };
 
 /** One connection: the ports of all files that name it. */
@@ -39,6 +46,9 @@ struct Connection {
     };
     std::vector<Member> members;  // in the order of the files, never empty
 };
+
+/** True if both are one statement of one file, whatever the file was called. */
+bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b);
 
 struct Records {
     Records() = default;

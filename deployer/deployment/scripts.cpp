@@ -3,12 +3,14 @@
 #include "scripts.hpp"
 
 #include "session.hpp"
+#include "xml_to_plan.hpp"
 
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/HookInProgress.hpp>
 
+#include <algorithm>
 #include <exception>
 
 namespace OCL::deploy {
@@ -26,6 +28,48 @@ Interpreter interpreterOf(ScriptPlan::Kind kind, const std::string& file) {
     if (file.size() > lua.size() && file.compare(file.size() - lua.size(), lua.size(), lua) == 0)
         return {"Lua", "exec_file"};
     return {"scripting", "runScript"};
+}
+
+const char kProgramList[] = "getProgramList", kMachineList[] = "getStateMachineList";
+
+/** An operation of the component's service that runs scripts; not ready if there is none. */
+template <class Signature>
+RTT::OperationCaller<Signature> scripting(RTT::TaskContext& component, const std::string& operation) {
+    const RTT::Service::shared_ptr own = component.provides();
+    if (!own->hasService("scripting")) return {};
+    return RTT::OperationCaller<Signature>(own->getService("scripting")->getOperation(operation));
+}
+
+typedef std::vector<std::string> Names;
+
+Names namesBy(RTT::TaskContext& component, const char* list) {
+    RTT::OperationCaller<Names()> names = scripting<Names()>(component, list);
+    return names.ready() ? names() : Names();
+}
+
+/** Those of `names` that are not in `without`. */
+Names but(const Names& names, const Names& without) {
+    Names result;
+    for (const std::string& name : names)
+        if (std::find(without.begin(), without.end(), name) == without.end()) result.push_back(name);
+    return result;
+}
+
+/** Those that are still there. */
+void unload(RTT::TaskContext& component, const LoadedScript& loaded) {
+    const auto remove = [&](const Names& names, const char* list, const char* operation) {
+        RTT::OperationCaller<bool(const std::string&)> one = scripting<bool(const std::string&)>(component, operation);
+        const Names present = namesBy(component, list);
+        for (auto name = names.rbegin(); one.ready() && name != names.rend(); ++name)
+            if (std::find(present.begin(), present.end(), *name) != present.end()) (void)one(*name);
+    };
+    remove(loaded.machines, kMachineList, "unloadStateMachine");
+    remove(loaded.programs, kProgramList, "unloadProgram");
+}
+
+std::vector<LoadedScript>::const_iterator findIn(const std::vector<LoadedScript>& list, const ScriptPlan& script) {
+    return std::find_if(list.begin(), list.end(),
+                        [&](const LoadedScript& one) { return isSameStatement(one.script, script); });
 }
 
 }  // namespace
@@ -48,11 +92,30 @@ bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::st
     const RTT::internal::HookInProgress here(&component, "a script");
     try {
         if (run(file)) return true;
-        error = "the log says why";
     } catch (const std::exception& thrown) {
         error = thrown.what();
     }
     return false;
+}
+
+bool runScript(Record& record, const ScriptPlan& script, std::string& error) {
+    RTT::TaskContext& component = *record.instance;
+    if (const auto earlier = findIn(record.loaded, script); earlier != record.loaded.end()) {
+        unload(component, *earlier);
+        record.loaded.erase(earlier);
+    }
+    const Names programs = namesBy(component, kProgramList), machines = namesBy(component, kMachineList);
+    const bool ran = runScript(component, script.kind, resolveFile(script.file), error);
+    LoadedScript loaded{script, but(namesBy(component, kProgramList), programs),
+                        but(namesBy(component, kMachineList), machines)};
+    if (!loaded.programs.empty() || !loaded.machines.empty()) record.loaded.push_back(std::move(loaded));
+    return ran;
+}
+
+void unloadScripts(RTT::TaskContext& component, const std::vector<LoadedScript>& now,
+                   const std::vector<LoadedScript>& before) {
+    for (auto script = now.rbegin(); script != now.rend(); ++script)
+        if (findIn(before, script->script) == before.end()) unload(component, *script);
 }
 
 }  // namespace OCL::deploy

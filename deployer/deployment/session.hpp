@@ -58,6 +58,8 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
 void holdBack(RTT::TaskContext& component);
 bool loadService(RTT::TaskContext& component, const std::string& service);
 bool loadLibrary(const std::string& file, std::string& error);
+/** Those of a list of directories, separated by colons or semicolons, that are none. */
+std::vector<std::string> missingDirectories(const std::string& paths);
 /** Adds directories to the search path of components and plugins. */
 void addSearchPath(const std::string& paths);
 
@@ -77,6 +79,9 @@ void connectSameNames(Session& session, int group, diag::Sink& sink);
 void createStreams(Session& session, diag::Sink& sink);
 
 // configure.cpp
+/** In a session that starts nothing: stops the components that C++ code started, in a constructor or hook, which nothing can
+    keep it from. */
+void stopWhatStarted(Session& session, diag::Sink& sink);
 bool configure(Session& session, int group, diag::Sink& sink);
 bool start(Session& session, int group, diag::Sink& sink);
 

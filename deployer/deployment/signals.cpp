@@ -39,6 +39,8 @@ void SignalCatcher::onSignal(int signal) {
     struct sigaction now = {};
     const bool dies = catcher ? second || write(catcher->pipe_[1], &number, 1) != 1
                               : sigaction(signal, nullptr, &now) == 0 && now.sa_handler == &onSignal;
+    void (*const atFirst)() = catcher ? catcher->atFirst_.load() : nullptr;
+    if (!dies && atFirst) atFirst();
     if (dies) {
         if (void (*const action)() = beforeSecond) action();
         ::signal(signal, SIG_DFL);

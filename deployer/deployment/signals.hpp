@@ -33,6 +33,8 @@ public:
     /** Blocks until one of the signals has come since construction, or one that ends the program and was caught by an earlier
         catcher; returns its number. */
     int wait();
+    /** Done in the handler when a signal comes and none is waiting; null: nothing. It must be safe in signal handlers. */
+    void atFirst(void (*action)()) { atFirst_ = action; }
     /** True if wait() would not block. */
     bool caught() const { return caught_ != 0; }
     /** Can be read as soon as a signal was caught. */
@@ -51,6 +53,7 @@ private:
     std::vector<Previous> previous_;
     SignalCatcher* outer_;
     std::atomic<int> caught_{0};  // and not waited for
+    std::atomic<void (*)()> atFirst_{nullptr};
     bool ready_ = true;
     int pipe_[2];
 };

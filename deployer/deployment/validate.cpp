@@ -15,7 +15,6 @@
 #include <rtt/types/GlobalsRepository.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -99,8 +98,10 @@ private:
                 }
             }
             checkReferences(component);
+            checkServices(component);
             checkFiles(component);
         }
+        checkMasters();
     }
 
     /** A struct for a component of this plan adds to its options. It may repeat the type, but not give another one. */
@@ -130,10 +131,14 @@ private:
             sink_.error(component.name.where, "DEP031",
                         "there is no component '" + component.name.value + "' to add options to" +
                             diag::didYouMean(component.name.value, reachableBut(component.name.value)));
-        else if (!contains(around_.componentTypes, type.value))
-            sink_.error(type.where, "DEP031",
-                        "unknown component type '" + type.value + "'" +
-                            diag::didYouMeanType(type.value, around_.componentTypes));
+        else if (!contains(around_.componentTypes, type.value)) {
+            const std::string likely = diag::didYouMeanType(type.value, around_.componentTypes);
+            const bool nothingElse = plan_.imports.empty() && !sink_.hadErrors();
+            diag::Diagnostic& error =
+                sink_.error(type.where, "DEP031", "unknown component type '" + type.value + "'" + likely);
+            if (likely.empty() && nothingElse)
+                error.hint("an 'Import' statement with the name of the package that has it makes the type known");
+        }
     }
 
     std::vector<std::string> reachableBut(const std::string& name) const {
@@ -176,10 +181,41 @@ private:
     }
 
     bool checkFile(const Text& file) {
-        std::error_code error;
-        if (std::filesystem::is_regular_file(resolveFile(file), error)) return true;
-        sink_.error(file.where, "DEP020", "no such file: '" + file.value + "'");
-        return false;
+        const std::string why = whyUnreadable(file);
+        if (!why.empty()) sink_.error(file.where, "DEP020", why);
+        return why.empty();
+    }
+
+    /** A component may bring a service of that name itself. */
+    void checkServices(const ComponentPlan& component) {
+        if (!around_.planOnly) return;
+        for (const Text& service : component.services)
+            if (!contains(around_.services, service.value))
+                sink_.warning(service.where, "DEP033",
+                              "no plugin has a service '" + service.value + "' for component '" + component.name.value +
+                                  "'" + diag::didYouMean(service.value, around_.services));
+    }
+
+    /** Each slave's master may be a slave; one that comes back to itself that way has no thread. */
+    void checkMasters() {
+        std::map<std::string, const Text*> masters;
+        const auto add = [&](const Plan& plan) {
+            for (const ComponentPlan& component : plan.components)
+                if (component.activity && component.activity->kind == ActivityKind::Slave)
+                    masters[component.name.value] = &component.activity->master;
+        };
+        for (const Plan* earlier : around_.planned) add(*earlier);
+        add(plan_);
+        for (const auto& [name, master] : masters) {
+            if (master->value == name) continue;  // which is told by name
+            auto next = masters.find(master->value);
+            for (std::size_t steps = 0; steps != masters.size() && next != masters.end() && next->first != name;
+                 ++steps)
+                next = masters.find(next->second->value);
+            if (next != masters.end() && next->first == name)
+                sink_.error(master->where, "DEP017",
+                            "component '" + name + "' is, through its masters, its own master");
+        }
     }
 
     const Plan& plan_;

@@ -8,9 +8,13 @@
 #include <xml/document.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <utility>
+
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -57,6 +61,7 @@ private:
             sink_.error(element.where, "DEP002", "found <" + element.name + ">, expected <simple> or <struct>");
             return;
         }
+        checkForm(element, sink_);
         const xml::Attribute* name = element.requireAttribute("name", sink_);
         if (!name) return;
         if (name->value.empty())
@@ -90,11 +95,10 @@ private:
                       " and structs for components and connection policies");
             return;
         }
-        const auto text = readString(element, sink_);
+        checkForm(element, sink_);
+        const auto text = readWord(element, sink_);
         if (!text) return;
-        if (text->empty())
-            sink_.error(element.where, "DEP003", "'" + name.value + "' has an empty <value>");
-        else if (name.value == "Include")
+        if (name.value == "Include")
             include(*text);
         else
             plan_.imports.push_back(ImportPlan{kindOf(name.value), *text});
@@ -105,15 +109,11 @@ private:
     }
 
     void include(const Text& file) {
-        const std::string path = resolveFile(file);
-        std::error_code error;
-        const fs::file_type type = fs::status(path, error).type();
-        if (type != fs::file_type::regular && type != fs::file_type::fifo) {
-            sink_.error(
-                file.where, "DEP020",
-                (isThere(path) ? "this is no file that can be included: '" : "no such file: '") + file.value + "'");
+        if (const std::string why = whyUnreadable(file); !why.empty()) {
+            sink_.error(file.where, "DEP020", why);
             return;
         }
+        const std::string path = resolveFile(file);
         if (std::find(open_.begin(), open_.end(), identity(path)) != open_.end()) {
             sink_.error(file.where, "DEP007",
                         "'" + file.value + "' includes itself, directly or through the files it includes");
@@ -176,6 +176,22 @@ std::string resolveFile(const Text& file) {
     if (path.is_absolute() || isThere(path)) return file.value;
     const fs::path beside = fs::path(file.where.file.str()).parent_path() / path;
     return isThere(beside) ? beside.string() : file.value;
+}
+
+std::string whyUnreadable(const Text& file) {
+    const std::string path = resolveFile(file);
+    std::error_code error;
+    switch (fs::status(path, error).type()) {
+        case fs::file_type::regular:
+        case fs::file_type::fifo: break;
+        case fs::file_type::directory: return "this is a directory, expected a file: '" + file.value + "'";
+        case fs::file_type::not_found: return "no such file: '" + file.value + "'";
+        default:
+            return error ? "the file '" + file.value + "' is out of reach: " + error.message()
+                         : "this is no file that can be read: '" + file.value + "'";
+    }
+    if (access(path.c_str(), R_OK) == 0) return {};
+    return "cannot read the file '" + file.value + "': " + std::strerror(errno);
 }
 
 }  // namespace OCL::deploy

@@ -139,6 +139,22 @@ TEST_F(DryRun, TheGraphOfComponentsShowsWhatIsConnectedHow) {
                 HasSubstr("no/such/app.dot: error: the graph cannot be written: No such file or directory"));
 }
 
+TEST_F(DryRun, TheGraphDrawsAPeerAsTheComponentItIs) {
+    directory_.write("alias.ops", "aliasPeer(\"one\", \"two\", \"other\")\naliasPeer(\"this\", \"two\", \"again\")\n");
+    write("app.xml", std::string(kImport) + component("one", "deploytest::Consumer", "") +
+                         component("two", "deploytest::Consumer", "") +
+                         "<struct name=\"this\" type=\"PropertyBag\"><simple name=\"RunScript\" type=\"string\">"
+                         "<value>alias.ops</value></simple></struct>");
+    const Outcome outcome = run(command({"--check", "--dot", "app.dot", "-s", "app.xml"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    const std::string graph = readFile(directory_ / "app.dot");
+    EXPECT_THAT(graph, HasSubstr("  \"one\" -> \"two\" [style=dashed, label=\"peer other\"];\n"));
+    EXPECT_THAT(graph, Not(HasSubstr("\"other\"")));
+    const std::string node = "[label=\"two\\ndeploytest::Consumer\"]";
+    EXPECT_THAT(graph, HasSubstr(node));
+    EXPECT_EQ(graph.find(node), graph.rfind(node)) << "one node, whatever names it has: " << graph;
+}
+
 TEST_F(DryRun, ALibraryFileStandsForItsOnlyComponentType) {
     const auto library = [](const std::string& name) {
         return std::string(DEPLOYER_TEST_PATH) + "/" OROCOS_TARGET_WORD "/" + name + "/lib" + name +

@@ -57,6 +57,25 @@ std::string master(const std::string& name) {
 
 TEST(Validate, KnownTypeNewNameIsFine) { EXPECT_THAT(messages(component("c", "ns::Controller")), IsEmpty()); }
 
+TEST(Validate, MastersInACircleHaveNoThread) {
+    EXPECT_THAT(messages(component("a", "ns::Plant", master("b")) + component("b", "ns::Plant", master("a")) +
+                         component("c", "ns::Plant", master("a"))),
+                ElementsAre("DEP017 component 'a' is, through its masters, its own master",
+                            "DEP017 component 'b' is, through its masters, its own master"));
+}
+
+TEST(Validate, AServiceThatNobodyHasIsToldWhereTheComponentIsNotSeen) {
+    const std::string asks =
+        component("a", "ns::Plant", "<simple name='Service' type='string'><value>marshaling</value></simple>");
+    Surroundings around = surroundings();
+    around.services = {"marshalling"};
+    EXPECT_THAT(messages(asks, around), IsEmpty());
+    around.planOnly = true;
+    EXPECT_THAT(messages(asks, around),
+                ElementsAre("warning: DEP033 no plugin has a service 'marshaling' for component "
+                            "'a'; did you mean 'marshalling'?"));
+}
+
 TEST(Validate, UnknownTypeIsAnsweredWithTheNearest) {
     EXPECT_THAT(messages(component("c", "ns::Controler")),
                 ElementsAre("DEP031 unknown component type 'ns::Controler'; did you mean 'ns::Controller'?"));

@@ -118,6 +118,18 @@ private:
     bool startHook() override { return false; }
 };
 
+/** Starts itself when it is made, and its peers when it is configured. */
+class Eager : public Telling {
+public:
+    explicit Eager(const std::string& name) : Telling(name) { start(); }
+
+private:
+    bool configureHook() override {
+        for (const std::string& peer : getPeerList()) getPeer(peer)->start();
+        return Telling::configureHook();
+    }
+};
+
 }  // namespace deploytest
 
 ORO_CREATE_COMPONENT_LIBRARY()
@@ -127,3 +139,4 @@ ORO_LIST_COMPONENT_TYPE(deploytest::Late)
 ORO_LIST_COMPONENT_TYPE(deploytest::ThrowsInConstructor)
 ORO_LIST_COMPONENT_TYPE(deploytest::RefusesToConfigure)
 ORO_LIST_COMPONENT_TYPE(deploytest::RefusesToStart)
+ORO_LIST_COMPONENT_TYPE(deploytest::Eager)

@@ -3,11 +3,46 @@
 // A component with something of everything that deployment files can name.
 #include <rtt/Component.hpp>
 #include <rtt/RTT.hpp>
+#include <rtt/types/SequenceTypeInfo.hpp>
+#include <rtt/types/StructTypeInfo.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <boost/serialization/nvp.hpp>
 
 #include <string>
 #include <vector>
 
 namespace zoo {
+
+struct Gains {
+    double kp = 0, ki = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned) {
+        archive& boost::serialization::make_nvp("kp", kp);
+        archive& boost::serialization::make_nvp("ki", ki);
+    }
+};
+
+struct Control {
+    Gains gains;
+    std::vector<Gains> axes;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned) {
+        archive& boost::serialization::make_nvp("gains", gains);
+        archive& boost::serialization::make_nvp("axes", axes);
+    }
+};
+
+/** With the library, as that of a typekit would: files are read before there are components. */
+const bool typesAreThere = [] {
+    const auto types = RTT::types::Types();
+    types->addType(new RTT::types::StructTypeInfo<Gains>("zoo.Gains"));
+    types->addType(new RTT::types::SequenceTypeInfo<std::vector<Gains>>("zoo.Gains[]"));
+    types->addType(new RTT::types::StructTypeInfo<Control>("zoo.Control"));
+    return true;
+}();
 
 class Robot : public RTT::TaskContext {
 public:
@@ -87,7 +122,17 @@ private:
     RTT::OperationCaller<double(double, double)> add_{"add"};
 };
 
+/** One more property, with members. */
+class Controlled : public Robot {
+public:
+    explicit Controlled(const std::string& name) : Robot(name) { addProperty("control", control_); }
+
+private:
+    Control control_;
+};
+
 }  // namespace zoo
 
 ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(zoo::Robot)
+ORO_LIST_COMPONENT_TYPE(zoo::Controlled)

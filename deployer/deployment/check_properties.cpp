@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "check_properties.hpp"
+
+#include "read_value.hpp"
+#include "shutdown.hpp"
+#include "xml_to_plan.hpp"
+
+#include <diag/nearest_match.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/marsh/detail/cpf_reader.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+#include <algorithm>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::PropertyBag;
+using RTT::base::DataSourceBase;
+using RTT::base::PropertyBase;
+using RTT::internal::detail::bagOf;
+using RTT::types::TypeInfo;
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** Those of the type itself, and those by which its values are written to files. */
+std::vector<std::string> memberNames(const TypeInfo& type, const DataSourceBase::shared_ptr& value) {
+    std::vector<std::string> names = type.getMemberNames();
+    const DataSourceBase::shared_ptr written = type.decomposeType(value);
+    if (!written || !written->getTypeId() || *written->getTypeId() != typeid(PropertyBag)) return names;
+    for (const std::string& name : static_cast<const PropertyBag*>(written->getRawConstPointer())->list())
+        if (!contains(names, name)) names.push_back(name);
+    return names;
+}
+
+bool isSequence(const TypeInfo& type) { return type.getMemberNames() == std::vector<std::string>{"size", "capacity"}; }
+
+/** Looks for members that are given and are not there; the runtime takes no notice of those. */
+class MemberCheck {
+public:
+    /** `grows`: bags of the component get what they lack. */
+    MemberCheck(const Record& record, const RTT::marsh::Places& places, bool grows, diag::Sink& sink)
+        : record_(record), places_(places), grows_(grows), sink_(sink) {}
+
+    void checkItem(const PropertyBase& item, const PropertyBase& target, const std::string& path) {
+        const PropertyBag* const given = bagOf(item);
+        if (!given) return;
+        if (const PropertyBag* const bag = bagOf(target))
+            checkBag(*given, *bag, path);
+        else if (target.getTypeInfo())
+            checkMembers(*given, *target.getTypeInfo(), path);
+    }
+
+    void ignored(const PropertyBase& item, const std::string& what, const std::vector<std::string>& known) {
+        sink_.warning(places_.at(&item), "DEP058",
+                      "ignored: " + what + " '" + item.getName() + "'" + diag::didYouMean(item.getName(), known));
+    }
+
+private:
+    std::string owner(const std::string& path) const {
+        return "property '" + path + "' of component '" + record_.name + "'";
+    }
+
+    void checkBag(const PropertyBag& given, const PropertyBag& bag, const std::string& path) {
+        for (const PropertyBase* item : given) {
+            if (item->getName().empty()) continue;
+            if (const PropertyBase* const target = bag.find(item->getName()))
+                checkItem(*item, *target, path + "." + item->getName());
+            else if (!grows_)
+                ignored(*item, owner(path) + " holds no", bag.list());
+        }
+    }
+
+    void checkMembers(const PropertyBag& given, const TypeInfo& type, const std::string& path) {
+        // Of a value of its own, because that of the component may have other elements.
+        const DataSourceBase::shared_ptr value = type.buildValue();
+        if (!value) return;
+        if (isSequence(type)) return checkElements(given, type, value, path);
+        const std::vector<std::string> known = memberNames(type, value);
+        if (known.empty()) return;
+        for (const PropertyBase* item : given) {
+            const std::string& name = item->getName();
+            if (name.empty()) continue;
+            const DataSourceBase::shared_ptr member = value->getMember(name);  // by another name of it, perhaps
+            if (member)
+                checkInner(*item, *member, path + "." + name);
+            else if (!contains(known, name))
+                ignored(*item, owner(path) + ", of type " + type.getTypeName() + ", has no member", known);
+        }
+    }
+
+    void checkElements(const PropertyBag& given, const TypeInfo& type, const DataSourceBase::shared_ptr& value,
+                       const std::string& path) {
+        (void)type.resize(value, static_cast<int>(given.size()));
+        for (std::size_t i = 0; i != given.size(); ++i) {
+            const std::string index = std::to_string(i);
+            const PropertyBase& item = *given.getItem(i);
+            const DataSourceBase::shared_ptr element = bagOf(item) ? value->getMember(index) : nullptr;
+            if (element) checkInner(item, *element, path + "." + index);
+        }
+    }
+
+    void checkInner(const PropertyBase& item, const DataSourceBase& member, const std::string& path) {
+        const PropertyBag* const given = bagOf(item);
+        if (given && member.getTypeInfo()) checkMembers(*given, *member.getTypeInfo(), path);
+    }
+
+    const Record& record_;
+    const RTT::marsh::Places& places_;
+    const bool grows_;
+    diag::Sink& sink_;
+};
+
+void checkStruct(const xml::Element& properties, const Record& record, const std::vector<std::string>& known,
+                 diag::Sink& sink) {
+    for (const xml::Element& property : properties.children) {
+        const Text name = nameOf(property);
+        if (property.name == "description" || name.empty() || contains(known, name.value)) continue;
+        sink.error(name.where, "DEP043",
+                   "component '" + record.name + "' has no property '" + name.value + "'" +
+                       diag::didYouMean(name.value, known));
+    }
+    PropertyBag read;
+    RTT::marsh::Places places;
+    diag::Sink told;  // when the file was read
+    (void)RTT::marsh::readBag(properties, read, told, &places);
+    MemberCheck check(record, places, /*grows=*/true, sink);
+    for (const PropertyBase* item : read)
+        if (const PropertyBase* const target = record.instance->properties()->find(item->getName()))
+            check.checkItem(*item, *target, item->getName());
+}
+
+void checkFile(const PropertyFilePlan& file, const Record& record, const std::vector<std::string>& known,
+               diag::Sink& sink) {
+    PropertyBag read;
+    RTT::marsh::Places places;
+    diag::Sink told;  // it is told again when the file is applied
+    if (!RTT::marsh::readFile(resolveFile(file.file), read, told, &places)) return;
+    const bool grows = file.mode == PropertyFilePlan::Load;
+    // What the file gives by its own name is not what a misspelt one means.
+    std::vector<std::string> others = known;
+    others.erase(std::remove_if(others.begin(), others.end(), [&](const std::string& name) { return read.find(name); }),
+                 others.end());
+    MemberCheck check(record, places, grows, sink);
+    for (const PropertyBase* item : read) {
+        if (const PropertyBase* const target = record.instance->properties()->find(item->getName()))
+            check.checkItem(*item, *target, item->getName());
+        else if (!grows && !item->getName().empty() && diag::nearestMatch(item->getName(), others))
+            check.ignored(*item, "component '" + record.name + "' has no property", others);
+    }
+}
+
+}  // namespace
+
+void checkProperties(const Record& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
+    const std::vector<std::string> own = record.instance->properties()->list();
+    std::vector<std::string> known = own;
+    if (record.instance == deployer)
+        for (const std::string& name : shutdownProperties()) known.push_back(name);
+    for (const xml::Element& properties : record.plan.properties) checkStruct(properties, record, known, sink);
+    for (const PropertyFilePlan& file : record.plan.propertyFiles) checkFile(file, record, own, sink);
+}
+
+}  // namespace OCL::deploy
