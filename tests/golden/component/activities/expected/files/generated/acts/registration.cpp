@@ -6,11 +6,21 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Slave.hpp"
 #include "FreeSlave.hpp"
 #include "Sequential.hpp"
 #include "Event.hpp"
+
+static_assert(!std::is_abstract<acts::Slave>::value,
+              "acts::Slave lacks functions for what its manifest names: orocreate-pkg --update adds them");
+static_assert(!std::is_abstract<acts::FreeSlave>::value,
+              "acts::FreeSlave lacks functions for what its manifest names: orocreate-pkg --update adds them");
+static_assert(!std::is_abstract<acts::Sequential>::value,
+              "acts::Sequential lacks functions for what its manifest names: orocreate-pkg --update adds them");
+static_assert(!std::is_abstract<acts::Event>::value,
+              "acts::Event lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(acts::Slave)

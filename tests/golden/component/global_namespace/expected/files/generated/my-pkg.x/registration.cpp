@@ -6,8 +6,12 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Plain.hpp"
+
+static_assert(!std::is_abstract<Plain>::value,
+              "Plain lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT(Plain)
 

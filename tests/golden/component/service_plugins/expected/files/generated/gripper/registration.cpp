@@ -6,9 +6,13 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Hand.hpp"
 #include "HandBase.hpp"
+
+static_assert(!std::is_abstract<gripper::Hand>::value,
+              "gripper::Hand lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT(gripper::Hand)
 

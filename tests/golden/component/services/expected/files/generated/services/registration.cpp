@@ -6,8 +6,12 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Client.hpp"
+
+static_assert(!std::is_abstract<services::Client>::value,
+              "services::Client lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT(services::Client)
 

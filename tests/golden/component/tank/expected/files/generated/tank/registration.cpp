@@ -6,9 +6,13 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Controller.hpp"
 #include "ControllerBase.hpp"
+
+static_assert(!std::is_abstract<tank::Controller>::value,
+              "tank::Controller lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT(tank::Controller)
 

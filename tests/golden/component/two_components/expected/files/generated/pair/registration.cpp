@@ -6,11 +6,17 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "Source.hpp"
 #include "Sink.hpp"
 #include "SourceBase.hpp"
 #include "SinkBase.hpp"
+
+static_assert(!std::is_abstract<pair::Source>::value,
+              "pair::Source lacks functions for what its manifest names: orocreate-pkg --update adds them");
+static_assert(!std::is_abstract<pair::Sink>::value,
+              "pair::Sink lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(pair::Source)

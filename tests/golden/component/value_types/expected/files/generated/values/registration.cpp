@@ -6,9 +6,13 @@
 
 #include <rtt/Component.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
+#include <type_traits>
 
 #include "All.hpp"
 #include "AllBase.hpp"
+
+static_assert(!std::is_abstract<values::All>::value,
+              "values::All lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_CREATE_COMPONENT(values::All)
 

@@ -5,7 +5,11 @@
 #endif
 
 #include <rtt/plugin/ServicePlugin.hpp>
+#include <type_traits>
 
 #include "Recorder.hpp"
+
+static_assert(!std::is_abstract<gripper::Recorder>::value,
+              "gripper::Recorder lacks functions for what its manifest names: orocreate-pkg --update adds them");
 
 ORO_SERVICE_NAMED_PLUGIN(gripper::Recorder, "recorder")
