@@ -24,6 +24,7 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalEngine.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalService.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/HookInProgress.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/Interruption.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/Mailbox.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationCallerC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationPart.cpp

@@ -4,12 +4,22 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/base/OperationBase.hpp>
+#include <rtt/internal/Interruption.hpp>
 #include <rtt/internal/OperationTable.hpp>
 
 #include <stdexcept>
 
 namespace RTT {
 namespace internal {
+
+namespace {
+
+/** Who calls would execute the operation itself, with what is left of its component. A call that is sent is refused anyway. */
+bool isOrphan(const base::OperationCallerInterface& caller) {
+    return caller.getThread() == ClientThread && caller.callee() && !caller.ready();
+}
+
+}  // namespace
 
 void throwNoValue() { throw std::logic_error("there is no result, and its type has no default value"); }
 
@@ -39,6 +49,12 @@ bool GenericCall::evaluateArguments() const {
 
 bool GenericCall::invoke(void* result) const {
     if (!evaluateArguments()) return false;
+    if (isOrphan(*caller_))
+        throw SendError(SendFailure, describe(caller_->callee()) +
+                                         " was not executed: the component that provides it was destroyed");
+    Interruption* const interruption = Interruption::ofThisThread();
+    const Interruption::Region called(interruption && !caller_->isSend() ? interruption : nullptr,
+                                      Interruption::Region::Native);
     table_->invoke(*caller_, addresses_.data(), result);
     for (std::size_t i = 0; i != arguments_.size(); ++i)
         if (table_->types[i + 1].isOutput()) arguments_[i]->updated();
@@ -48,6 +64,7 @@ bool GenericCall::invoke(void* result) const {
 bool GenericCall::send(SentCall::shared_ptr& sent) const {
     sent = nullptr;
     if (!evaluateArguments()) return false;
+    if (isOrphan(*caller_)) return true;
     sent = table_->send(*caller_, addresses_.data());
     return true;
 }

@@ -9,7 +9,9 @@
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/internal/Interruption.hpp>
 #include <rtt/os/detail/futex.hpp>
+#include <rtt/os/fosi.h>
 
 #include <exception>
 
@@ -110,10 +112,17 @@ SendStatus SentCall::collect() {
 
 // On the call itself: many threads that are no components may wait, each for its own, and none shall wake the others.
 void SentCall::park() {
+    const Interruption* const interruption = Interruption::ofScript();
     std::uint32_t seen = state_.load(std::memory_order_acquire);
     while ((seen & ~kParked) == Waiting) {
         if (!(seen & kParked) && !state_.compare_exchange_weak(seen, seen | kParked)) continue;
-        os::detail::futexWait(state_, Waiting | kParked, os::detail::kForever);
+        if (!interruption)
+            os::detail::futexWait(state_, Waiting | kParked, os::detail::kForever);
+        else if (interruption->asked())
+            throw Interrupted("interrupted while waiting for " + describe(callee()) +
+                              ", which goes on in its component");
+        else
+            os::detail::futexWait(state_, Waiting | kParked, rtos_get_time_ns() + Interruption::kLook);
         seen = state_.load(std::memory_order_acquire);
     }
 }
