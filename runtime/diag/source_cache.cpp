@@ -14,6 +14,7 @@ std::vector<std::string> readLines(std::istream& in) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (lines.empty() && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // columns do not count it
         lines.push_back(line);
     }
     return lines;

@@ -109,8 +109,8 @@ TEST_F(ScriptFunctions, AFailureIsAnExceptionOfTheCaller) {
     ASSERT_EQ(scripts.load("void inner() {\n  fail()\n}\nexport int outer(int a) {\n  inner()\n  return a\n}"), "");
     auto outer = caller<int(int)>(host, "outer");
     EXPECT_EQ(thrownBy([&] { outer(1); }),
-              "function 'outer' of component 'host' failed at bench.ops:5:3: the gripper is stuck (line 2 of function "
-              "'inner')");
+              "function 'outer' of component 'host' failed at bench.ops:5:3: the gripper is stuck (at "
+              "bench.ops:2:3, in function 'inner')");
     EXPECT_FALSE(host.inException());
     EXPECT_EQ(thrownBy([&] { outer(1); }).substr(0, 16), "function 'outer'") << "each time";
 }

@@ -127,7 +127,7 @@ TEST_F(Calls, FailuresWithinFunctionsTellWhere) {
     EXPECT_FALSE(run("void f() {\n  note(\"f\")\n  fails()\n}\nnote(\"x\")\nf()"));
     EXPECT_EQ(noted, "x;f;");
     EXPECT_NE(messages().find("script.ops:6:1: error: [OPS400] "), std::string::npos) << messages();
-    EXPECT_NE(messages().find("(line 3 of function 'f')"), std::string::npos) << messages();
+    EXPECT_NE(messages().find("(at script.ops:3:3, in function 'f')"), std::string::npos) << messages();
 }
 
 TEST_F(Calls, WrongReturns) {

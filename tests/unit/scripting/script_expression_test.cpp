@@ -108,8 +108,7 @@ TEST_F(Expression, AliasesAreEvaluatedWithEachUse) {
 
 TEST_F(Expression, WhatDoesNotFit) {
     EXPECT_FALSE(run("var int i\ni = \"text\""));
-    EXPECT_EQ(messages(),
-              "script.ops:2:5: error: [OPS128] expected a value of type int for a variable, found string\n");
+    EXPECT_EQ(messages(), "script.ops:2:5: error: [OPS128] expected a value of type int for 'i', found string\n");
     EXPECT_FALSE(run("var string s = 1.5"));
     EXPECT_EQ(messages(),
               "script.ops:1:16: error: [OPS128] expected a value of type string for variable 's', found double\n");

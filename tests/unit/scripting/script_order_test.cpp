@@ -20,6 +20,11 @@ protected:
         component.addOperation("f", [this] { return x = 10, s = "new", 1; });
         component.addOperation("g", [this] { return s = "new", std::string("g"); });
         component.addOperation("h", [this] { return s + "h"; });
+        component.addOperation("next", [this] { return ++x; });
+        component.addOperation("refill", [this] { return v[0] = 7; });
+        component.addOperation("pair", [](int a, int b) { return 10 * a + b; });
+        component.addOperation("join", [](const std::string& a, const std::string& b) { return a + b; });
+        component.addOperation("exchange", [](int& a, int& b, int) { std::swap(a, b); });
     }
     std::size_t sizeOf(const std::string& statement) {
         using namespace RTT::scripting::detail;
@@ -71,6 +76,48 @@ TEST_F(Order, AlsoTexts) {
     EXPECT_EQ(value<std::string>("t"), "oldhcnew");
     ASSERT_TRUE(run("s = \"old\"\nvar bool same = s == h()")) << messages();
     EXPECT_FALSE(value<bool>("same"));
+}
+
+TEST_F(Order, ArgumentsAreTakenFromLeftToRight) {
+    EXPECT_EQ(result<int>("int", "pair(x, f())"), 21);
+    EXPECT_EQ(x, 10);
+    x = 2;
+    EXPECT_EQ(result<int>("int", "pair(x, x = 3)"), 23);
+    EXPECT_EQ(result<int>("int", "pair(x = 4, x)"), 44);
+    EXPECT_EQ(result<int>("int", "pair(next(), next())"), 56);
+    EXPECT_EQ(result<int>("int", "pair(pair(x, next()), x)"), 677);
+    s = "old";
+    EXPECT_EQ(result<std::string>("string", "join(s, g())"), "oldg");
+    EXPECT_EQ(result<std::string>("string", "join(h(), (s = \"last\"))"), "newhlast");
+    EXPECT_EQ(result<std::vector<double>>("array", "array(v[0], refill(), v[0])"), (std::vector<double>{1, 7, 7}));
+}
+
+TEST_F(Order, ArgumentsOfFunctionsAreTakenFromLeftToRight) {
+    ASSERT_TRUE(
+        run("int twice(int a, int b) { return 10 * a + b }\nint changed() { x = x + 1\n return 1 }\n"
+            "string both(string a, string b) { return a + b }\nstring renamed() { s = \"new\"\n return \"r\" }"))
+        << messages();
+    EXPECT_EQ(result<int>("int", "twice(x, changed())"), 21);
+    EXPECT_EQ(result<int>("int", "pair(next(), changed())"), 41) << "an operation before a function";
+    EXPECT_EQ(result<int>("int", "twice(next(), next())"), 67);
+    EXPECT_EQ(result<std::string>("string", "both(s, renamed())"), "oldr");
+    s = "old";
+    EXPECT_EQ(result<std::string>("string", "both(s + s, renamed() + s)"), "oldoldrnew");
+}
+
+TEST_F(Order, WhatAnOperationChangesStaysAVariable) {
+    ASSERT_TRUE(run("var int y = 1, z = 2\nexchange(y, z, f())")) << messages();
+    EXPECT_EQ(value<int>("y"), 2);
+    EXPECT_EQ(value<int>("z"), 1);
+}
+
+TEST_F(Order, OnlyArgumentsBeforeCallsAreCopied) {
+    ASSERT_TRUE(run("var int a = 1, b = 2, c = 3"));
+    EXPECT_EQ(sizeOf("c = pair(a, b)"), 2u) << "a call, and the end";
+    EXPECT_EQ(sizeOf("c = pair(f(), b)"), 2u);
+    EXPECT_EQ(sizeOf("c = pair(a, f())"), 3u) << "a copy besides";
+    EXPECT_EQ(sizeOf("c = pair(7, f())"), 2u);
+    EXPECT_EQ(sizeOf("c = pair(a, pair(f(), f()))"), 4u);
 }
 
 TEST_F(Order, OnlyCallsCostACopy) {

@@ -24,14 +24,20 @@ protected:
     PeersOfService() {
         tank->addAttribute("level", level);
         tank->addProperty("name", name);
+        tank->addOperation("pour", [this](int amount) { return poured += amount; });
         host.addPeer(tank.get());
         host.addOperation("unload", [this] {
             host.removePeer("tank");
             tank.reset();
         });
+        host.addOperation("leave", [this] {
+            host.removePeer("tank");
+            tank.reset();
+            return 1;
+        });
     }
 
-    int level = 5;
+    int level = 5, poured = 0;
     std::string name = "red";
     std::unique_ptr<Host> tank = std::make_unique<Host>("tank");
 };
@@ -69,6 +75,38 @@ TEST_F(PeersOfService, ThatGoWithinAStepFailTheStatementThatDidIt) {
     EXPECT_THAT(host.notes, ElementsAre());
     EXPECT_EQ(3, service->getProgramLine("p"));
     EXPECT_THAT(logged(), HasSubstr(kGone));
+}
+
+TEST_F(PeersOfService, ThatGoExecuteNoOperations) {
+    ASSERT_TRUE(
+        eval("program p {\n while true {\n  try tank.pour(1) catch { note(\"caught\") }\n  yield\n }\n}\np.start()\n"
+             "program other {\n while true {\n  tank.pour(10)\n  yield\n }\n}\nother.start()\n"));
+    host.step();
+    EXPECT_EQ(11, poured);
+    tank.reset();
+    host.step();
+    EXPECT_EQ(11, poured);
+    EXPECT_TRUE(service->isProgramRunning("p"));
+    EXPECT_THAT(host.notes, ElementsAre("caught"));
+    EXPECT_TRUE(service->inProgramError("other"));
+    EXPECT_THAT(logged(), HasSubstr("operation 'pour' was not executed: the component that provides it was destroyed"));
+}
+
+TEST_F(PeersOfService, ThatGoWhileArgumentsAreEvaluatedExecuteNothing) {
+    EXPECT_FALSE(eval("tank.pour(leave())\n"));
+    EXPECT_EQ(0, poured);
+    EXPECT_THAT(logged(), HasSubstr("operation 'pour' was not executed: the component that provides it was destroyed"));
+}
+
+TEST_F(PeersOfService, ThatGoAreSentNothing) {
+    ASSERT_TRUE(
+        eval("program p {\n var SendHandle h\n yield\n h = tank.pour.send(1)\n"
+             " if h.collectIfDone() == SendFailure then note(\"refused\")\n}\np.start()\n"));
+    host.step();
+    tank.reset();
+    host.step();
+    EXPECT_EQ(0, poured);
+    EXPECT_THAT(host.notes, ElementsAre("refused"));
 }
 
 TEST_F(PeersOfService, ThatGoFailTheStateMachinesThatUseThem) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Calls of operations, constructors and functions of scripts.
+#include <rtt/scripting/detail/call_words.hpp>
 #include <rtt/scripting/detail/unit.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
@@ -16,47 +17,47 @@ namespace RTT {
 namespace scripting {
 namespace detail {
 
-namespace {
-
-std::string joined(const std::vector<ast::Identifier>& parts) {
-    std::string text;
-    for (const auto& part : parts) text += (text.empty() ? "" : ".") + part.text;
-    return text;
-}
-
-std::string signature(const std::string& name, const std::vector<base::DataSourceBase::shared_ptr>& arguments) {
-    std::string text = name + "(";
-    for (std::size_t i = 0; i != arguments.size(); ++i) text += (i ? ", " : "") + arguments[i]->getTypeName();
-    return text + ")";
-}
-
-std::string counted(std::size_t count) {
-    return count == 0 ? "no arguments" : count == 1 ? "1 argument" : std::to_string(count) + " arguments";
-}
-
-}  // namespace
-
-OperationInterfacePart::Args Unit::arguments(const ast::Expressions& expressions) {
-    OperationInterfacePart::Args sources;
+/** From left to right: what a later argument calls may change what an earlier one is. Those that `isOutput` are variables. */
+std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsOutput& isOutput,
+                                  const OperationInterfacePart* part) {
+    std::vector<Operand> values;
     for (const auto& argument : expressions) {
-        const Operand value = expression(*argument);
+        const std::size_t before = code_.size();
+        const unsigned executions = executions_;
+        const types::TypeInfo* const wanted = part && values.size() < part->arity()
+                                                  ? part->getArgumentType(static_cast<unsigned>(values.size()) + 1)
+                                                  : nullptr;
+        text_ = wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
+        Operand value = expression(*argument);
         if (value.kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
-        sources.push_back(sourceOf(value));
+        if (executions_ != executions) {
+            std::size_t at = before;
+            for (std::size_t i = 0; i != values.size(); ++i) {
+                if (isOutput(i)) continue;
+                const std::size_t size = code_.size();
+                values[i] = taken(values[i], at);
+                at += code_.size() - size;
+            }
+        }
+        values.push_back(std::move(value));
     }
-    return sources;
+    return values;
+}
+
+/** What an operation changes by reference. */
+bool Unit::isOutput(const OperationInterfacePart& part, std::size_t index) {
+    const auto descriptions = part.getArgumentList();
+    return index < descriptions.size() && isChanged(descriptions[index].type);
 }
 
 /** Converted to what the operation takes, as far as conversions of numbers go. */
 OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const OperationInterfacePart& part) {
-    std::vector<Operand> values;
-    for (const auto& argument : name.arguments) {
-        values.push_back(expression(*argument));
-        if (values.back().kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
-    }
+    const auto given = values(
+        name.arguments, [&](std::size_t index) { return isOutput(part, index); }, &part);
     OperationInterfacePart::Args sources;
-    const bool fits = values.size() == part.arity();
-    for (unsigned i = 0; i != values.size(); ++i)
-        sources.push_back(fits ? argument(name, part, i, values) : sourceOf(values[i]));
+    const bool fits = given.size() == part.arity();
+    for (unsigned i = 0; i != given.size(); ++i)
+        sources.push_back(fits ? argument(name, part, i, given) : sourceOf(given[i]));
     return sources;
 }
 
@@ -69,9 +70,8 @@ base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const Ope
     };
     const Kind wanted = wantedKind(index);
     if (wanted == value.kind || conversion(value.kind, wanted) == Conversion::None) return sourceOf(value);
+    if (isOutput(part, index)) return sourceOf(value);
     const auto descriptions = part.getArgumentList();
-    const std::string& declared = descriptions[index].type;
-    if (declared.find('&') != std::string::npos && declared.find("const") == std::string::npos) return sourceOf(value);
     if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
     // A number with a fraction where a whole one is expected: often two arguments were swapped.
     std::string hint;
@@ -81,7 +81,7 @@ base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const Ope
                    descriptions[i].type + ": are the two swapped?";
     warn(value.at, "OPS152",
          "argument " + std::to_string(index + 1) + " (" + descriptions[index].name + ") of '" + joined(name.parts) +
-             "' is a whole number (" + declared + "): what is given loses its fraction",
+             "' is a whole number (" + descriptions[index].type + "): what is given loses its fraction",
          hint);
     ++aliases_;  // said
     const Source whole = sourceOf(loadAs(value, wanted));
@@ -147,7 +147,8 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
 
 /** What `make` makes for a call of `name`; says what is wrong with its arguments. */
 template <class Make>
-base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at, Make make) {
+base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
+                                            Make make) {
     const auto argumentAt = [&](int number) {
         const auto index = static_cast<std::size_t>(number - 1);
         return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
@@ -158,11 +159,13 @@ base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at
     } catch (const wrong_number_of_args_exception& e) {
         error(at, "OPS142",
               called + " expects " + counted(static_cast<std::size_t>(e.wanted)) + ", found " +
-                  counted(static_cast<std::size_t>(e.received)));
+                  counted(static_cast<std::size_t>(e.received)),
+              "it is '" + declarationOf(part) + "'");
     } catch (const wrong_types_of_args_exception& e) {
         error(argumentAt(e.whicharg), "OPS143",
-              "argument " + std::to_string(e.whicharg) + " of " + called + " must be of type " + e.expected_ +
-                  ", found " + e.received_);
+              "argument " + std::to_string(e.whicharg) + " of " + called + " must be of type " +
+                  plainType(e.expected_) + ", found " + e.received_,
+              plainType(e.expected_) == "string" ? "'\"\" + x' is the text of x" : "");
     } catch (const non_lvalue_args_exception& e) {
         error(argumentAt(e.whicharg), "OPS144",
               "argument " + std::to_string(e.whicharg) + " of " + called +
@@ -176,24 +179,26 @@ Operand Unit::callOperation(OperationInterfacePart& part, const ast::Name& name,
     const auto sources = arguments(name, part);
     ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
-    return fromSource(made(name, at, [&] { return part.produce(sources, where_.caller); }), at);
+    return fromSource(made(name, at, part, [&] { return part.produce(sources, where_.caller); }), at);
 }
 
 Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
     const auto sources = arguments(name, part);
     ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
-    return fromSource(made(name, at, [&] { return part.produceSend(sources, where_.caller); }), at);
+    Operand result = fromSource(made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
+    result.sent = true;
+    return result;
 }
 
 /** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
 Operand Unit::command(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
     const Operand call = sent(part, name, at);
-    const Source handle = made(name, at, [&] { return part.produceHandle(); });
+    const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
     Operand target = fromSource(handle, at);
     store(target, call, "the handle");
-    const Source status =
-        made(name, at, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
+    const Source status = made(
+        name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
     auto* const polled = internal::DataSource<SendStatus>::narrow(keep(status));
     if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
     emit(&instructions::await, nullptr, nullptr, polled);
@@ -211,9 +216,11 @@ bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     const std::string wanted = joined(name.parts);
     const types::TypeInfo* const type = types::Types()->type(wanted);
     if (!type) return false;
-    const auto sources = arguments(name.arguments);
+    OperationInterfacePart::Args sources;
+    for (const Operand& value : values(name.arguments, [](std::size_t) { return false; }))
+        sources.push_back(sourceOf(value));
     const Source value = type->construct(sources);
-    if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources));
+    if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources), elementsOf(*type));
     result = fromSource(value, at);
     return true;
 }
@@ -249,8 +256,9 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     const auto operation = entry->handle->operation();
     const Source handleSource = entry->handle->source();
     if (!operation || !handleSource) failUnsent(name.parts[0]);
-    OperationInterfacePart::Args sources = arguments(name.arguments);
-    sources.insert(sources.begin(), handleSource);
+    OperationInterfacePart::Args sources{handleSource};
+    for (const Operand& value : values(name.arguments, [](std::size_t) { return true; }))
+        sources.push_back(sourceOf(value));
     const OperationInterfacePart& part = *operation;
     const unsigned wanted = part.collectArity();
     if (sources.size() != 1 && sources.size() != wanted + 1)
@@ -261,7 +269,7 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
         return withoutFirst(
             [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
     };
-    result = fromSource(made(name, at, collected), at);
+    result = fromSource(made(name, at, part, collected), at);
     ++executions_;
     return true;
 }
@@ -292,7 +300,7 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
     const Operand call = sent(*called.part, *from, value.at);
     Source source = handle.source();
     if (!source) {
-        source = made(*from, value.at, [&] { return called.part->produceHandle(); });
+        source = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
     const Operand result = fromSource(source, at);
@@ -317,10 +325,9 @@ Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& defi
         error(at, "OPS142",
               "'" + function.name + "' expects " + counted(activation->arguments.size()) + ", found " +
                   counted(name.arguments.size()));
-    std::vector<Operand> values;
-    for (const auto& argument : name.arguments) values.push_back(expression(*argument));
-    for (std::size_t i = 0; i != values.size(); ++i)
-        store(fromSource(activation->arguments[i], values[i].at), values[i],
+    const auto given = values(name.arguments, [](std::size_t) { return false; });
+    for (std::size_t i = 0; i != given.size(); ++i)
+        store(fromSource(activation->arguments[i], given[i].at), given[i],
               "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
     emit(&instructions::enter, nullptr, nullptr, activation);
     ++executions_;
@@ -333,6 +340,7 @@ Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& defi
         return computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr, returned.kind, at);
     result = fromSource(activation->result->clone(), at);
     store(result, returned, "the result");
+    result.computed = true;
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/scripting/detail/arithmetic.hpp>
+#include <rtt/scripting/detail/call_words.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
 #include <rtt/scripting/detail/overloaded.hpp>
 #include <rtt/types/Operators.hpp>
@@ -127,6 +128,8 @@ Operand Unit::promoted(Operand operand) {
 }
 
 Operand Unit::truth(const ast::Expression& condition) {
+    if (std::holds_alternative<ast::Assignment>(condition.what))
+        warn(condition.at, "OPS153", "this condition assigns a value; '==' compares");
     const Operand value = promoted(expression(condition));
     if (isDirect(value.kind) && conversion(value.kind, Kind::Bool) != Conversion::None)
         return loadAs(value, Kind::Bool);
@@ -255,10 +258,19 @@ Operand Unit::copied(const Operand& value, std::size_t at) {
     }
     const Source variable = value.source->getTypeInfo()->buildValue();
     if (!variable) return value;
-    const Operand copy = fromSource(variable, value.at);
+    Operand copy = fromSource(variable, value.at);
     store(copy, value, "its copy");
     code_.moveLast(at);
+    copy.computed = true;
     return copy;
+}
+
+/** As copied(), also of what is evaluated only when it is used. */
+Operand Unit::taken(const Operand& value, std::size_t at) {
+    if (!isDirect(value.kind) || value.address) return copied(value, at);
+    const Operand loaded = load(value);
+    code_.moveLast(at);
+    return loaded;
 }
 
 Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
@@ -268,7 +280,8 @@ Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
     if (!to.assignable())
         error(assignment.to->at, "OPS127",
               to.source ? "this is a constant or a result and cannot be assigned to" : "this cannot be assigned to");
-    store(to, expression(*assignment.value), "a variable");
+    const auto* const name = std::get_if<ast::Name>(&assignment.to->what);
+    store(to, expression(*assignment.value), name ? "'" + joined(name->parts) + "'" : "a variable");
     ++executions_;
     return to;
 }
@@ -336,8 +349,9 @@ void Unit::warnOfConversion(ast::Place at, const std::string& from, const std::s
                          : ""));
 }
 
-void Unit::error(ast::Place at, const char* code, const std::string& message) {
+void Unit::error(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
     auto& error = where_.sink->error(locate(at), code, message);
+    if (!hint.empty()) error.hint(hint);
     if (alias_)
         error.note({where_.file, used_alias_->at.line, used_alias_->at.column},
                    "alias '" + used_alias_->text + "' is used here");

@@ -228,10 +228,13 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const Parts& parts = name.parts;
     const Node& last = nodes.back();
     if (name.called) checkCallOfValue(nodes, name);
+    const bool unquoted = text_ == &name && !name.called;
+    const std::string hint = unquoted ? "texts stand in quotes: \"" + text(parts, parts.size()) + '"' : "";
     if (last.used == parts.size())
         error(parts[0].at, "OPS132",
               "'" + text(parts, parts.size()) + "' is a " + (last.component ? "component" : "service") +
-                  ", expected a value or a call");
+                  ", expected a value or a call",
+              hint);
     const ast::Identifier& part = parts[last.used];
     const std::string owner =
         last.component ? "component '" + last.component->getName() + "'" : "service '" + text(parts, last.used) + "'";
@@ -245,7 +248,8 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
           owner + " has " + expected + part.text + "'" +
               (later         ? " yet: the function is defined later, in line " + std::to_string(later)
                : canBeLoaded ? "; loadService() loads a service of that name"
-                             : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))));
+                             : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))),
+          hint);
 }
 
 /** Where the function of that name is defined, which cannot be called before; 0 if there is none. */

@@ -117,6 +117,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     const std::size_t errors = where.sink->errorCount();
     auto activation = std::make_unique<Activation>();
     activation->name = definition.name;
+    activation->file = definition.file;
     Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
     Unit unit(*this, there, activation->code, scope, activation.get());
     unit.function(tree, !(callsOnly && quiet != 0));

@@ -7,11 +7,13 @@
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/Interruption.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/scripting/detail/function_pool.hpp>
 
 #include <diag/print.hpp>
 
+#include <optional>
 #include <stdexcept>
 
 namespace RTT {
@@ -19,6 +21,7 @@ namespace scripting {
 namespace detail {
 
 using internal::EngineGate;
+using internal::Interruption;
 using Outcome = Process::Outcome;
 
 namespace {
@@ -133,11 +136,15 @@ void FunctionCall::wait() {
     const auto over = [this] { return state_.load() != Waiting; };
     const EngineGate* own = EngineGate::ofThisThread();
     if (!own && waiting_ && waiting_->isSelf()) own = waiting_.get();
+    const Interruption* const interruption = own ? nullptr : Interruption::ofScript();
     while (!over()) {
+        if (interruption && interruption->asked())
+            throw internal::Interrupted("interrupted while waiting for " + owner_->describe() + ", which goes on");
         // finish() tells the engine of the thread that sent, and threads that execute none. Nobody tells that the owner is
         // lost, nor an engine that collects what another one sent.
         const bool told = !own || own == waiting_.get();
-        const std::int64_t soon = rtos_get_time_ns() + (told ? 100 : 1) * kMillisecond;
+        const std::int64_t soon =
+            rtos_get_time_ns() + (interruption ? Interruption::kLook : (told ? 100 : 1) * kMillisecond);
         if (own) {
             own->engine()->waitForMessages(over, soon);
         } else {
@@ -179,6 +186,8 @@ bool FunctionCall::executePart() {
 
 /** By the caller, in the thread of the owner. */
 void FunctionCall::executeHere() {
+    std::optional<Interruption::Listener> listener;
+    if (Interruption::ofScript()) listener.emplace([this] { process_.pause(); });
     while (!executePart()) {
         if (isLost()) return state_.store(Refused);
         if (!owner_->warned.exchange(true))
@@ -187,7 +196,9 @@ void FunctionCall::executeHere() {
                          << "messages until it is done (next is line " << process_.line() << ")" << endlog();
         serveMessages();
     }
-    state_.store(outcome_ == Outcome::Failed ? Failed : Done);
+    const bool interrupted = outcome_ == Outcome::Paused || process_.interrupted();
+    state_.store(interrupted ? Refused : outcome_ == Outcome::Failed ? Failed : Done);
+    if (interrupted) throw internal::Interrupted(owner_->describe() + " was interrupted");
 }
 
 /** For a while, as a step of the component would be over. */

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxTemplate = 200;
 }  // namespace
 
 Lexer::Lexer(std::string_view text) : text_(text) {
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = line_start_ = 3;
 }
 
 Token Lexer::take(TokenKind kind, std::size_t end) {

@@ -68,11 +68,16 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
 void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& source) {
     const ast::Identifier& name = tree.event.back();
     std::vector<std::string> names = source.service->getNames();
-    for (base::PortInterface* port : source.service->getPorts())
-        if (dynamic_cast<base::InputPortInterface*>(port)) names.push_back(port->getName());
+    bool isOutput = false;
+    for (base::PortInterface* port : source.service->getPorts()) {
+        if (dynamic_cast<base::InputPortInterface*>(port))
+            names.push_back(port->getName());
+        else
+            isOutput = isOutput || port->getName() == name.text;
+    }
     error(name.at, "OPS312",
           "'" + source.service->getName() + "' has no operation or input port '" + name.text + "'" +
-              oroforge::diag::didYouMean(name.text, names));
+              (isOutput ? "; it is an output port" : oroforge::diag::didYouMean(name.text, names)));
 }
 
 /** Null, and an error, if `to` is no variable or its type does not fit. */

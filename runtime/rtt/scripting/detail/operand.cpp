@@ -33,6 +33,7 @@ bool isSmallNumber(const Operand& operand) {
 
 std::string typeName(const Operand& operand) {
     if (operand.kind == Kind::None) return "void";
+    if (operand.sent) return "SendHandle";
     return isDirect(operand.kind) ? names[static_cast<int>(operand.kind)] : operand.source->getTypeName();
 }
 

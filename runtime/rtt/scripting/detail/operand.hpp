@@ -21,7 +21,8 @@ struct Operand {
     const void* address = nullptr;
     base::DataSourceBase::shared_ptr source;
     bool constant = false;  ///< the value at `address` does not change
-    bool computed = false;  ///< an instruction writes it to `address`, a cell that nothing else uses
+    bool computed = false;  ///< an instruction writes it to where nothing else does: a cell at `address`, or `source`
+    bool sent = false;      ///< what send() gives; its type has no name
     ast::Place at;
 
     /** A variable, or part of one, that can be assigned to. */

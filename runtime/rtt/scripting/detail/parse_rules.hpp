@@ -45,6 +45,7 @@ private:
     // parse_statement.cpp
     ast::StatementPtr statement();
     ast::StatementPtr plainStatement();
+    void failReserved();
     void plainPrefix();
     ast::StatementPtr tryStatement();
     ast::StatementPtr returnStatement();

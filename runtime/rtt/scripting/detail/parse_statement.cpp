@@ -19,6 +19,7 @@ std::string pathOf(const ast::Name& name) {
 /** The keyword that `word` resembles. Before a literal it is one that takes a value, before a block one that has one. */
 std::string meantKeyword(const std::string& word, bool beforeLiteral, bool beforeBlock) {
     if (word.size() < 3) return word == "If" || word == "IF" ? "; did you mean 'if'?" : "";
+    if (word == "import" || word == "require" || word == "select") return "";
     if (word == "elsif" || word == "elseif" || word == "elif") return "; write 'else if'";
     if (beforeLiteral) return oroforge::diag::didYouMean(word, {"return"});
     if (beforeBlock)
@@ -32,6 +33,18 @@ std::string meantKeyword(const std::string& word, bool beforeLiteral, bool befor
 
 bool isLiteral(TokenKind kind) {
     return kind == TokenKind::Number || kind == TokenKind::Text || kind == TokenKind::Letter;
+}
+
+/** What to write instead of the reserved words of older versions and other languages. */
+const char* insteadOf(std::string_view word) {
+    if (word == "until")
+        return "there are no commands any more: a call waits until it is done; for more, write 'while !arm.isReady() "
+               "yield'";
+    if (word == "done") return "blocks stand in braces: 'while a.busy() { yield }'";
+    if (word == "include") return "another script is executed by 'runScript(\"file.ops\")'";
+    if (word == "define") return "a constant is declared with 'const int n = 3'";
+    if (word == "foreach") return "elements are counted: 'for (var int i = 0; i < v.size; i = i + 1) …'";
+    return nullptr;
 }
 
 bool beginsPlain(std::string_view word) {
@@ -63,12 +76,19 @@ void Parser::plainPrefix() {
     acceptWord("call");
 }
 
+void Parser::failReserved() {
+    const char* const instead =
+        text() == "then" ? "'then' stands behind the condition of 'if' only" : insteadOf(text());
+    auto* const error =
+        failWith("OPS008", "found the reserved word '" + std::string(text()) + "', expected a statement");
+    if (error && instead) error->hint(instead);
+}
+
 ast::StatementPtr Parser::plainStatement() {
     const ast::Place at = place();
     switch (token().kind) {
         case TokenKind::Word:
-            if (!beginsPlain(text()))
-                failWith("OPS008", "found the reserved word '" + std::string(text()) + "', expected a statement");
+            if (!beginsPlain(text())) failReserved();
             break;
         case TokenKind::TypeWord:
         case TokenKind::Number:
@@ -189,6 +209,10 @@ void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::D
     if (!error || !statement) return;
     if (std::holds_alternative<ast::Declaration>(statement->what) && token().kind == TokenKind::OpenBracket)
         error->hint("a size stands in parentheses: 'var array v(3)'");
+    if (const char* const instead = insteadOf(text())) {
+        error->hint(instead);
+        return;
+    }
     const auto* only = std::get_if<ast::Do>(&statement->what);
     const auto* name = only && only->expression ? std::get_if<ast::Name>(&only->expression->what) : nullptr;
     if (only && token().kind == TokenKind::OpenParen && (!name || name->called))
@@ -202,6 +226,12 @@ void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::D
         error->hint("'" + first + "' is taken for a name" + meant);
     } else if (literal) {
         error->hint("arguments stand in parentheses: '" + pathOf(*name) + "(…)'");
+    } else if (first == "select") {
+        error->hint("'select' stands in transitions only; within a program, 'requestState(\"" + std::string(text()) +
+                    "\")' of the machine");
+    } else if (first == "import" || first == "require") {
+        error->hint("operations are called with parentheses, and texts stand in quotes: '" + first + "(\"" +
+                    std::string(text()) + "\")'");
     } else if (!name->called && token().kind == TokenKind::Word && !isReserved(text())) {
         error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(text()) + "'");
     }

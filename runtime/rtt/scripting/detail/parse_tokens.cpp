@@ -3,6 +3,7 @@
 #include <rtt/scripting/detail/parse_tokens.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -45,15 +46,45 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+/** Of UTF-8. */
+unsigned firstLetter(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned lead = byte(0);
+    unsigned letter = lead >= 0xF0 ? lead & 0x07U : lead >= 0xE0 ? lead & 0x0FU : lead & 0x1FU;
+    for (std::size_t i = 1; i < text.size() && (byte(i) & 0xC0U) == 0x80U; ++i)
+        letter = letter << 6U | (byte(i) & 0x3FU);
+    return letter;
+}
+
+/** Blanks other than those of ASCII, and what has no width. */
+bool isInvisible(unsigned letter) {
+    return letter == 0xA0 || letter == 0xAD || (letter >= 0x2000 && letter <= 0x200F) ||
+           (letter >= 0x2028 && letter <= 0x202F) || (letter >= 0x205F && letter <= 0x2064) || letter == 0x3000 ||
+           letter == 0xFEFF;
+}
+
+/** In UTF-8, outside of ASCII. */
+std::string strayLetters(std::string_view text) {
+    const unsigned letter = firstLetter(text);
+    if (isInvisible(letter)) {
+        char number[8];
+        std::snprintf(number, sizeof(number), "%04X", letter);
+        return std::string("found the invisible letter U+") + number + ", expected a plain blank or nothing";
+    }
+    const bool isQuote = (letter >= 0x2018 && letter <= 0x201F) || letter == 0xAB || letter == 0xBB;
+    return "found " + quoted(shortened(text)) + ", expected ASCII letters outside of texts and comments" +
+           (isQuote ? "; texts stand between plain quotes, \"…\"" : "");
+}
+
 std::string strayMessage(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
     if (byte < 0x80 && byte >= 0x20 && byte != 0x7F) {
         std::string message = "found " + quoted(text) + ", which has no meaning here";
+        if (byte == '?') message += "; instead of 'x = a ? b : c' write 'if a then x = b else x = c'";
         if (byte == '&' || byte == '|') message += "; did you mean " + quoted(std::string(2, text[0])) + "?";
         return message;
     }
-    if (byte >= 0x80 && isUtf8(text))
-        return "found " + quoted(shortened(text)) + ", expected ASCII letters outside of texts and comments";
+    if (byte >= 0x80 && isUtf8(text)) return strayLetters(text);
     static constexpr char digits[] = "0123456789abcdef";
     return std::string("found the byte 0x") + digits[byte >> 4] + digits[byte & 15] +
            ", which has no meaning in a script";

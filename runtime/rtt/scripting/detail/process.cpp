@@ -2,6 +2,10 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/process.hpp>
 
+#include <rtt/internal/Interruption.hpp>
+
+#include <diag/print.hpp>
+
 #include <exception>
 #include <utility>
 
@@ -33,6 +37,8 @@ Process::Outcome Process::execute(Until until) {
             } while (next && !until(next));
             if (next) stop(Outcome::Yielded, next);
             break;
+        } catch (const internal::Interrupted& thrown) {
+            next = interrupt(thrown.what());
         } catch (const std::exception& thrown) {
             next = fail(thrown.what());
         } catch (...) {
@@ -60,14 +66,14 @@ Process::Outcome Process::runStatement() {
 void Process::restart() {
     next_ = code_.begin();
     function_ = nullptr;
-    started_ = failed_ = false;
+    started_ = failed_ = interrupted_ = false;
     message_.clear();
     pause_.store(false, std::memory_order_relaxed);
     show(nullptr);
 }
 
 void Process::retry() {
-    failed_ = false;
+    failed_ = interrupted_ = false;
     message_.clear();
 }
 
@@ -131,12 +137,21 @@ const Instruction* Process::catchFailure() {
             return handler;
         }
         if (!function_) break;
-        message_ += " (line " + std::to_string(code.placeOf(at).line) + " of function '" + function_->name + "')";
+        const ast::Place place = code.placeOf(at);
+        message_ += " (at " + toString(oroforge::diag::Location{function_->file, place.line, place.column}) +
+                    ", in function '" + function_->name + "')";
         at = function_->returnTo - 1;
         function_ = function_->caller;
     }
     function_ = innermost;
     failed_ = true;
+    return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
+}
+
+/** Nothing catches that. */
+const Instruction* Process::interrupt(const char* why) {
+    message_ = why;
+    failed_ = interrupted_ = true;
     return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
 

@@ -7,6 +7,8 @@
 #include <rtt/scripting/detail/code.hpp>
 #include <rtt/scripting/detail/peers.hpp>
 
+#include <diag/diagnostic.hpp>
+
 #include <atomic>
 #include <memory>
 #include <string>
@@ -52,6 +54,8 @@ public:
     /** Why it failed, without place. */
     const std::string& message() const { return message_; }
     bool failed() const { return failed_; }
+    /** It failed because the thread was asked to end what it does, see internal::Interruption. */
+    bool interrupted() const { return interrupted_; }
 
     /** From now on it fails, and nothing catches that, instead of going on after one of these was destroyed: looked at
         when it begins, and after calls. */
@@ -91,6 +95,7 @@ private:
     const Instruction* exceed();
     const Instruction* loseSight(const std::string& peer);
     const Instruction* catchFailure();
+    const Instruction* interrupt(const char* why);
     template <class Until>
     Outcome execute(Until until);
 
@@ -103,7 +108,7 @@ private:
     std::atomic<bool> pause_{false};
     std::atomic<unsigned> line_{0}, column_{0};
     unsigned rounds_ = 0, round_limit_ = 0;
-    bool started_ = false, failed_ = false;
+    bool started_ = false, failed_ = false, interrupted_ = false;
     bool finishing_ = false;  // a statement within which pause() was called
     std::string message_;
 };
@@ -117,6 +122,7 @@ struct Activation {
     base::DataSourceBase::shared_ptr result;  ///< null for void
     const Instruction* returnTo = nullptr;
     Activation* caller = nullptr;
+    oroforge::diag::FileName file;
 };
 
 }  // namespace detail

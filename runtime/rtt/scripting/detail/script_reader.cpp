@@ -4,6 +4,7 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/internal/Interruption.hpp>
 #include <rtt/scripting/detail/parser.hpp>
 #include <rtt/scripting/detail/process.hpp>
 
@@ -18,6 +19,7 @@ namespace scripting {
 namespace detail {
 
 namespace diag = oroforge::diag;
+using internal::Interruption;
 
 namespace {
 
@@ -71,11 +73,19 @@ bool ScriptReader::parse() {
 
 bool ScriptReader::execute(const Code& code) {
     Process process(code);
-    for (unsigned yields = 0; yields <= kMostYields; ++yields) {
+    Interruption* const interruption = Interruption::ofThisThread();
+    const Interruption::Region region(interruption, Interruption::Region::Script);
+    const Interruption::Listener listener([&process] { process.pause(); });
+    // Whoever can interrupt it may wait as long as he likes.
+    for (unsigned yields = 0; interruption || yields <= kMostYields; ++yields) {
+        if (interruption && interruption->asked()) {
+            error(yields == 0 ? code.placeOf(code.begin()) : process.place(), "", "interrupted");
+            return false;
+        }
         const Process::Outcome outcome = process.run();
         if (outcome == Process::Outcome::Finished) return true;
         if (outcome == Process::Outcome::Failed) {
-            error(process.place(), "OPS400", process.message());
+            error(process.place(), process.interrupted() ? "" : "OPS400", process.message());
             return false;
         }
         if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);

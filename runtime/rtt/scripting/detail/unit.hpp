@@ -9,6 +9,7 @@
 #include <rtt/scripting/detail/operand.hpp>
 #include <rtt/types/detail/conversion_watch.hpp>
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -134,6 +135,7 @@ private:
     Operand operation(Operand left, const ast::Binary::Step& step);
     Operand combined(const Operand& left, Operand right, const ast::Binary::Step& step);
     Operand copied(const Operand& value, std::size_t at);
+    Operand taken(const Operand& value, std::size_t at);
     Operand assignment(const ast::Assignment& assignment, ast::Place at);
     Operand computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at);
 
@@ -164,12 +166,16 @@ private:
                          ast::Place at);
     Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
-    OperationInterfacePart::Args arguments(const ast::Expressions& expressions);
+    /** True for the index of an argument that the call assigns to. */
+    typedef std::function<bool(std::size_t)> IsOutput;
+    std::vector<Operand> values(const ast::Expressions& expressions, const IsOutput& isOutput,
+                                const OperationInterfacePart* part = nullptr);
+    static bool isOutput(const OperationInterfacePart& part, std::size_t index);
     OperationInterfacePart::Args arguments(const ast::Name& name, const OperationInterfacePart& part);
     Source argument(const ast::Name& name, const OperationInterfacePart& part, unsigned index,
                     const std::vector<Operand>& values);
     template <class Make>
-    Source made(const ast::Name& name, ast::Place at, Make make);
+    Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part, Make make);
     /** Does what `convert` does, and reports the conversions that lose something. */
     template <class Convert>
     auto watched(ast::Place at, Convert convert);
@@ -179,7 +185,7 @@ private:
     bool assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result);
     Operand sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at);
 
-    [[noreturn]] void error(ast::Place at, const char* code, const std::string& message);
+    [[noreturn]] void error(ast::Place at, const char* code, const std::string& message, const std::string& hint = "");
     oroforge::diag::Location locate(ast::Place at) const {
         return {alias_ ? alias_->file : where_.file, at.line, at.column};
     }
@@ -196,6 +202,7 @@ private:
         breaks_;                           // of the loops around: jumps to be landed; 'break' stands in loops only
     unsigned executions_ = 0;              // operations and functions called, variables assigned to by expressions
     unsigned aliases_ = 0;                 // being looked up
+    const ast::Name* text_ = nullptr;      // an argument that has to be a text
     const Scope::Entry* alias_ = nullptr;  // the innermost of them
     const ast::Identifier* used_alias_ = nullptr;  // the outermost of them
     unsigned alias_uses_ = 0;                      // in that one
