@@ -11,11 +11,11 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/console.cpp
   console/cursor_row.cpp
   console/dot_commands.cpp
-  console/end_notice.cpp
   console/end_signals.cpp
   console/help_text.cpp
   console/history.cpp
   console/interface_text.cpp
+  console/interrupts.cpp
   console/kept_terminal.cpp
   console/line_editor.cpp
   console/line_source.cpp

@@ -3,9 +3,9 @@
 #include <ocl/TaskBrowser.hpp>
 
 #include "console.hpp"
-#include "end_notice.hpp"
 #include "end_signals.hpp"
 #include "history.hpp"
+#include "interrupts.hpp"
 #include "line_editor.hpp"
 #include "table.hpp"
 
@@ -95,11 +95,9 @@ void TaskBrowser::loop() {
     if (impl_->endsOn < 0) signals.emplace();
     const int endsOn = signals ? signals->descriptor() : impl_->endsOn;
     std::unique_ptr<LineSource> source;
-    std::optional<console::EndNotice> notice;
     const bool edits = onTerminal();
     console::History history(edits ? console::historyFile() : "");
     if (edits) {
-        notice.emplace(endsOn);
         source = std::make_unique<console::LineEditor>(
             history, [&lines](const std::string& line) { return lines.complete(line); }, endsOn);
         greet();
@@ -107,6 +105,7 @@ void TaskBrowser::loop() {
     } else {
         source = std::make_unique<console::InputLines>(STDIN_FILENO, endsOn);
     }
+    console::Interrupts interrupts(endsOn, edits);
     std::string line;
     while (!lines.quits()) {
         const std::string prompt = lines.prompt();
@@ -116,14 +115,13 @@ void TaskBrowser::loop() {
             lines.forget();
             continue;
         }
-        if (notice) notice->executing(true);
+        const console::Interrupts::Command command(interrupts);
         lines.execute(line);
-        if (notice) notice->executing(false);
+        if (command.interrupted()) source->forget();
     }
-    if (edits)
-        lines.forget();
-    else
-        lines.finish();
+    if (edits || console::isReadable(endsOn)) return lines.forget();
+    const console::Interrupts::Command command(interrupts);
+    lines.finish();
 }
 
 }  // namespace OCL

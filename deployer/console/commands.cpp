@@ -30,7 +30,9 @@ void Session::goTo(bool watching) {
 
 void complainOf(Session& session, const Input& input, std::size_t at, const Lookup& lookup) {
     complain(session.screen, input, at + lookup.wrongAt,
-             "there is no peer or service '" + lookup.wrong + "'" + didYouMean(lookup.wrong, lookup.known));
+             lookup.wrong.empty()
+                 ? "expected the name of a peer or service"
+                 : "there is no peer or service '" + lookup.wrong + "'" + didYouMean(lookup.wrong, lookup.known));
 }
 
 namespace {

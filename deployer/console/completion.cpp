@@ -6,6 +6,7 @@
 #include "scripted.hpp"
 
 #include <rtt/PropertyBag.hpp>
+#include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 #include <system_error>
 
 namespace OCL::console {
@@ -120,7 +122,7 @@ Completion completePath(RTT::TaskContext& context, const std::string& line, Memb
     Completion found = matching(membersBehind(typed.substr(0, last ? last - 1 : 0)), typed.substr(last), begin + last);
     if (found.words.size() == 1) {
         const std::string path = typed.substr(0, last) + found.words[0];
-        found.goesOn = lookUp(context, path).target.service && !membersBehind(path).empty();
+        if (lookUp(context, path).target.service && !membersBehind(path).empty()) found.behind = ".";
     }
     return found;
 }
@@ -164,6 +166,19 @@ Completion completeFile(const std::string& typed, std::size_t begin) {
     return matching(std::move(words), typed.substr(directory.size()), begin + directory.size());
 }
 
+/** A command, or whatever else `help` explains. */
+Completion completeName(RTT::TaskContext& context, const std::string& line, std::size_t begin) {
+    Words words;
+    for (const Command& command : dotCommands()) words.push_back(command.word);
+    if (begin < line.size() && line[begin] == '.') return matching(std::move(words), line.substr(begin), begin);
+    return completePath(context, line, [&](const std::string& path) {
+        Words members = expressionMembers(context, path);
+        if (path.empty())
+            for (const Command& command : commands()) members.push_back(command.word);
+        return members;
+    });
+}
+
 Completion completeArgument(RTT::TaskContext& context, const std::string& line, Argument argument) {
     const std::size_t begin = line.find_last_of(" \t") + 1;
     const std::string typed = line.substr(begin);
@@ -174,9 +189,7 @@ Completion completeArgument(RTT::TaskContext& context, const std::string& line, 
     switch (argument) {
         case Argument::Component: return services(false);
         case Argument::Path: return services(true);
-        case Argument::Name:
-            return completePath(context, line,
-                                [&](const std::string& path) { return expressionMembers(context, path); });
+        case Argument::Name: return completeName(context, line, begin);
         case Argument::Port:
             return completePath(context, line, [&](const std::string& path) { return portsBehind(context, path); });
         case Argument::Scripted: return matching(scriptedNames(context), typed, begin);
@@ -185,6 +198,20 @@ Completion completeArgument(RTT::TaskContext& context, const std::string& line, 
         case Argument::None: break;
     }
     return {line.size(), {}};
+}
+
+/** True if the text that begins there is the type of a component that is to be loaded: the second argument of loadComponent. */
+bool isComponentType(const std::string& line, std::size_t text) {
+    static const std::regex before(R"(.*\bloadComponent\s*\(\s*("[^"]*"|[\w.]+)\s*,\s*")");
+    return std::regex_match(line.substr(0, text), before);
+}
+
+Completion completeText(const std::string& line, std::size_t begin) {
+    const std::string typed = line.substr(begin);
+    Completion found = completeFile(typed, begin);
+    if (!isComponentType(line, begin)) return found;
+    Completion types = matching(RTT::ComponentLoader::Instance()->listComponentTypes(), typed, begin);
+    return types.words.empty() ? found : types;
 }
 
 /** Where the text begins that the line ends in; npos if it ends in none. */
@@ -210,12 +237,12 @@ std::string Completion::common() const {
 }
 
 std::string Completion::more(const std::string& line) const {
-    return common().substr(std::min(line.size() - begin, common().size())) + (goesOn ? "." : "");
+    return common().substr(std::min(line.size() - begin, common().size())) + behind;
 }
 
 Completion completionOf(RTT::TaskContext& context, const std::string& line, bool commandsToo) {
     const std::size_t text = openText(line);
-    if (text != std::string::npos) return completeFile(line.substr(text), text);
+    if (text != std::string::npos) return completeText(line, text);
     const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
     const std::size_t end = line.find_first_of(" \t", begin);
     const bool first = end == std::string::npos;
@@ -225,12 +252,16 @@ Completion completionOf(RTT::TaskContext& context, const std::string& line, bool
     if (commandsToo && first && begin < line.size() && line[begin] == '.') {
         Words words;
         for (const Command& command : dotCommands()) words.push_back(command.word);
-        return matching(std::move(words), line.substr(begin), begin);
+        Completion found = matching(std::move(words), line.substr(begin), begin);
+        for (const Command& command : dotCommands())
+            if (found.words.size() == 1 && found.words[0] == command.word && *command.arguments) found.behind = " ";
+        return found;
     }
     if (isDeclaration(line)) return completePath(context, line, typesBehind);
+    const bool word = std::all_of(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), isOfPath);
     return completePath(context, line, [&](const std::string& path) {
         Words words = expressionMembers(context, path);
-        if (commandsToo && first && path.empty())
+        if (commandsToo && word && path.empty())
             for (const Command& command : commands()) words.push_back(command.word);
         return words;
     });

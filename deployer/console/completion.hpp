@@ -15,7 +15,8 @@ namespace OCL::console {
 struct Completion {
     std::size_t begin = 0;           ///< in the line, of what the words would replace
     std::vector<std::string> words;  ///< in alphabetical order
-    bool goesOn = false;             ///< there is one word, and what it stands for has members, behind a "."
+    /** What follows if there is one word: "." where it has members, " " where a command takes more. */
+    std::string behind = {};
 
     /** What all words have in common. */
     std::string common() const;

@@ -10,6 +10,7 @@
 
 #include <diag/nearest_match.hpp>
 #include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/Interruption.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -24,6 +25,16 @@ bool isPath(const std::string& text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
     }) && !std::isdigit(static_cast<unsigned char>(text[0]));
+}
+
+/** What people type who want to leave. */
+bool meansQuit(const std::string& text) {
+    std::string word;
+    for (const char c : text)
+        if (!std::isspace(static_cast<unsigned char>(c)) && c != ';') word += c;
+    for (const char* const each : {"exit", "exit()", "quit()", "bye", "logout", "q"})
+        if (word == each) return true;
+    return false;
 }
 
 }  // namespace
@@ -119,7 +130,9 @@ void Console::evaluate(const std::string& text, unsigned line) {
     RTT::scripting::TypedInput::Answer answer;
     try {
         if (!session_.typed->execute(text, line, session_.screen.err, answer)) {
-            session_.screen.failed = true;
+            if (meansQuit(text)) session_.screen.err << "note: 'quit' leaves the console\n";
+            const auto* const interruption = RTT::internal::Interruption::ofThisThread();
+            session_.screen.failed = session_.screen.failed || !(interruption && interruption->asked());
             return;
         }
         const std::size_t end = text.find_last_not_of(" \t\n");
@@ -161,6 +174,8 @@ std::string Console::prompt() {
 }
 
 Completion Console::complete(const std::string& line) const {
+    // Within a piece of script it indents.
+    if (!begun_.empty() && line.find_first_not_of(' ') == std::string::npos) return {line.size(), {}, "    "};
     RTT::TaskContext* const context = session_.context();
     return context ? completionOf(*context, line, begun_.empty()) : Completion{line.size(), {}};
 }

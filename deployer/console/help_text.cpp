@@ -48,7 +48,7 @@ void writeHelp(Screen& screen) {
     Table keys({Style::Name, Style::Plain}, Table::Wrap);
     keys.add({"TAB", "completes the word, or shows how it could go on"});
     keys.add({"up, down, Ctrl-R", "what was typed before; searches in it"});
-    keys.add({"Ctrl-C", "forgets the line"});
+    keys.add({"Ctrl-C", "forgets the line; stops the command that is being executed"});
     keys.add({"Ctrl-D", "on an empty line: leaves the console"});
     keys.write(screen.out, screen.theme, "    ", screen.tableWidth());
     screen.out << '\n';

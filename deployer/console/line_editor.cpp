@@ -3,12 +3,14 @@
 #include "line_editor.hpp"
 
 #include "cursor_row.hpp"
+#include "interrupts.hpp"
 #include "kept_terminal.hpp"
 #include "output_above.hpp"
 #include "table.hpp"
 
 #include <histedit.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <clocale>
@@ -19,6 +21,7 @@
 #include <cwchar>
 #include <deque>
 #include <exception>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -34,6 +37,8 @@ constexpr char kEscape = '\1';
 constexpr int kRemembered = 1000;
 // Milliseconds that others have to write more, before the line is drawn again.
 constexpr int kPauseOfOutput = 10;
+// Milliseconds within which the other letters of a key come.
+constexpr int kPauseOfKeys = 20;
 
 std::atomic<int> resized{0}, resumed{0}, wakes{-1};
 
@@ -106,6 +111,7 @@ struct LineEditor::Impl {
     void prepareTerminal();
     int next(wchar_t* key);
     bool readLetter(wchar_t* key);
+    void followSearch(wchar_t key);
     unsigned char takePaste();
     Wake waitForKey();
     unsigned char completeLine();
@@ -126,6 +132,7 @@ struct LineEditor::Impl {
     std::string prompt;                   // with kEscape
     std::string shownPrompt;              // without
     bool dropped = false, ended = false;  // of the present line
+    bool searching = false;               // in the history, since Ctrl-R
     std::deque<wchar_t> pasted;           // not yet taken
     struct sigaction previousResize = {}, previousResume = {};
 };
@@ -195,12 +202,24 @@ void LineEditor::Impl::prepareTerminal() {
 
 /** What libedit gets as the next key; 0 if there is none any more. */
 int LineEditor::Impl::next(wchar_t* key) {
-    if (!pasted.empty() && waitForInput(-1, endsOn, -1, 0) != Wake::End) {
+    if (!pasted.empty() && !isReadable(endsOn)) {
         *key = pasted.front();
         pasted.pop_front();
         return 1;
     }
-    return readLetter(key) ? 1 : 0;
+    if (!readLetter(key)) return 0;
+    followSearch(*key);
+    return 1;
+}
+
+/** The search takes the first letter of an arrow key as its end, and would leave the others to the line. */
+void LineEditor::Impl::followSearch(wchar_t key) {
+    constexpr wchar_t kEscapeKey = L'\033', kKeysOfSearch[] = {L'\022', L'\023', L'\b', L'\027'};
+    const bool opens = key == kKeysOfSearch[0] || key == kKeysOfSearch[1];
+    const bool more = std::find(std::begin(kKeysOfSearch), std::end(kKeysOfSearch), key) != std::end(kKeysOfSearch);
+    if (searching && key == kEscapeKey && waitForInput(STDIN_FILENO, -1, -1, kPauseOfKeys) == Wake::Input)
+        pasted.push_front(kEscapeKey);
+    searching = opens || (searching && (key >= L' ' || more));
 }
 
 /** A letter of the terminal, which may have several bytes. */
@@ -322,13 +341,12 @@ unsigned char LineEditor::Impl::completeLine() {
         // None are known, then. It must not go through libedit, which is C.
     }
     if (!above.lock()) draw();
-    if (found.words.empty()) return CC_ERROR;
     const std::string more = found.more(line);
     if (!more.empty()) {
         el_insertstr(edit, more.c_str());
         return CC_REFRESH;
     }
-    if (found.words.size() == 1) return CC_ERROR;
+    if (found.words.size() <= 1) return CC_ERROR;
     std::ostringstream list;
     list << below << '\n';
     writeColumns(list, found.words, Theme(), Style::Plain, "", widthOfTerminal());
@@ -342,16 +360,19 @@ LineEditor::LineEditor(History& history, Complete complete, int endsOn)
 
 LineEditor::~LineEditor() = default;
 
+void LineEditor::forget() { impl_->pasted.clear(); }
+
 LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& line) {
     Impl& impl = *impl_;
     impl.prompt = marked(prompt);
     impl.shownPrompt = prompt;
-    impl.dropped = impl.ended = false;
+    impl.dropped = impl.ended = impl.searching = false;
     if (resized) {
         resized = 0;
         el_resize(impl.edit);
     }
     impl.prepareTerminal();
+    forgetInterrupts();  // from now on Ctrl-C is a key, and a signal again once the line is there
     impl.above.lock();
     impl.above.makeRoom();
     if (impl.erases) std::fputs(kTellPaste, stdout);

@@ -31,6 +31,8 @@ public:
 
     /** The prompt may have colours. Lines are added to the history. */
     Outcome read(const std::string& prompt, std::string& line) override;
+    /** Those that were pasted. */
+    void forget() override;
 
 private:
     struct Impl;

@@ -18,6 +18,8 @@ public:
     virtual ~LineSource() = default;
     /** Blocks until there is one. The line has no end of line. */
     virtual Outcome read(const std::string& prompt, std::string& line) = 0;
+    /** Forgets lines that came together with the last one. */
+    virtual void forget() {}
 };
 
 /** Lines of a descriptor that is no terminal; shows no prompt. Ends as soon as `endsOn` (−1: none) can be read. */
@@ -39,6 +41,8 @@ enum class Wake {
     Signal,  ///< came
     End      ///< of the console
 };
+/** Without waiting; false for negative descriptors. */
+bool isReadable(int descriptor);
 /** Waits for one of them. Negative descriptors are none; a negative time has no end. */
 Wake waitForInput(int input, int endsOn, int other = -1, int milliseconds = -1);
 

@@ -9,6 +9,7 @@
 
 #include <rtt/OperationCaller.hpp>
 #include <rtt/ServiceRequester.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <algorithm>
 #include <ostream>
@@ -94,6 +95,18 @@ void writeHead(Screen& screen, const Target& target) {
     screen.out << '\n';
 }
 
+bool hasUnknownType(RTT::Service& service) {
+    const RTT::types::TypeInfo* const unknown = RTT::types::Types()->unknownType();
+    const auto isUnknown = [&](const auto* value) {
+        return value->getDataSource() && value->getDataSource()->getTypeInfo() == unknown;
+    };
+    const auto values = service.getValues();
+    const auto ports = service.getPorts();
+    return std::any_of(values.begin(), values.end(), isUnknown) ||
+           std::any_of(service.properties()->begin(), service.properties()->end(), isUnknown) ||
+           std::any_of(ports.begin(), ports.end(), [&](const auto* port) { return port->getTypeInfo() == unknown; });
+}
+
 }  // namespace
 
 void list(Screen& screen, const Target& target) {
@@ -112,6 +125,9 @@ void list(Screen& screen, const Target& target) {
         title(screen, "Ports");
         writePorts(screen, service, kIndent);
     }
+    if (hasUnknownType(service))
+        screen.out << "\n  " << screen.paint(Style::Faint, "unknown_t: no typekit that is loaded has this type")
+                   << '\n';
     listServices(screen, target);
     if (!target.component) return;
     listRequired(screen, *target.component);

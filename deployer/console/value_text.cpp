@@ -6,7 +6,9 @@
 #include <rtt/rt_string.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/SentCall.hpp>
 #include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -91,6 +93,9 @@ std::string membersText(const Source& value, const std::vector<std::string>& nam
 std::string textOf(const Source& value, bool hex, int depth) {
     if (!value) return "(null)";
     if (depth > kDeepest) return "…";
+    // No copy can be made of what has no known type, so this may be a call, which is not to be made once more.
+    if (RTT::internal::DataSource<RTT::internal::SentCall::shared_ptr>::narrow(value.get())) return "SendHandle";
+    if (value->getTypeInfo() == RTT::types::Types()->unknownType()) return "(unknown_t)";
     value->evaluate();
     if (const auto* const text = RTT::internal::DataSource<std::string>::narrow(value.get()))
         return quoted(text->rvalue(), '"');

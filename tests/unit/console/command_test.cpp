@@ -54,6 +54,22 @@ TEST_F(Commands, LsOfAServiceShowsItsOperations) {
     EXPECT_THAT(text, HasSubstr("loadPrograms"));
 }
 
+struct Odd {};
+
+TEST_F(Commands, LsTellsWhatAnUnknownTypeIs) {
+    const char* const note = "\n  unknown_t: no typekit that is loaded has this type\n";
+    EXPECT_THAT(answer("ls"), Not(HasSubstr(note)));
+    {
+        RTT::OutputPort<Odd> port("odd");
+        plant.ports()->addPort(port);
+        EXPECT_THAT(answer("ls"), HasSubstr(note));
+    }
+    EXPECT_THAT(answer("ls"), Not(HasSubstr(note)));
+    Odd odd;
+    plant.addProperty("odd", odd);
+    EXPECT_THAT(answer("ls"), HasSubstr(note));
+}
+
 TEST_F(Commands, LsOfAnUnknownPathNamesTheNearest) {
     EXPECT_EQ(
         "typed:1:5: error: there is no peer or service 'tnak'; did you mean 'tank'?\n"
@@ -61,6 +77,7 @@ TEST_F(Commands, LsOfAnUnknownPathNamesTheNearest) {
         "    ^\n",
         complaint("ls  tnak"));
     EXPECT_THAT(complaint("ls tank.scriptign"), HasSubstr("typed:2:9: error: there is no peer or service 'scriptign'"));
+    EXPECT_THAT(complaint("cd ../.."), HasSubstr("typed:3:4: error: expected the name of a peer or service\n"));
 }
 
 TEST_F(Commands, CdGoesToPeersAndBack) {

@@ -37,6 +37,8 @@ TEST_F(CompletionTest, AtTheBeginningThereAreCommandsPeersOperationsTypesAndGlob
 TEST_F(CompletionTest, CommandsStandOnlyFirst) {
     EXPECT_THAT(wordsFor("untr"), ElementsAre("untrace"));
     EXPECT_THAT(wordsFor("1 + untr"), ElementsAre());
+    EXPECT_THAT(wordsFor("tank.fill(untr"), ElementsAre());
+    EXPECT_THAT(wordsFor("  untr"), ElementsAre("untrace"));
 }
 
 TEST_F(CompletionTest, WhereATypeIsDeclaredThereAreOnlyTypes) {
@@ -49,6 +51,13 @@ TEST_F(CompletionTest, WhereATypeIsDeclaredThereAreOnlyTypes) {
     EXPECT_THAT(wordsFor("var ta"), ElementsAre());
     EXPECT_THAT(wordsFor("var double x = ta"), ElementsAre("tank"));
     EXPECT_THAT(wordsFor("myvar ta"), ElementsAre("tank"));
+}
+
+TEST_F(CompletionTest, WithinAPieceOfScriptALineIsIndented) {
+    answer("if true then {");
+    EXPECT_EQ("    ", moreOf(""));
+    EXPECT_EQ("    ", moreOf("    "));
+    EXPECT_EQ("nk.", moreOf("    ta"));
 }
 
 TEST_F(CompletionTest, BehindAComponentThereAreItsMembers) {
@@ -114,6 +123,11 @@ TEST_F(CompletionTest, CdTakesPeersAndLsServicesToo) {
 
 TEST_F(CompletionTest, HelpTakesOperations) { EXPECT_THAT(wordsFor("help tank.emp"), ElementsAre("empty")); }
 
+TEST_F(CompletionTest, HelpTakesCommands) {
+    EXPECT_THAT(wordsFor("help untr"), ElementsAre("untrace"));
+    EXPECT_THAT(wordsFor("help .conn"), ElementsAre(".connect"));
+}
+
 TEST_F(CompletionTest, ListTakesProgramsAndStateMachines) {
     answer("program count { yield }");
     EXPECT_THAT(wordsFor("list "), ElementsAre("count"));
@@ -124,6 +138,19 @@ TEST_F(CompletionTest, DotCommandsAndTheirArguments) {
     EXPECT_THAT(wordsFor(".type"), ElementsAre(".typekits", ".types"));
     EXPECT_THAT(wordsFor(".provide scr"), ElementsAre("scripting"));
     EXPECT_THAT(wordsFor(".connect pump.flow tank.fl"), ElementsAre("flow"));
+}
+
+TEST_F(CompletionTest, ABlankFollowsADotCommandThatTakesMore) {
+    EXPECT_EQ("vide ", moreOf(".pro"));
+    EXPECT_EQ(" ", moreOf(".provide"));
+    EXPECT_EQ("", moreOf(".type"));
+    EXPECT_EQ("", moreOf(".types"));
+}
+
+TEST_F(CompletionTest, TypesOfComponentsStandWhereOneIsLoaded) {
+    EXPECT_THAT(wordsFor("loadComponent(\"tank2\", \"filling::T"), ElementsAre("filling::Tank"));
+    EXPECT_THAT(wordsFor("Deployer.loadComponent( name , \"filling::"), ElementsAre("filling::Pump", "filling::Tank"));
+    EXPECT_THAT(wordsFor("loadComponent(\"filling::"), ElementsAre());
 }
 
 TEST_F(CompletionTest, FilesStandInTextsAndBehindCommands) {

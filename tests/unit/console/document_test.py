@@ -2,7 +2,7 @@
 # Copyright Oroforge contributors
 """Types what the listings "console" of docs/console.md show as typed, and compares the screens.
 
-All listings are one session. A line "…" stands for any lines; "⇥" is the TAB key. With UPDATE_GOLDENS=1 the page is written anew.
+All listings are one session. A line "…" stands for any lines; "⇥" is the TAB key, and "^C" below a line is Ctrl-C. With UPDATE_GOLDENS=1 the page is written anew.
 """
 import os
 import pathlib
@@ -72,6 +72,9 @@ class Page(DeployerCase):
                     shown = self.complete(program, typed[:-1], len(screen))
                 else:
                     program.send(typed + "\r")
+                    if expected[:1] == ["^C"]:
+                        program.wait_for_execution()
+                        program.send("\x03")
                     shown = self.lines_after(program, len(screen))
                 if not os.environ.get("UPDATE_GOLDENS"):
                     self.assertTrue(matches(expected, shown), f"after {typed!r}, expected:\n" + "\n".join(expected) +

@@ -64,6 +64,13 @@ TEST_F(Lines, EndWhenTheConsoleIsToEnd) {
     EXPECT_EQ(Outcome::End, read());
 }
 
+TEST_F(Lines, ThatHaveComeAreNotReadOnceTheConsoleIsToEnd) {
+    write("one\ntwo\n");
+    EXPECT_EQ(Outcome::Line, read());
+    EXPECT_EQ(1, ::write(end_[1], "x", 1));
+    EXPECT_EQ(Outcome::End, read());
+}
+
 TEST_F(Lines, TheSignalIsSeenWhileTheyAreWaitedFor) {
     std::thread later([this] {
         usleep(20000);

@@ -31,6 +31,13 @@ TEST_F(ListProgram, ShowsItsLinesWithTheirNumbersInTheirFile) {
         answer("list count"));
 }
 
+TEST_F(ListProgram, BeforeTheBeginTheFirstLinesAreShown) {
+    answer(std::string(20, '\n') + "program late {\n  yield\n}");
+    const std::string all = answer("list late");
+    EXPECT_THAT(all, HasSubstr(" program late {\n"));
+    EXPECT_EQ(all, answer("list late 1"));
+}
+
 TEST_F(ListProgram, BehindTheEndItSaysSo) {
     answer("list count");
     EXPECT_EQ("'count' ends with line 7\n", answer("list"));

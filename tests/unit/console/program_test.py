@@ -4,7 +4,6 @@
 import os
 import signal
 import subprocess
-import time
 
 from deployer_case import DEPLOYER, DeployerCase, main
 
@@ -66,7 +65,7 @@ class WithoutTerminal(DeployerCase):
     def lasting(self):
         own = {**os.environ, **self.environment}
         return subprocess.Popen([DEPLOYER], cwd=self.directory, env=own, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                text=True)
+                                stderr=subprocess.PIPE, text=True)
 
     def test_a_signal_ends_it_while_it_waits_for_input(self):
         for number in signal.SIGTERM, signal.SIGINT, signal.SIGHUP:
@@ -77,14 +76,18 @@ class WithoutTerminal(DeployerCase):
                 program.send_signal(number)
                 self.assertEqual(0, program.wait(20))
 
-    def test_a_signal_during_a_command_ends_it_after_the_command(self):
-        with self.lasting() as program:
-            program.stdin.write("1 + 1\nvar int i = 0;\nwhile i < 3000 { i = i + 1; yield }\ni\n2\n")
-            program.stdin.flush()
-            self.assertEqual(" = 2\n", program.stdout.readline())
-            time.sleep(0.05)
-            program.send_signal(signal.SIGTERM)
-            self.assertEqual(0, program.wait(20))
+    def test_a_signal_during_a_command_stops_it_and_ends_the_rest(self):
+        for number in signal.SIGTERM, signal.SIGINT, signal.SIGHUP:
+            with self.lasting() as program:
+                program.stdin.write('import("talking"); loadComponent("talker", "Talker")\n'
+                                    "talker.begin(); while true { yield }\n2 + 2\nif true then {\n")
+                program.stdin.flush()
+                self.assertEqual([" = true\n", "begun\n"], [program.stdout.readline() for _ in range(2)])
+                program.send_signal(number)
+                self.assertEqual(0, program.wait(20))
+                self.assertEqual("", program.stdout.read())
+                self.assertRegex(program.stderr.read(), r"\Astdin:2:\d+: error: interrupted\n"
+                                 r"talker.begin\(\); while true { yield }\n +\^\n\Z")
 
 
 if __name__ == "__main__":

@@ -208,4 +208,17 @@ TEST_F(ScriptInput, AnotherComponentOfTheSameNameIsVisitedAnew) {
     EXPECT_THAT(complaint("mine"), HasSubstr("component 'tank' has no value or operation 'mine'"));
 }
 
+TEST_F(ScriptInput, ASentCallIsAHandleAndSentOnce) {
+    answer("tank.capacity = 1.0; tank.configure(); tank.start();");
+    EXPECT_EQ(" = SendHandle\n", answer("tank.fill.send(0.5)"));
+    answer("tank.fill(0.25)");
+    EXPECT_EQ(" = 2\n", answer("tank.fillings"));
+}
+
+TEST_F(ScriptInput, WhoeverWantsToLeaveIsToldHow) {
+    for (const char* const line : {"exit", "quit()", "bye;", " exit () "})
+        EXPECT_THAT(complaint(line), testing::EndsWith("note: 'quit' leaves the console\n")) << line;
+    EXPECT_THAT(complaint("exits"), testing::Not(testing::HasSubstr("note: 'quit'")));
+}
+
 }  // namespace

@@ -19,11 +19,21 @@ class Talker : public RTT::TaskContext {
 public:
     explicit Talker(const std::string& name) : TaskContext(name) {
         addOperation("talk", &Talker::talk, this, RTT::OwnThread).doc("Writes the text once there is a file 'go'");
+        addOperation("block", &Talker::block, this, RTT::ClientThread)
+            .doc("Returns once there is a file 'go'; by whoever calls it");
+        addOperation("begin", &Talker::begin, this, RTT::ClientThread).doc("Writes that something begins");
     }
     ~Talker() override { stop(); }
 
 private:
+    void begin() { std::cout << "begun" << std::endl; }
+    void block() {
+        begin();
+        while (access("go", F_OK) != 0) usleep(1000);
+        unlink("go");
+    }
     void talk(const std::string& how, const std::string& text) {
+        if (how == "wait") begin();
         while (access("go", F_OK) != 0) usleep(1000);
         if (how == "log") RTT::log(RTT::Error) << text << RTT::endlog();
         if (how == "out") std::cout << text << " and " << text.size() << " letters" << std::endl;

@@ -202,16 +202,6 @@ class Keys(DeployerCase):
         program.wait_for(" = (void)\n" + PROMPT.rstrip())
         self.assertEqual(" = 2", program.type("1 + 1", PROMPT))
 
-    def test_ctrl_c_during_another_command_leaves_after_it(self):
-        program = self.open()
-        program.type('import("talking"); loadComponent("talker", "Talker"); talker.start()', PROMPT)
-        program.send('talker.talk("nothing", "hello")\r')  # until there is a file "go"
-        program.wait_for_execution()
-        program.send(CTRL_C)
-        program.wait_for("the console is left once this command is done; a second Ctrl-C ends the process at once")
-        (self.directory / "go").touch()
-        self.assertEqual(0, program.end())
-
 
 class History(DeployerCase):
     def test_up_brings_lines_back(self):
@@ -230,6 +220,19 @@ class History(DeployerCase):
         program.wait_for("bck:20")
         program.send("\r")
         program.wait(lambda: program.screen().count(" = 22") == 2, "the answer")
+
+    def test_an_arrow_key_ends_the_search(self):
+        program = self.open()
+        program.type("20 + 2", PROMPT)
+        program.type("30 + 3", PROMPT)
+        program.send(CTRL_R + "20 +")
+        program.wait_for("bck:20 +")
+        program.send("\x1b[C")
+        program.wait(lambda: program.screen().rstrip().endswith(PROMPT + "20 + 2"), "the line")
+        program.send("\x05" + "1")
+        program.wait_for(PROMPT + "20 + 21")
+        program.send("\r")
+        program.wait_for(" = 41\n" + PROMPT.rstrip())
 
     def test_is_kept_across_sessions(self):
         first = self.open()

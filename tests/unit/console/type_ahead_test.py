@@ -41,6 +41,15 @@ sys.exit(os.waitstatus_to_exitcode(status))
 class DuringACommand(DeployerCase):
     """The talker is busy until there is a file 'go'."""
 
+    def blocked(self):
+        """By C++ code."""
+        program = self.open()
+        program.resize(140)
+        program.type('import("talking"); loadComponent("talker", "Talker")', PROMPT)
+        program.send("talker.block()\r")
+        program.wait_for("begun\n")
+        return program
+
     def busy(self, how="nothing", program=None):
         program = program or self.open()
         program.type('import("talking"); loadComponent("talker", "Talker"); talker.start()', PROMPT)
@@ -83,11 +92,19 @@ class DuringACommand(DeployerCase):
         self.assertEqual(0, program.end())
         self.assert_restored(program)
 
-    def test_the_terminal_is_restored_by_the_first_ctrl_c(self):
-        program = self.busy()
+    def test_the_terminal_is_restored_by_the_last_ctrl_c(self):
+        program = self.blocked()
         program.send(CTRL_C)
-        program.wait_for("a second Ctrl-C ends the process at once")
+        program.wait_for("another Ctrl-C ends the process at once")
+        program.send(CTRL_C)
+        self.assertEqual(-signal.SIGINT, program.end())
         self.assert_restored(program)
+
+    def test_the_terminal_is_restored_when_it_is_told_that_the_console_is_left(self):
+        program = self.blocked()
+        os.kill(program.pid, signal.SIGTERM)
+        program.wait_for("the console is left once it is done, and Ctrl-C ends the process at once")
+        program.wait(lambda: self.mode(program.terminal) & termios.ECHO, "the terminal as it was")
         program.send(CTRL_C)
         self.assertEqual(-signal.SIGINT, program.end())
         self.assert_restored(program)
