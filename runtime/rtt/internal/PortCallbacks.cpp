@@ -102,7 +102,8 @@ PortCallbacks::EntryPtr PortCallbacks::hold(base::PortInterface* port) const {
     return nullptr;
 }
 
-PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortInterface* port) : entry_(callbacks.hold(port)) {
+PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortInterface* port)
+    : entry_(callbacks.hold(port)) {
     if (!entry_) return;
     entry_->thread.store(pthread_self(), std::memory_order_relaxed);  // seen with `executing`
     entry_->executing.fetch_add(1, std::memory_order_seq_cst);
