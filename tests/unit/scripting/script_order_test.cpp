@@ -22,6 +22,8 @@ protected:
         component.addOperation("h", [this] { return s + "h"; });
         component.addOperation("next", [this] { return ++x; });
         component.addOperation("refill", [this] { return v[0] = 7; });
+        component.addOperation("count", [this] { return ++x, std::string("counted"); });
+        component.addOperation("half", [](int a, double b) { return a + b / 2; });
         component.addOperation("pair", [](int a, int b) { return 10 * a + b; });
         component.addOperation("join", [](const std::string& a, const std::string& b) { return a + b; });
         component.addOperation("exchange", [](int& a, int& b, int) { std::swap(a, b); });
@@ -74,6 +76,9 @@ TEST_F(Order, AlsoTexts) {
     EXPECT_EQ(value<std::string>("t"), "oldc");
     ASSERT_TRUE(run("s = \"old\"\nt = h() + change() + s")) << messages();
     EXPECT_EQ(value<std::string>("t"), "oldhcnew");
+    x = 2;
+    ASSERT_TRUE(run("t = count() + (x + 1)")) << messages();
+    EXPECT_EQ(value<std::string>("t"), "counted4");
     ASSERT_TRUE(run("s = \"old\"\nvar bool same = s == h()")) << messages();
     EXPECT_FALSE(value<bool>("same"));
 }
@@ -86,6 +91,11 @@ TEST_F(Order, ArgumentsAreTakenFromLeftToRight) {
     EXPECT_EQ(result<int>("int", "pair(x = 4, x)"), 44);
     EXPECT_EQ(result<int>("int", "pair(next(), next())"), 56);
     EXPECT_EQ(result<int>("int", "pair(pair(x, next()), x)"), 677);
+    EXPECT_EQ(result<int>("int", "pair(f() * 2, x)"), 30);
+    x = 2;
+    EXPECT_EQ(result<int>("int", "pair(f(), x + 1)"), 21) << "what is computed comes after the call, too";
+    x = 2;
+    EXPECT_EQ(result<double>("double", "half(f(), x)"), 6.0) << "and what is converted";
     s = "old";
     EXPECT_EQ(result<std::string>("string", "join(s, g())"), "oldg");
     EXPECT_EQ(result<std::string>("string", "join(h(), (s = \"last\"))"), "newhlast");

@@ -28,7 +28,10 @@ std::string signature(const std::string& name, const std::vector<base::DataSourc
 }
 
 bool isChanged(const std::string& type) {
-    return type.find('&') != std::string::npos && type.find("const") == std::string::npos;
+    static const std::string constant = " const&";
+    const bool isConstant =
+        type.size() >= constant.size() && type.compare(type.size() - constant.size(), std::string::npos, constant) == 0;
+    return !type.empty() && type.back() == '&' && !isConstant;
 }
 
 std::string plainType(const std::string& type) {

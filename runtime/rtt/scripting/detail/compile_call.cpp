@@ -21,6 +21,7 @@ namespace detail {
 std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsOutput& isOutput,
                                   const OperationInterfacePart* part) {
     std::vector<Operand> values;
+    const unsigned first = executions_;
     for (const auto& argument : expressions) {
         const std::size_t before = code_.size();
         const unsigned executions = executions_;
@@ -30,7 +31,9 @@ std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsO
         text_ = wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
         Operand value = expression(*argument);
         if (value.kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
-        if (executions_ != executions) {
+        // A call before it is made where its value is used: after what is computed here.
+        const bool overtakes = executions != first && code_.size() != before;
+        if (executions_ != executions || overtakes) {
             std::size_t at = before;
             for (std::size_t i = 0; i != values.size(); ++i) {
                 if (isOutput(i)) continue;
@@ -52,31 +55,43 @@ bool Unit::isOutput(const OperationInterfacePart& part, std::size_t index) {
 
 /** Converted to what the operation takes, as far as conversions of numbers go. */
 OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const OperationInterfacePart& part) {
-    const auto given = values(
+    const unsigned executions = executions_;
+    auto given = values(
         name.arguments, [&](std::size_t index) { return isOutput(part, index); }, &part);
     OperationInterfacePart::Args sources;
     const bool fits = given.size() == part.arity();
+    // What is converted is so before the call, and what is called in front of it has to come first.
+    for (unsigned i = 1; fits && executions_ != executions && i < given.size(); ++i) {
+        if (!isConverted(part, i, given[i])) continue;
+        for (unsigned j = 0; j != i; ++j)
+            if (!isOutput(part, j)) given[j] = taken(given[j], code_.size());
+    }
     for (unsigned i = 0; i != given.size(); ++i)
         sources.push_back(fits ? argument(name, part, i, given) : sourceOf(given[i]));
     return sources;
 }
 
+Kind Unit::wantedKind(const OperationInterfacePart& part, unsigned index) {
+    const types::TypeInfo* const type = part.getArgumentType(index + 1);
+    return type ? kindOf(type->getTypeId()) : Kind::Other;
+}
+
+bool Unit::isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value) {
+    const Kind wanted = wantedKind(part, index);
+    return wanted != value.kind && conversion(value.kind, wanted) != Conversion::None && !isOutput(part, index);
+}
+
 base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const OperationInterfacePart& part,
                                                 unsigned index, const std::vector<Operand>& values) {
     const Operand& value = values[index];
-    const auto wantedKind = [&](unsigned i) {
-        const types::TypeInfo* const type = part.getArgumentType(i + 1);
-        return type ? kindOf(type->getTypeId()) : Kind::Other;
-    };
-    const Kind wanted = wantedKind(index);
-    if (wanted == value.kind || conversion(value.kind, wanted) == Conversion::None) return sourceOf(value);
-    if (isOutput(part, index)) return sourceOf(value);
+    if (!isConverted(part, index, value)) return sourceOf(value);
+    const Kind wanted = wantedKind(part, index);
     const auto descriptions = part.getArgumentList();
     if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
     // A number with a fraction where a whole one is expected: often two arguments were swapped.
     std::string hint;
     for (unsigned i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i)
-        if (i != index && isReal(wantedKind(i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
+        if (i != index && isReal(wantedKind(part, i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
             hint = "argument " + std::to_string(i + 1) + " (" + descriptions[i].name + ") is of type " +
                    descriptions[i].type + ": are the two swapped?";
     warn(value.at, "OPS152",
@@ -154,6 +169,13 @@ base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at
         return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
     };
     const std::string called = "'" + joined(name.parts) + "'";
+    const std::string& last = name.parts.back().text;
+    // collect() has variables as arguments, and no declaration that says so.
+    const auto becomesText = [&](const std::string& wanted, const std::string& found, int number) {
+        const types::TypeInfo* const type = types::Types()->type(found);
+        return plainType(wanted) == "string" && type && isDirect(kindOf(type->getTypeId())) && last != "collect" &&
+               last != "collectIfDone" && !isOutput(part, static_cast<std::size_t>(number - 1));
+    };
     try {
         return watched(at, make);
     } catch (const wrong_number_of_args_exception& e) {
@@ -165,7 +187,7 @@ base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at
         error(argumentAt(e.whicharg), "OPS143",
               "argument " + std::to_string(e.whicharg) + " of " + called + " must be of type " +
                   plainType(e.expected_) + ", found " + e.received_,
-              plainType(e.expected_) == "string" ? "'\"\" + x' is the text of x" : "");
+              becomesText(e.expected_, e.received_, e.whicharg) ? "'\"\" + x' is the text of x" : "");
     } catch (const non_lvalue_args_exception& e) {
         error(argumentAt(e.whicharg), "OPS144",
               "argument " + std::to_string(e.whicharg) + " of " + called +

@@ -204,10 +204,11 @@ Operand Unit::negated(const ast::Unary& operation, const Operand& operand, ast::
 }
 
 Operand Unit::binary(const ast::Binary& row) {
+    const unsigned first = executions_;
     Operand left = expression(*row.first);
     unsigned depth = 0;
     for (const ast::Binary::Step& step : row.steps) {
-        left = operation(std::move(left), step);
+        left = operation(std::move(left), step, first);
         // Sources in sources are evaluated and destroyed by recursion.
         depth = isDirect(left.kind) ? 0 : depth + 1;
         if (depth < kDeepestSource) continue;
@@ -217,13 +218,14 @@ Operand Unit::binary(const ast::Binary& row) {
     return left;
 }
 
-Operand Unit::operation(Operand left, const ast::Binary::Step& step) {
+/** `first` is what executions_ was where the row begins. */
+Operand Unit::operation(Operand left, const ast::Binary::Step& step, unsigned first) {
     if (isDirect(left.kind)) left = load(left);
     const std::size_t before = code_.size();
     const unsigned executions = executions_;
     Operand right = expression(*step.right);
-    // What is called there may change what is read here.
-    if (executions_ != executions) left = copied(left, before);
+    // What is called there may change what is read here; and what is called here comes before what is computed there.
+    if (executions_ != executions || (executions != first && code_.size() != before)) left = copied(left, before);
     return combined(left, right, step);
 }
 

@@ -77,7 +77,8 @@ bool ScriptReader::execute(const Code& code) {
     const Interruption::Region region(interruption, Interruption::Region::Script);
     const Interruption::Listener listener([&process] { process.pause(); });
     // Whoever can interrupt it may wait as long as he likes.
-    for (unsigned yields = 0; interruption || yields <= kMostYields; ++yields) {
+    const bool patient = interruption && interruption->isPatient();
+    for (unsigned yields = 0; patient || yields <= kMostYields; ++yields) {
         if (interruption && interruption->asked()) {
             error(yields == 0 ? code.placeOf(code.begin()) : process.place(), "", "interrupted");
             return false;

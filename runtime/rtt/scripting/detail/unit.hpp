@@ -132,7 +132,7 @@ private:
     Operand unary(const ast::Unary& operation, ast::Place at);
     Operand negated(const ast::Unary& operation, const Operand& operand, ast::Place at);
     Operand binary(const ast::Binary& row);
-    Operand operation(Operand left, const ast::Binary::Step& step);
+    Operand operation(Operand left, const ast::Binary::Step& step, unsigned first);
     Operand combined(const Operand& left, Operand right, const ast::Binary::Step& step);
     Operand copied(const Operand& value, std::size_t at);
     Operand taken(const Operand& value, std::size_t at);
@@ -171,6 +171,8 @@ private:
     std::vector<Operand> values(const ast::Expressions& expressions, const IsOutput& isOutput,
                                 const OperationInterfacePart* part = nullptr);
     static bool isOutput(const OperationInterfacePart& part, std::size_t index);
+    static Kind wantedKind(const OperationInterfacePart& part, unsigned index);
+    static bool isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value);
     OperationInterfacePart::Args arguments(const ast::Name& name, const OperationInterfacePart& part);
     Source argument(const ast::Name& name, const OperationInterfacePart& part, unsigned index,
                     const std::vector<Operand>& values);
