@@ -202,8 +202,12 @@ Completion completeArgument(RTT::TaskContext& context, const std::string& line, 
 
 /** True if the text that begins there is the type of a component that is to be loaded: the second argument of loadComponent. */
 bool isComponentType(const std::string& line, std::size_t text) {
-    static const std::regex before(R"(.*\bloadComponent\s*\(\s*("[^"]*"|[\w.]+)\s*,\s*")");
-    return std::regex_match(line.substr(0, text), before);
+    constexpr std::size_t kLongest = 500;  // std::regex recurses for each letter
+    const std::size_t at = line.rfind("loadComponent", text);
+    if (at == std::string::npos || text - at > kLongest || (at != 0 && line[at - 1] != '.' && isOfPath(line[at - 1])))
+        return false;
+    static const std::regex before(R"(loadComponent\s*\(\s*("[^"]*"|[\w.]+)\s*,\s*")");
+    return std::regex_match(line.substr(at, text - at), before);
 }
 
 Completion completeText(const std::string& line, std::size_t begin) {

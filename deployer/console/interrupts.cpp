@@ -24,7 +24,7 @@ namespace {
 // Milliseconds; a script is stopped, and a call given up, long before.
 constexpr std::int64_t kPatience = 1000;
 
-std::atomic<bool> executing{false}, ends{false};
+std::atomic<bool> watching{false}, executing{false}, ends{false};
 int pressed = -1;
 struct sigaction before;
 
@@ -52,7 +52,7 @@ void onInterrupt(int signal, siginfo_t* info, void*) {
         restoreTerminal();
         std::signal(signal, SIG_DFL);
         raise(signal);
-    } else if (key || executing) {
+    } else if (watching && (key || executing)) {
         notify(pressed);
     } else {
         sigaction(signal, &before, nullptr);
@@ -73,7 +73,7 @@ void takeOver() {
     before = previous;
     struct sigaction action = {};
     action.sa_sigaction = onInterrupt;
-    action.sa_flags = SA_SIGINFO;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;  // whatever the command waits for
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
 }
@@ -94,6 +94,7 @@ Interrupts::Interrupts(int endsOn, bool onTerminal)
     : ends_on_(endsOn), on_terminal_(onTerminal), wakes_(newDescriptor()) {
     static const int made = newDescriptor();
     pressed = made;
+    watching = true;
     if (on_terminal_) takeOver();
     // Signals are for the threads that were there before.
     sigset_t all, kept;
@@ -110,11 +111,12 @@ Interrupts::~Interrupts() {
     }
     notify(wakes_);
     thread_.join();
+    watching = false;  // others may have kept the handler, and put it back later
     if (on_terminal_) giveBack();
     close(wakes_);
 }
 
-Interrupts::Command::Command(Interrupts& interrupts) : of_(interrupts) {
+Interrupts::Command::Command(Interrupts& interrupts) : of_(interrupts), interruption_(interrupts.on_terminal_) {
     const std::lock_guard<std::mutex> locked(of_.mutex_);
     of_.command_ = &interruption_;
     if (of_.on_terminal_) {

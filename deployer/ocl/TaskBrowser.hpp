@@ -33,10 +33,11 @@ public:
     explicit TaskBrowser(RTT::TaskContext& component) : TaskBrowser(&component) {}
     ~TaskBrowser() override;
 
-    /** Reads and executes lines until `quit` or the end of the input. SIGINT, SIGTERM and SIGHUP end it too, after the command
-        that is being executed; the second one ends the process. */
+    /** Reads and executes lines until `quit` or the end of the input. SIGTERM and SIGHUP stop the command that is being
+        executed and end it, too; SIGINT as well, but on a terminal it stops no more than a command. */
     void loop();
-    /** For programs that catch signals themselves: loop() catches none, and ends as soon as this descriptor can be read. */
+    /** For programs that catch signals themselves: loop() ends as soon as this descriptor can be read. On a terminal it has
+        SIGINT while a command is executed, and Ctrl-C at the prompt; otherwise their handler gets it. */
     void endOn(int descriptor);
 
     /** True if loop() read lines from what is no terminal, and one of them could not be executed. All others were. */

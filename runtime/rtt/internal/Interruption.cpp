@@ -15,7 +15,7 @@ thread_local Interruption* innermost __attribute__((tls_model("initial-exec"))) 
 
 Interrupted::~Interrupted() = default;
 
-Interruption::Interruption() : outer_(innermost) { innermost = this; }
+Interruption::Interruption(bool patient) : outer_(innermost), patient_(patient) { innermost = this; }
 
 Interruption::~Interruption() { innermost = outer_; }
 

@@ -28,7 +28,8 @@ public:
  */
 class RTT_API Interruption {
 public:
-    Interruption();
+    /** Where nobody is there who could interrupt it, scripts are not to wait for ever: not `patient`. */
+    explicit Interruption(bool patient = true);
     ~Interruption();
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
@@ -36,6 +37,7 @@ public:
     /** Any thread. */
     void ask();
     bool asked() const noexcept { return asked_.load(std::memory_order_acquire); }
+    bool isPatient() const noexcept { return patient_; }
 
     /** Null if there is none. Real-time safe. */
     static Interruption* ofThisThread() noexcept;
@@ -83,6 +85,7 @@ public:
 
 private:
     Interruption* const outer_;
+    const bool patient_;
     std::atomic<bool> asked_{false};
     Region::Kind region_ = Region::Native;  // of its own thread
     std::mutex mutex_;

@@ -45,6 +45,8 @@ void SentCall::finish(State state) {
 }
 
 void SentCall::executeAndDispose() {
+    // Not what the script of this thread called: it serves others while it waits.
+    const Interruption::Region foreign(Interruption::ofThisThread(), Interruption::Region::Native);
     try {
         run();
     } catch (const std::exception& e) {

@@ -14,6 +14,11 @@ class WithoutTerminal(DeployerCase):
         self.assertEqual(" = 2\n = 2.5\n = 5\n", out)
         self.assertEqual("", err)
 
+    def test_a_statement_that_only_waits_fails(self):
+        _, err = self.run_with("while true yield\n", status=255)
+        self.assertIn("stdin:1:", err)
+        self.assertIn("[OPS410]", err)
+
     def test_ends_at_the_end_of_its_input(self):
         self.assertEqual(("", ""), self.run_with(""))
 
