@@ -131,8 +131,7 @@ TEST_F(DeployerProgram, HelpVersionAndBadOptions) {
 TEST_F(DeployerProgram, AWordIsAFileOrTheNameOfTheDeployer) {
     directory_.write("app.xml",
                      "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
-    directory_.write("application", "");
-    for (const char* word : {"app.xm", "application", "./app", "."}) {
+    for (const char* word : {"app.xm", "./app", "."}) {
         const Outcome outcome = run(command({"--check", "app.xml", word}));
         EXPECT_EQ(255, outcome.status) << word;
         EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + word + "' is no file to deploy")) << word;
