@@ -33,8 +33,15 @@ OROFORGE_WATCH(SYSTEM_CALL, Group, getgrgid, (gid_t group), (group))
 
 /* The loader goes by who calls it: its RUNPATH, its $ORIGIN. So the call is the last thing done, and what the loader allocates
    is counted as well. Not by the compiler's leave: optimizing or not, it is to be a jump. */
-__attribute__((optimize("O2"))) OROFORGE_IN_FRONT void* dlopen(const char* file, int mode) {
+#ifdef __clang__
+#define OROFORGE_JUMPS
+#define OROFORGE_JUMP __attribute__((musttail))
+#else
+#define OROFORGE_JUMPS __attribute__((optimize("O2")))
+#define OROFORGE_JUMP
+#endif
+OROFORGE_JUMPS OROFORGE_IN_FRONT void* dlopen(const char* file, int mode) {
     const __typeof__(&dlopen) next_ = OROFORGE_NEXT_OF(dlopen, 0);
     if (oroforge_rt_watching()) oroforge_rt_note(OROFORGE_RT_SYSTEM_CALL, "dlopen", __builtin_return_address(0));
-    return next_(file, mode);
+    OROFORGE_JUMP return next_(file, mode);
 }
