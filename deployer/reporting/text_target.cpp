@@ -3,11 +3,13 @@
 #include "text_target.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <ostream>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace OCL::reporting {
@@ -19,6 +21,10 @@ bool isRegular(int file) {
     struct stat status {};
     return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
 }
+
+// Two seconds.
+constexpr int kTries = 40;
+constexpr std::chrono::milliseconds kPause{50};
 
 bool isPipe(const std::string& name) {
     struct stat status {};
@@ -68,7 +74,13 @@ private:
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
     // To open a pipe that nobody reads from would last until somebody does, and start() with it.
-    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK;
+    int file = ::open(name.c_str(), kFlags, 0666);
+    // Whoever is to read may just be starting.
+    for (int times = 0; file < 0 && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
+        std::this_thread::sleep_for(kPause);
+        file = ::open(name.c_str(), kFlags, 0666);
+    }
     if (file < 0) {
         error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : systemError();
         return nullptr;
