@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <sstream>
 
 namespace po = boost::program_options;
@@ -86,8 +87,16 @@ bool isScript(const std::string& word) {
     return false;
 }
 
+const std::vector<std::string> kFileKinds = {"xml", "cpf", "ops", "osd", "lua"};
+
 /** True for what people do not call a component, but a file. */
-bool looksLikeFile(const std::string& word) { return word.find_first_of("./ ") != std::string::npos; }
+bool looksLikeFile(const std::string& word) {
+    if (word.find('/') != std::string::npos || word == "." || word == "..") return true;
+    const std::size_t dot = word.rfind('.');
+    if (dot == std::string::npos) return false;
+    std::error_code none;
+    return diag::nearestMatch(word.substr(dot + 1), kFileKinds) || std::filesystem::is_regular_file(word, none);
+}
 
 /** Remappings and parameters that ROS launch files add to every command line. */
 bool isForRos(const std::string& word) { return word[0] == '_' || word.find(":=") != std::string::npos; }
@@ -97,16 +106,17 @@ void takeWords(const std::vector<std::string>& words, Options& options, std::str
     std::string name;
     for (const std::string& word : words) {
         if (word.empty() || isForRos(word)) continue;
-        if (isScript(word))
+        if (isScript(word)) {
             options.files.push_back(word);
-        else if (looksLikeFile(word))
+        } else if (looksLikeFile(word)) {
             error = "'" + word +
                     "' is no file to deploy, whose name ends in .xml, .cpf, .ops, .osd or .lua, and no name for the "
                     "deployer";
-        else if (!name.empty() && word != name)
-            error = "two names for the deployer, '" + name + "' and '" + word + "'";
-        else
+        } else {
+            if (!name.empty() && word != name)
+                options.warning = "two names for the deployer, '" + name + "' and '" + word + "': the last one counts";
             options.name = name = word;
+        }
     }
 }
 

@@ -13,6 +13,7 @@ namespace OCL::deploy {
 struct Options {
     enum Action { Run, ShowHelp, ShowVersion, Explain } action = Run;
     std::string name = "Deployer";
+    std::string warning;  // of what was understood, and perhaps not meant
     std::string siteFile;
     std::vector<std::string> files;  // in the order of processing
     std::vector<std::string> codes;  // to be explained; empty: list them all

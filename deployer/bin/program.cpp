@@ -79,9 +79,10 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
             std::cerr << file << ": error: not deployed: a signal came that ends the program\n";
             return false;
         }
-        std::snprintf(endNotice, sizeof endNotice,
-                      "%s: a signal came that ends the program, after the present step; a second one ends it at once\n",
-                      file.c_str());
+        std::snprintf(
+            endNotice, sizeof endNotice,
+            "%.400s: a signal came that ends the program, after the present step; a second one ends it at once\n",
+            file.c_str());
         ending.atFirst(&tellOfEnd);
         const bool good = deployFile(deployer, file, options);
         ending.atFirst(nullptr);
@@ -163,6 +164,7 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
         std::cerr << program << ": error: " << error << "\n" << program << " --help shows all options\n";
         return kFailure;
     }
+    if (!options.warning.empty()) std::cerr << program << ": warning: " << options.warning << "\n";
     if (options.action == Options::Explain) return explain(options.codes, program) ? 0 : kFailure;
     if (options.action != Options::Run) {
         std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
