@@ -123,8 +123,7 @@ void checkComponents(const Session& session, int group, bool configured, diag::S
     for (const Connection& connection : session.records.connections())
         ConnectionCheck(connection, configured, sink).run();
     if (configured) return;
-    for (const Record& record : session.records.all)
-        if (record.optionsGroup == group) checkProperties(record, session.deployer, sink);
+    checkProperties(session, group, sink);
 }
 
 }  // namespace OCL::deploy

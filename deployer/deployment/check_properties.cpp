@@ -3,6 +3,7 @@
 #include "check_properties.hpp"
 
 #include "read_value.hpp"
+#include "session.hpp"
 #include "shutdown.hpp"
 #include "xml_to_plan.hpp"
 
@@ -14,6 +15,8 @@
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace OCL::deploy {
 namespace {
@@ -36,6 +39,20 @@ std::vector<std::string> memberNames(const TypeInfo& type, const DataSourceBase:
     for (const std::string& name : static_cast<const PropertyBag*>(written->getRawConstPointer())->list())
         if (!contains(names, name)) names.push_back(name);
     return names;
+}
+
+/** True if one of them is meant at least once. */
+bool resembles(const PropertyBag& given, const std::vector<std::string>& known) {
+    return std::any_of(given.begin(), given.end(), [&](const PropertyBase* item) {
+        return contains(known, item->getName()) || diag::nearestMatch(item->getName(), known);
+    });
+}
+
+/** A letter is wrong, or two of a long name; names of other things may be alike. */
+bool isSlipOf(const std::string& name, const std::vector<std::string>& known) {
+    const std::size_t most = name.size() < 8 ? 1 : 2;
+    return std::any_of(known.begin(), known.end(),
+                       [&](const std::string& one) { return diag::editDistance(name, one) <= most; });
 }
 
 bool isSequence(const TypeInfo& type) { return type.getMemberNames() == std::vector<std::string>{"size", "capacity"}; }
@@ -81,8 +98,11 @@ private:
         const DataSourceBase::shared_ptr value = type.buildValue();
         if (!value) return;
         if (isSequence(type)) return checkElements(given, type, value, path);
+        // Its own code may take other forms.
+        if (!given.getType().empty() && given.getType() != "PropertyBag" && given.getType() != type.getTypeName())
+            return;
         const std::vector<std::string> known = memberNames(type, value);
-        if (known.empty()) return;
+        if (!resembles(given, known)) return;
         for (const PropertyBase* item : given) {
             const std::string& name = item->getName();
             if (name.empty()) continue;
@@ -135,35 +155,69 @@ void checkStruct(const xml::Element& properties, const Record& record, const std
             check.checkItem(*item, *target, item->getName());
 }
 
-void checkFile(const PropertyFilePlan& file, const Record& record, const std::vector<std::string>& known,
-               diag::Sink& sink) {
-    PropertyBag read;
-    RTT::marsh::Places places;
-    diag::Sink told;  // it is told again when the file is applied
-    if (!RTT::marsh::readFile(resolveFile(file.file), read, told, &places)) return;
-    const bool grows = file.mode == PropertyFilePlan::Load;
-    // What the file gives by its own name is not what a misspelt one means.
-    std::vector<std::string> others = known;
-    others.erase(std::remove_if(others.begin(), others.end(), [&](const std::string& name) { return read.find(name); }),
-                 others.end());
-    MemberCheck check(record, places, grows, sink);
-    for (const PropertyBase* item : read) {
-        if (const PropertyBase* const target = record.instance->properties()->find(item->getName()))
-            check.checkItem(*item, *target, item->getName());
-        else if (!grows && !item->getName().empty() && diag::nearestMatch(item->getName(), others))
-            check.ignored(*item, "component '" + record.name + "' has no property", others);
+/** The files of all components of a group: many may name one. */
+class PropertyFiles {
+public:
+    PropertyFiles(const Session& session, diag::Sink& sink) : session_(session), sink_(sink) {}
+
+    void check(const PropertyFilePlan& file, const Record& record, const std::vector<std::string>& known) {
+        const Contents& contents = contentsOf(resolveFile(file.file));
+        if (!contents.good) return;
+        const PropertyBag& read = contents.read;
+        const bool grows = file.mode == PropertyFilePlan::Load;
+        // What the file gives by its own name is not what a misspelt one means.
+        std::vector<std::string> others;
+        std::copy_if(known.begin(), known.end(), std::back_inserter(others),
+                     [&](const std::string& name) { return !read.find(name); });
+        MemberCheck check(record, contents.places, grows, sink_);
+        for (const PropertyBase* item : read) {
+            const std::string& name = item->getName();
+            if (const PropertyBase* const target = record.instance->properties()->find(name))
+                check.checkItem(*item, *target, name);
+            else if (!grows && !name.empty() && isSlipOf(name, others) && !isOfAnother(name))
+                check.ignored(*item, "component '" + record.name + "' has no property", others);
+        }
     }
-}
+
+private:
+    struct Contents {
+        PropertyBag read;
+        RTT::marsh::Places places;
+        bool good = false;
+    };
+
+    const Contents& contentsOf(const std::string& path) {
+        const auto [at, isNew] = contents_.try_emplace(path);
+        Contents& contents = at->second;
+        diag::Sink told;  // it is told again when the file is applied
+        if (isNew) contents.good = RTT::marsh::readFile(path, contents.read, told, &contents.places);
+        return contents;
+    }
+
+    /** Of a component for which the file may be, too. */
+    bool isOfAnother(const std::string& name) const {
+        return std::any_of(session_.records.all.begin(), session_.records.all.end(),
+                           [&](const Record& record) { return record.instance->properties()->find(name) != nullptr; });
+    }
+
+    const Session& session_;
+    diag::Sink& sink_;
+    std::map<std::string, Contents> contents_;
+};
 
 }  // namespace
 
-void checkProperties(const Record& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
-    const std::vector<std::string> own = record.instance->properties()->list();
-    std::vector<std::string> known = own;
-    if (record.instance == deployer)
-        for (const std::string& name : shutdownProperties()) known.push_back(name);
-    for (const xml::Element& properties : record.plan.properties) checkStruct(properties, record, known, sink);
-    for (const PropertyFilePlan& file : record.plan.propertyFiles) checkFile(file, record, own, sink);
+void checkProperties(const Session& session, int group, diag::Sink& sink) {
+    PropertyFiles files(session, sink);
+    for (const Record& record : session.records.all) {
+        if (record.optionsGroup != group) continue;
+        const std::vector<std::string> own = record.instance->properties()->list();
+        std::vector<std::string> known = own;
+        if (record.instance == session.deployer)
+            for (const std::string& name : shutdownProperties()) known.push_back(name);
+        for (const xml::Element& properties : record.plan.properties) checkStruct(properties, record, known, sink);
+        for (const PropertyFilePlan& file : record.plan.propertyFiles) files.check(file, record, own);
+    }
 }
 
 }  // namespace OCL::deploy

@@ -3,18 +3,19 @@
 #ifndef OROFORGE_DEPLOYMENT_CHECK_PROPERTIES_HPP
 #define OROFORGE_DEPLOYMENT_CHECK_PROPERTIES_HPP
 
-#include "records.hpp"
-
 #include <diag/sink.hpp>
 
 namespace OCL::deploy {
 
+namespace diag = oroforge::diag;
+struct Session;
+
 /**
- * Reports what a component is to be given and has not: properties that its structs name, and members of properties, also those
- * in its property files. Properties of files that it does not have are told only if they seem to be misspelt: a file may be for
- * several components.
+ * Reports what the components of a group are to be given and have not: properties that their structs name, and members of
+ * properties, also those in their property files. Properties of files that a component does not have are told only if they seem
+ * to be misspelt: a file may be for several components.
  */
-void checkProperties(const Record& record, const RTT::TaskContext* deployer, diag::Sink& sink);
+void checkProperties(const Session& session, int group, diag::Sink& sink);
 
 }  // namespace OCL::deploy
 

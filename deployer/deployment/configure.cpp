@@ -108,18 +108,21 @@ void startOne(Record& record, diag::Sink& sink) {
     sink.error(record.plan.name.where, "DEP051", "could not start component '" + record.name + "': " + error);
 }
 
+void stopIfStarted(const Record& record, const diag::Location& by, diag::Sink& sink) {
+    if (!record.instance->isRunning()) return;
+    const diag::Location& where = record.plan.name.where;
+    sink.warning(
+        where.line != 0 ? where : by, "DEP059",
+        "component '" + record.name + "' was started by the code of a component, and is stopped: this is a check");
+    (void)stopOne(*record.instance);
+}
+
 }  // namespace
 
-void stopWhatStarted(Session& session, diag::Sink& sink) {
+void stopWhatStarted(Session& session, const diag::Location& by, diag::Sink& sink) {
     if (!session.startsNothing) return;
-    for (Record& record : session.records.all) {
-        RTT::TaskContext& component = *record.instance;
-        if (!component.isRunning() || &component == session.deployer) continue;
-        sink.warning(
-            record.plan.name.where, "DEP059",
-            "component '" + record.name + "' was started by the code of a component, and is stopped: this is a check");
-        (void)stopOne(component);
-    }
+    for (const Record& record : session.records.all)
+        if (record.instance != session.deployer) stopIfStarted(record, by, sink);
 }
 
 bool configure(Session& session, int group, diag::Sink& sink) {
@@ -135,15 +138,22 @@ bool configure(Session& session, int group, diag::Sink& sink) {
     if (sink.hadErrors()) return false;
     std::vector<const RTT::TaskContext*> components;
     for (const Record* record : records) components.push_back(record->instance);
+    diag::Location last;
     for (const RTT::TaskContext* component : components) {
-        Record* const record = session.records.find(component);
+        Record* record = session.records.find(component);
         if (!record) continue;  // a script unloaded it
-        const bool hadScripts = !record->plan.scripts.empty();
-        runScripts(*record, sink);
-        const bool configures = record->plan.autoConf.value_or(false);  // if no script has changed that
-        if (configures) configureOne(*record, sink);
-        if (configures || hadScripts) stopWhatStarted(session, sink);
+        last = record->plan.name.where;
+        if (!record->plan.scripts.empty()) {
+            const diag::Location script = record->plan.scripts.front().file.where;
+            runScripts(*record, sink);
+            stopWhatStarted(session, script, sink);
+            record = session.records.find(component);
+            if (!record) continue;
+        }
+        if (record->plan.autoConf.value_or(false)) configureOne(*record, sink);  // if no script has changed that
+        if (session.startsNothing && component != session.deployer) stopIfStarted(*record, last, sink);
     }
+    stopWhatStarted(session, last, sink);  // those that the code of others started
     if (sink.hadErrors()) return false;
 
     // Ports that appeared while components were configured.

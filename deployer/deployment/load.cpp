@@ -22,6 +22,12 @@ using RTT::ComponentLoader;
 using RTT::internal::ComponentDescriptions;
 using RTT::plugin::PluginLoader;
 
+/** One that is there and refuses is not meant otherwise. */
+std::string likelyService(const std::string& name) {
+    const std::vector<std::string> all = PluginLoader::Instance()->listServices();
+    return std::find(all.begin(), all.end(), name) == all.end() ? diag::didYouMean(name, all) : std::string();
+}
+
 /** Adds directories to the search path and imports what lies directly in them. */
 bool importPath(const std::string& paths, std::string& error) {
     addSearchPath(paths);
@@ -198,9 +204,9 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
             if (!loadService(*record->instance, service.value))
                 sink.error(service.where, "DEP033",
                            "could not load service '" + service.value + "' into component '" + record->name + "'" +
-                               diag::didYouMean(service.value, PluginLoader::Instance()->listServices()));
+                               likelyService(service.value));
     }
-    stopWhatStarted(session, sink);
+    stopWhatStarted(session, plan.components.empty() ? diag::Location() : plan.components.back().name.where, sink);
     return !sink.hadErrors();
 }
 

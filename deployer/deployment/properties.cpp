@@ -18,7 +18,7 @@ namespace {
 
 using RTT::base::PropertyBase;
 
-/** Sets the properties of `target` that the struct names, of equal names by the last; those in `users` are added first if it lacks them. `owner` is for
+/** Sets the properties of `target` that the struct names, by one element after the other; those in `users` are added first if it lacks them. `owner` is for
     messages. */
 void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const std::vector<std::string>& users,
                  const std::string& owner, diag::Sink& sink) {
@@ -35,11 +35,9 @@ void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const
     };
     how.addMissing = how.fillDescriptions = true;  // within them: a bag is there to be filled
     RTT::internal::detail::NamePairing pairing(read);
-    for (PropertyBase* const property : target) {
-        std::size_t at = read.size();
-        for (std::size_t next; (next = pairing.next(property->getName())) < read.size();) at = next;
-        if (at < read.size()) (void)RTT::internal::detail::updateOne(*property, *read.getItem(at), how);
-    }
+    for (PropertyBase* const property : target)
+        for (std::size_t next; (next = pairing.next(property->getName())) < read.size();)
+            (void)RTT::internal::detail::updateOne(*property, *read.getItem(next), how);
 }
 
 RTT::marsh::LoadMode modeOf(const PropertyFilePlan& file) {

@@ -61,7 +61,7 @@ void readElement(const xml::Element& element, ActivityPlan& plan, diag::Sink& si
     } else if (name.value == "CpuAffinity") {
         if (const auto mask = readInteger(element, 0, UINT_MAX, sink)) plan.cpuAffinity = static_cast<unsigned>(*mask);
     } else if (name.value == "Master") {
-        if (const auto master = readWord(element, sink)) plan.master = *master;
+        if (const auto master = readString(element, sink)) plan.master = *master;
     } else {
         sink.error(name.where, "DEP014",
                    "unknown element '" + name.value + "' in activity" + diag::didYouMean(name.value, kElements));

@@ -137,7 +137,8 @@ std::optional<Text> readString(const xml::Element& element, diag::Sink& sink) {
 std::optional<Text> readWord(const xml::Element& element, diag::Sink& sink) {
     const std::optional<Text> text = readString(element, sink);
     if (!text || !text->empty()) return text;
-    sink.error(element.where, "DEP003", "'" + nameOf(element).value + "' has an empty <value>");
+    const std::string name = nameOf(element).value;
+    sink.error(element.where, "DEP003", (name.empty() ? "the element" : "'" + name + "'") + " has an empty <value>");
     return std::nullopt;
 }
 
@@ -145,7 +146,7 @@ void checkTwice(const xml::Element& parent, const std::vector<std::string>& name
     std::map<std::string, diag::Location> seen;
     for (const xml::Element& child : parent.children) {
         const Text name = nameOf(child);
-        if (child.name == "description" || name.empty()) continue;
+        if (child.name == "description" || child.name == "struct" || name.empty()) continue;
         if (!names.empty() && std::find(names.begin(), names.end(), name.value) == names.end()) continue;
         const auto [first, isNew] = seen.emplace(name.value, name.where);
         if (isNew) continue;

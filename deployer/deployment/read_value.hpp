@@ -24,7 +24,8 @@ std::optional<double> readReal(const xml::Element& element, diag::Sink& sink);
 std::optional<Text> readString(const xml::Element& element, diag::Sink& sink);
 /** A string that must not be empty (DEP003). */
 std::optional<Text> readWord(const xml::Element& element, diag::Sink& sink);
-/** Warns (DEP060) of elements of the same name, of those in `names` if that is not empty; of these the last counts. */
+/** Warns (DEP060) of elements of the same name, of those in `names` if that is not empty; of these the last counts. Structs give
+    what they have. */
 void checkTwice(const xml::Element& parent, const std::vector<std::string>& names, diag::Sink& sink);
 
 /** The name attribute and its place; empty, at the element, if there is none. */

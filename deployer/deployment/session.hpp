@@ -80,8 +80,8 @@ void createStreams(Session& session, diag::Sink& sink);
 
 // configure.cpp
 /** In a session that starts nothing: stops the components that C++ code started, in a constructor or hook, which nothing can
-    keep it from. */
-void stopWhatStarted(Session& session, diag::Sink& sink);
+    keep it from. `by` is told as the place of those that stand in no file. */
+void stopWhatStarted(Session& session, const diag::Location& by, diag::Sink& sink);
 bool configure(Session& session, int group, diag::Sink& sink);
 bool start(Session& session, int group, diag::Sink& sink);
 

@@ -186,11 +186,11 @@ private:
         return why.empty();
     }
 
-    /** A component may bring a service of that name itself. */
+    /** A component may bring a service of that name itself, unless it looks like that of a plugin. */
     void checkServices(const ComponentPlan& component) {
         if (!around_.planOnly) return;
         for (const Text& service : component.services)
-            if (!contains(around_.services, service.value))
+            if (!contains(around_.services, service.value) && diag::nearestMatch(service.value, around_.services))
                 sink_.warning(service.where, "DEP033",
                               "no plugin has a service '" + service.value + "' for component '" + component.name.value +
                                   "'" + diag::didYouMean(service.value, around_.services));
@@ -198,31 +198,54 @@ private:
 
     /** Each slave's master may be a slave; one that comes back to itself that way has no thread. */
     void checkMasters() {
-        std::map<std::string, const Text*> masters;
-        const auto add = [&](const Plan& plan) {
-            for (const ComponentPlan& component : plan.components)
-                if (component.activity && component.activity->kind == ActivityKind::Slave)
-                    masters[component.name.value] = &component.activity->master;
-        };
-        for (const Plan* earlier : around_.planned) add(*earlier);
-        add(plan_);
-        for (const auto& [name, master] : masters) {
-            if (master->value == name) continue;  // which is told by name
-            auto next = masters.find(master->value);
-            for (std::size_t steps = 0; steps != masters.size() && next != masters.end() && next->first != name;
-                 ++steps)
-                next = masters.find(next->second->value);
-            if (next != masters.end() && next->first == name)
-                sink_.error(master->where, "DEP017",
-                            "component '" + name + "' is, through its masters, its own master");
+        for (const Plan* earlier : around_.planned) addMasters(*earlier, false);
+        addMasters(plan_, true);
+        std::map<std::string, std::size_t> walks;  // that came by first
+        std::size_t walk = 0;
+        for (const auto& start : masters_) {
+            ++walk;
+            auto at = masters_.find(start.first);
+            while (at != masters_.end() && walks.emplace(at->first, walk).second)
+                at = masters_.find(at->second.name->value);
+            if (at != masters_.end() && walks[at->first] == walk) tellCircle(at->first);
         }
+    }
+
+    struct Master {
+        const Text* name;
+        bool isOfThisPlan;
+    };
+
+    /** The last activity of a component is the one that it gets. */
+    void addMasters(const Plan& plan, bool isThisPlan) {
+        for (const ComponentPlan& component : plan.components) {
+            if (!component.activity) continue;
+            if (component.activity->kind == ActivityKind::Slave)
+                masters_[component.name.value] = {&component.activity->master, isThisPlan};
+            else
+                masters_.erase(component.name.value);
+        }
+    }
+
+    /** Unless all of it was told with an earlier plan. A component that names itself is told otherwise. */
+    void tellCircle(const std::string& first) {
+        std::map<std::string, const Text*> members;
+        bool isNew = false;
+        for (auto at = masters_.find(first); members.emplace(at->first, at->second.name).second;) {
+            isNew = isNew || at->second.isOfThisPlan;
+            at = masters_.find(at->second.name->value);
+        }
+        if (!isNew || members.size() == 1) return;
+        for (const auto& [name, master] : members)
+            sink_.error(master->where, "DEP017", "component '" + name + "' is, through its masters, its own master");
     }
 
     const Plan& plan_;
     const Surroundings& around_;
     diag::Sink& sink_;
     std::vector<std::string> reachable_;
-    std::set<diag::FileName> repeated_;  // files of which it was told
+    std::map<std::string, Master> masters_;  // of slaves
+    std::set<diag::FileName> repeated_;      // files of which it was told
 };
 
 }  // namespace

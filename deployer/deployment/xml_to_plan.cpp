@@ -109,7 +109,7 @@ private:
     }
 
     void include(const Text& file) {
-        if (const std::string why = whyUnreadable(file); !why.empty()) {
+        if (const std::string why = whyUnreadable(file, /*readOnce=*/true); !why.empty()) {
             sink_.error(file.where, "DEP020", why);
             return;
         }
@@ -178,12 +178,14 @@ std::string resolveFile(const Text& file) {
     return isThere(beside) ? beside.string() : file.value;
 }
 
-std::string whyUnreadable(const Text& file) {
+std::string whyUnreadable(const Text& file, bool readOnce) {
     const std::string path = resolveFile(file);
     std::error_code error;
     switch (fs::status(path, error).type()) {
-        case fs::file_type::regular:
-        case fs::file_type::fifo: break;
+        case fs::file_type::regular: break;
+        case fs::file_type::fifo:
+            if (readOnce) break;
+            return "this is a pipe, expected a file: '" + file.value + "'";
         case fs::file_type::directory: return "this is a directory, expected a file: '" + file.value + "'";
         case fs::file_type::not_found: return "no such file: '" + file.value + "'";
         default:

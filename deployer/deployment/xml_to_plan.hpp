@@ -36,8 +36,8 @@ bool isPolicy(const xml::Element& element);
  * up beside the file that names it.
  */
 std::string resolveFile(const Text& file);
-/** Why a file that is named in another cannot be read; empty if it can. */
-std::string whyUnreadable(const Text& file);
+/** Why a file that is named in another cannot be read; empty if it can. A pipe can be read only once. */
+std::string whyUnreadable(const Text& file, bool readOnce = false);
 /** Warns of what stands in a struct and is not looked at: text, attributes and elements that mean nothing, a second value. */
 void checkForm(const xml::Element& element, diag::Sink& sink);
 

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 namespace {
 
 using namespace oroforge::test;
@@ -137,9 +139,21 @@ TEST_F(DeployerProgram, AWordIsAFileOrTheNameOfTheDeployer) {
         EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + word + "' is no file to deploy")) << word;
     }
     const Outcome two = run(command({"--check", "app.xml", "One", "Two"}));
-    EXPECT_EQ(255, two.status);
+    EXPECT_EQ(0, two.status);
     EXPECT_THAT(two.err, HasSubstr("two names for the deployer, 'One' and 'Two'"));
+    EXPECT_EQ("", run(command({"--check", "app.xml", "robot.left"})).err);
     EXPECT_EQ(0, run(command({"--check", "_x:=y", "/from:=/to", "app.xml", "my-robot", "__name:=z"})).status);
+}
+
+TEST_F(DeployerProgram, APipeIsNoPropertyFile) {
+    ASSERT_EQ(0, mkfifo((directory_ / "values.cpf").c_str(), 0600));
+    directory_.write("app.xml",
+                     "<properties><struct name='a' type='TaskContext'>"
+                     "<simple name='UpdateProperties' type='string'><value>values.cpf</value></simple>"
+                     "</struct></properties>");
+    const Outcome outcome = run(command({"--check", "-s", "app.xml"}));
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_THAT(outcome.err, HasSubstr("[DEP020] this is a pipe, expected a file: 'values.cpf'"));
 }
 
 TEST_F(DeployerProgram, WithoutAFileThereIsNothingToCheckOrToRun) {
