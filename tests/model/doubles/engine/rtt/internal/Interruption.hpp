@@ -17,6 +17,12 @@ struct Interrupted : std::runtime_error {
 struct Interruption {
     bool asked() const { return false; }
     static const Interruption* ofScript() { return nullptr; }
+    static Interruption* ofThisThread() { return nullptr; }
+    struct Region {
+        enum Kind { Native };
+        Region(Interruption*, Kind) {}
+        ~Region() {}
+    };
     static constexpr std::int64_t kLook = 1;
 };
 
