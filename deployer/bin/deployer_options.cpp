@@ -81,13 +81,12 @@ int logLevelOf(const std::string& name) {
     return -1;
 }
 
-bool isScript(const std::string& word) {
-    for (const char* suffix : {".xml", ".cpf", ".osd", ".ops", ".lua"})
-        if (word.find(suffix) != std::string::npos) return true;
-    return false;
-}
-
 const std::vector<std::string> kFileKinds = {"xml", "cpf", "ops", "osd", "lua"};
+
+bool isScript(const std::string& word) {
+    return std::any_of(kFileKinds.begin(), kFileKinds.end(),
+                       [&](const std::string& kind) { return word.find('.' + kind) != std::string::npos; });
+}
 
 /** True for what people do not call a component, but a file. */
 bool looksLikeFile(const std::string& word) {
