@@ -7,6 +7,7 @@
 #include "explain.hpp"
 #include "real_time_check.hpp"
 #include "real_time_memory.hpp"
+#include "script_end.hpp"
 
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
@@ -81,10 +82,14 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
         }
         std::snprintf(
             endNotice, sizeof endNotice,
-            "%.400s: a signal came that ends the program, after the present step; a second one ends it at once\n",
+            "%.380s: a signal came that ends the program, after the present step; a script is stopped after two "
+            "seconds, and a second signal ends all at once\n",
             file.c_str());
         ending.atFirst(&tellOfEnd);
-        const bool good = deployFile(deployer, file, options);
+        const bool good = [&] {
+            const ScriptEnd end(ending);
+            return deployFile(deployer, file, options);
+        }();
         ending.atFirst(nullptr);
         all = good && all;
         if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files

@@ -167,6 +167,35 @@ TEST_F(DeployerCheck, WhatASignalEndsIsStoppedInOrder) {
     EXPECT_EQ("c: created\nc: started\nc: stopped\nc: cleaned up\nc: deleted\n", outcome.out);
 }
 
+TEST_F(DeployerCheck, AScriptThatDoesNotEndIsInterruptedSomeTimeAfterASignal) {
+    directory_.write("loop.ops",
+                     "import(\"deploytest\")\nloadComponent(\"c\", \"deploytest::Consumer\")\nc.start()\n"
+                     "while (true) { c.isRunning() }\n");
+    directory_.write("app.xml", R"(<properties>
+  <simple name="Import" type="string"><value>deploytest</value></simple>
+  <struct name="one" type="deploytest::Consumer">
+    <struct name="Peers" type="PropertyBag"><simple type="string"><value>Deployer</value></simple></struct>
+    <simple name="RunScript" type="string"><value>one.ops</value></simple>
+  </struct>
+</properties>
+)");
+    directory_.write("one.ops",
+                     "Deployer.loadComponent(\"c\", \"deploytest::Consumer\")\nDeployer.c.start()\n"
+                     "while (true) { Deployer.c.isRunning() }\n");
+    for (const auto& [file, place] : {std::pair("loop.ops", "loop.ops:4:"), std::pair("app.xml", "one.ops:3:")}) {
+        ChildProcess deployer(lasting({"-s", file, "-s", "next.xml"}));
+        EXPECT_TRUE(deployer.waitForOutput("c: started", std::chrono::seconds(20)));
+        deployer.send(SIGINT);
+        const Outcome outcome = deployer.finish();
+        EXPECT_FALSE(outcome.timedOut);
+        EXPECT_EQ(255, outcome.status);
+        EXPECT_THAT(outcome.err, HasSubstr(place));
+        EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+        EXPECT_THAT(outcome.err, Not(HasSubstr("next.xml: error: no")));
+        EXPECT_THAT(outcome.out, HasSubstr("c: stopped\nc: cleaned up\nc: deleted\n"));
+    }
+}
+
 TEST_F(DeployerCheck, ASecondSignalEndsAScriptThatDoesNotEnd) {
     directory_.write("loop.ops",
                      "import(\"deploytest\")\nloadComponent(\"c\", \"deploytest::Consumer\")\nc.start()\n"
