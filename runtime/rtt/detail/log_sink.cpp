@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <iostream>
 #include <pthread.h>
@@ -84,7 +85,7 @@ void LogSink::readEnvironment() {
     const char* const text = std::getenv("ORO_LOGLEVEL");
     levelGiven_ = false;
     problem_.clear();
-    if (!text) return;
+    if (!text || !*text) return;
     char* end = nullptr;
     errno = 0;
     const long number = std::strtol(text, &end, 10);
@@ -101,8 +102,14 @@ void LogSink::readEnvironment() {
 
 void LogSink::openFile() {
     const char* const name = std::getenv("ORO_LOGFILE");
-    // Logging that starts again must not delete what was logged before. Not openable: no file, and no message about it.
-    file_.open(name && *name ? name : "orocos.log", fileUsed_);
+    const bool given = name && *name;
+    const char* const opened = given ? name : "orocos.log";
+    // Logging that starts again must not delete what was logged before.
+    fileProblem_.clear();
+    if (!file_.open(opened, fileUsed_))
+        fileProblem_ = std::string("no log file: '") + opened + "' cannot be written: " + std::strerror(errno);
+    // Who did not ask for one may be in a folder where nobody may write.
+    fileProblemLevel_ = given ? Warning : Info;
     fileUsed_ = true;
 }
 
@@ -112,6 +119,7 @@ void LogSink::announceStart() {
     else
         note(Info, levelGiven_ ? "log level taken from environment variable ORO_LOGLEVEL"
                                : "environment variable ORO_LOGLEVEL is not set");
+    if (!fileProblem_.empty()) note(fileProblemLevel_, fileProblem_);
     note(Info,
          "OROCOS version '" ORO_STRINGIFY(RTT_VERSION) "' compiled with " + compilerName() + ", running on GNU/Linux");
     note(Info, std::string("logging starts at level ") + levelTag(level()) + " (" + std::to_string(level()) + ")");

@@ -98,6 +98,8 @@ private:
     std::deque<std::string> recent_;
     std::string scratch_;
     std::string problem_;  // found in the environment
+    std::string fileProblem_;
+    LoggerLevel fileProblemLevel_ = Info;
     bool levelGiven_ = false;
 };
 

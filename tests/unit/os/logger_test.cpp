@@ -276,6 +276,12 @@ TEST(LogFile, BadLevelIsAnError) {
     EXPECT_THAT(p.outcome.err, HasSubstr("message 4"));
 }
 
+TEST(LogFile, EmptyVariablesAreNone) {
+    const Probe p(Environment{{"ORO_LOGLEVEL", ""}, {"ORO_LOGFILE", ""}});
+    EXPECT_THAT(p.outcome.err, Not(HasSubstr("Logger")));
+    EXPECT_THAT(p.file, HasSubstr("message 5"));
+}
+
 TEST(LogFile, NameComesFromTheEnvironment) {
     unsetenv("ORO_LOGLEVEL");
     const Probe p(Environment{{"ORO_LOGFILE", "other.log"}});
@@ -284,6 +290,9 @@ TEST(LogFile, NameComesFromTheEnvironment) {
     const Probe nowhere(Environment{{"ORO_LOGFILE", "no/such/folder.log"}});
     EXPECT_EQ(nowhere.outcome.status, 0);
     EXPECT_THAT(nowhere.outcome.err, HasSubstr("message 4"));
+    EXPECT_THAT(nowhere.outcome.err,
+                HasSubstr("[ Warning][Logger] no log file: 'no/such/folder.log' cannot be written: No such "
+                          "file or directory"));
 }
 
 TEST(LogFile, RealTimeLevelSilencesUnlessAllowed) {
