@@ -64,6 +64,11 @@ TEST_F(Names, EntriesOfBags) {
               "script.ops:1:5: error: [OPS123] type PropertyBag has no member 'iner'; did you mean 'inner'?\n");
 }
 
+TEST_F(Names, TheSizeOfASequenceByAnotherName) {
+    EXPECT_FALSE(run("var array a(3)\na[0] = a.length"));
+    EXPECT_EQ(messages(), "script.ops:2:10: error: [OPS123] type array has no member 'length'; did you mean 'size'?\n");
+}
+
 TEST_F(Names, VariablesHideAttributes) {
     ASSERT_TRUE(run("var double speed = 1.5\nspeed = speed * 2")) << messages();
     EXPECT_EQ(speed, 3);

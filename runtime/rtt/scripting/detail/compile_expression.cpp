@@ -35,6 +35,14 @@ constexpr Kind kindFor() {
     return std::is_same_v<T, float> ? Kind::Float : Kind::Double;
 }
 
+/** Which member was meant; sequences have their length by the name that C++ has for it. */
+std::string memberMeant(const std::string& name, const std::vector<std::string>& known) {
+    const std::string near = oroforge::diag::didYouMean(name, known);
+    const bool counts = name == "length" || name == "len" || name == "count";
+    const bool sized = std::find(known.begin(), known.end(), "size") != known.end();
+    return near.empty() && counts && sized ? "; did you mean 'size'?" : near;
+}
+
 }  // namespace
 
 Operand Unit::expression(const ast::Expression& expression) {
@@ -169,7 +177,7 @@ Operand Unit::member(const Operand& of, const ast::Identifier& name) {
         error(name.at, "OPS123",
               "member '" + name.text + "' of type " + typeName(of) + " has itself a type that no loaded typekit knows");
     error(name.at, "OPS123",
-          "type " + typeName(of) + " has no member '" + name.text + "'" + oroforge::diag::didYouMean(name.text, known));
+          "type " + typeName(of) + " has no member '" + name.text + "'" + memberMeant(name.text, known));
 }
 
 Operand Unit::element(const ast::Index& index, ast::Place at) {
