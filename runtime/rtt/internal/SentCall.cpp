@@ -14,6 +14,7 @@
 #include <rtt/os/fosi.h>
 
 #include <exception>
+#include <optional>
 
 namespace RTT {
 
@@ -37,6 +38,8 @@ void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
     waiting_ = own ? own : caller->gate().get();
 }
 
+void SentCall::setProvider(const boost::intrusive_ptr<const EngineGate>& provider) { provider_ = provider; }
+
 void SentCall::finish(State state) {
     // After the state is stored the caller may be gone, with its engine; the gate, and this, are ours until deref().
     if (state_.exchange(state) & kParked) os::detail::futexWakeAll(state_);
@@ -47,6 +50,9 @@ void SentCall::finish(State state) {
 void SentCall::executeAndDispose() {
     // Not what the script of this thread called: it serves others while it waits.
     const Interruption::Region foreign(Interruption::ofThisThread(), Interruption::Region::Native);
+    const boost::intrusive_ptr<const EngineGate> provider = provider_;
+    std::optional<EngineGate::Visit> visit;
+    if (provider && !visit.emplace(*provider).engine()) return dispose();
     try {
         run();
     } catch (const std::exception& e) {
@@ -168,6 +174,7 @@ bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
     const internal::EngineGate& gate =
         thread_ == OwnThread && owner_ ? *owner_ : *internal::GlobalEngine::Instance()->gate();
     call.setEngines(caller_, gate.engine());
+    if (owner_ && owner_.get() != &gate) call.setProvider(owner_);
     call.ref();  // the queue's
     if (ExecutionEngine::process(gate, &call)) return true;
     call.dispose();

@@ -52,6 +52,10 @@ public:
     /** The engine of the component that collects, null if none, and the one that executes. */
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
+    /** The component whose function this is, if the engine of another executes it: not after it was destroyed. Such a call is
+        disposed, and while one is executed, the component is not destroyed. */
+    void setProvider(const boost::intrusive_ptr<const EngineGate>& provider);
+
     /** This call is executed by somebody else. */
     void collectFrom(std::unique_ptr<RemoteCollect> remote);
 
@@ -97,6 +101,7 @@ private:
     std::unique_ptr<std::string> error_;  // set before the state says so
     std::unique_ptr<RemoteCollect> remote_;
     boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
+    boost::intrusive_ptr<const EngineGate> provider_;
 };
 
 inline void intrusive_ptr_add_ref(SentCall* call) { call->ref(); }

@@ -89,6 +89,65 @@ TEST(GlobalEngine, IsNotReleasedByItsOwnThread) {
     EXPECT_EQ(op.send().collect(), SendSuccess);
 }
 
+// A function without a thread of its own, sent and not collected: the GlobalEngine comes to it when it can.
+TEST(GlobalEngine, DoesNotExecuteForAComponentThatWasDestroyed) {
+    Probe other("other");
+    std::atomic<bool> inside{false}, go{false}, executed{false};
+    other.addOperation("slow", [&] {
+        inside = true;
+        eventually([&] { return go.load(); });
+    });
+    auto gone = std::make_unique<Probe>("gone");
+    gone->addOperation("op", [&] { executed = true; });
+    OperationCaller<void()> slow(other.getOperation("slow"), GlobalEngine::Instance());
+    OperationCaller<void()> op(gone->getOperation("op"), GlobalEngine::Instance());
+    SendHandle<void()> first = slow.send();
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    SendHandle<void()> second = op.send();
+    gone.reset();
+    go = true;
+    EXPECT_EQ(first.collect(), SendSuccess);
+    EXPECT_EQ(second.collect(), SendFailure);
+    EXPECT_FALSE(executed);
+}
+
+TEST(GlobalEngine, KeepsAComponentWhoseFunctionItExecutes) {
+    auto component = std::make_unique<Probe>();
+    std::atomic<bool> inside{false}, go{false}, destroyed{false};
+    component->addOperation("op", [&] {
+        inside = true;
+        eventually([&] { return go.load(); });
+        return destroyed.load();
+    });
+    SendHandle<bool()> handle = OperationCaller<bool()>(component->getOperation("op"), GlobalEngine::Instance()).send();
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    std::thread destroying([&] {
+        component.reset();
+        destroyed = true;
+    });
+    usleep(20000);  // it is at it
+    go = true;
+    bool early = true;
+    EXPECT_EQ(handle.collect(early), SendSuccess);
+    destroying.join();
+    EXPECT_FALSE(early);
+}
+
+TEST(GlobalEngine, DestroysAComponentFromItsFunction) {
+    auto component = std::make_unique<Probe>();
+    component->addOperation("op", [&] { component.reset(); });
+    OperationCaller<void()> op(component->getOperation("op"), GlobalEngine::Instance());
+    EXPECT_EQ(op.send().collect(), SendSuccess);
+    EXPECT_FALSE(component);
+}
+
+TEST(GlobalEngineStress, SentAndForgotten) {
+    for (int i = 0; i != 500; ++i) {
+        Probe c;
+        OperationCaller<bool()>(c.getOperation("isRunning"), GlobalEngine::Instance()).send();
+    }
+}
+
 TEST(GlobalEngineStress, ReleaseWhileOthersSend) {
     Probe c;
     std::atomic<long> executed{0};
