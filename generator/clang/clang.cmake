@@ -72,5 +72,6 @@ target_compile_definitions(oroforge_gen_clang PRIVATE OROFORGE_CLANG_RESOURCE_DI
 # Debian's LLVM is built without run-time type information, and classes here derive from its classes.
 # GCC 12 sees null pointers in clang's inline functions where there are none.
 target_compile_options(oroforge_gen_clang PRIVATE -fno-rtti $<$<CXX_COMPILER_ID:GNU>:-Wno-nonnull>)
-target_precompile_headers(oroforge_gen_clang PRIVATE ${CMAKE_CURRENT_LIST_DIR}/llvm_compat.hpp)
+# By a name without the folder of this clone, so that ccache has it for all.
+target_precompile_headers(oroforge_gen_clang PRIVATE <clang/llvm_compat.hpp>)
 target_link_libraries(oroforge_gen_clang PUBLIC oroforge_gen_types oroforge_gen_adapters oroforge_diag PRIVATE clang-cpp LLVM)
