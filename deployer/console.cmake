@@ -27,6 +27,7 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/screen.cpp
   console/scripted.cpp
   console/table.cpp
+  console/terminal_signals.cpp
   console/theme.cpp
   console/value_table.cpp
   console/value_text.cpp

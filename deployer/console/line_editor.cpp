@@ -7,15 +7,13 @@
 #include "kept_terminal.hpp"
 #include "output_above.hpp"
 #include "table.hpp"
+#include "terminal_signals.hpp"
 
 #include <histedit.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <clocale>
-#include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <cwchar>
@@ -39,20 +37,6 @@ constexpr int kRemembered = 1000;
 constexpr int kPauseOfOutput = 10;
 // Milliseconds within which the other letters of a key come.
 constexpr int kPauseOfKeys = 20;
-
-std::atomic<int> resized{0}, resumed{0}, wakes{-1};
-
-/** May come to any thread: the one that waits is woken. */
-void onSignal(int signal) {
-    const int kept = errno;
-    (signal == SIGWINCH ? resized : resumed) = 1;
-    const std::uint64_t one = 1;
-    const int descriptor = wakes;
-    if (descriptor >= 0 && write(descriptor, &one, sizeof one) < 0) {
-        // It is awake then.
-    }
-    errno = kept;
-}
 
 constexpr const char* kPasteBegins = "\\e[200~";
 constexpr wchar_t kPasteEnds[] = L"\033[201~";
@@ -129,12 +113,12 @@ struct LineEditor::Impl {
     ::History* remembered;
     const bool erases;
     OutputAbove above;
+    TerminalSignals signals;
     std::string prompt;                   // with kEscape
     std::string shownPrompt;              // without
     bool dropped = false, ended = false;  // of the present line
     bool searching = false;               // in the history, since Ctrl-R
     std::deque<wchar_t> pasted;           // not yet taken
-    struct sigaction previousResize = {}, previousResume = {};
 };
 
 LineEditor::Impl::Impl(History& history, Complete completion, int ends)
@@ -144,7 +128,8 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
       edit(el_init("console", stdin, stdout, stderr)),
       remembered(history_init()),
       erases(canErase(edit)),
-      above(erases) {
+      above(erases),
+      signals(above.descriptor()) {
     // Letters beyond ASCII are read and drawn as the user's terminal has them.
     const auto hasNone = [] { return std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0; };
     if (hasNone()) std::setlocale(LC_CTYPE, "");
@@ -159,18 +144,9 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
     bindKeys();
     // While commands are executed, too: keys would stand in what those write, and in the row of the next prompt.
     el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
-    wakes = above.descriptor();
-    struct sigaction action = {};
-    action.sa_handler = onSignal;
-    action.sa_flags = SA_RESTART;  // whatever a command or a component waits for
-    sigaction(SIGWINCH, &action, &previousResize);
-    sigaction(SIGCONT, &action, &previousResume);
 }
 
 LineEditor::Impl::~Impl() {
-    sigaction(SIGWINCH, &previousResize, nullptr);
-    sigaction(SIGCONT, &previousResume, nullptr);
-    wakes = -1;
     el_set(edit, EL_EDITMODE, 0);  // it would forget what was typed meanwhile; `kept` puts the terminal back
     el_end(edit);
     history_end(remembered);
@@ -281,7 +257,7 @@ Wake LineEditor::Impl::waitForKey() {
                                  : waitForInput(STDIN_FILENO, endsOn, -1, kPauseOfOutput);
         shown = above.lock();
         if (woken == Wake::End) return woken;
-        if (resized || resumed || (!shown && woken != Wake::Other)) {
+        if (signals.any() || (!shown && woken != Wake::Other)) {
             drawAnew(shown);
             shown = true;
         }
@@ -291,8 +267,7 @@ Wake LineEditor::Impl::waitForKey() {
 
 /** Because it is not on the screen any more, or not as it was. */
 void LineEditor::Impl::drawAnew(bool shown) {
-    if (resumed) {
-        resumed = 0;
+    if (signals.takeResumed()) {
         // The terminal may be as another program has left it, and the cursor where that one has written.
         el_set(edit, EL_PREP_TERM, 0);
         prepareTerminal();
@@ -301,10 +276,7 @@ void LineEditor::Impl::drawAnew(bool shown) {
     } else if (shown) {
         above.erase(rowsAbove());  // most terminals have wrapped it
     }
-    if (resized) {
-        resized = 0;
-        el_resize(edit);
-    }
+    if (signals.takeResized()) el_resize(edit);
     draw();
 }
 
@@ -367,10 +339,7 @@ LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& lin
     impl.prompt = marked(prompt);
     impl.shownPrompt = prompt;
     impl.dropped = impl.ended = impl.searching = false;
-    if (resized) {
-        resized = 0;
-        el_resize(impl.edit);
-    }
+    if (impl.signals.takeResized()) el_resize(impl.edit);
     impl.prepareTerminal();
     forgetInterrupts();  // from now on Ctrl-C is a key, and a signal again once the line is there
     impl.above.lock();
