@@ -86,10 +86,7 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
             "seconds, and a second signal ends all at once\n",
             file.c_str());
         ending.atFirst(&tellOfEnd);
-        const bool good = [&] {
-            const ScriptEnd end(ending);
-            return deployFile(deployer, file, options);
-        }();
+        const bool good = deployFile(deployer, file, options);
         ending.atFirst(nullptr);
         all = good && all;
         if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
@@ -110,12 +107,14 @@ int deploy(const Options& options, Stay stay) {
     // Caught from now on, so that a signal during start-up ends the program in order as well.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    std::optional<ScriptEnd> scriptEnd(std::in_place, *ending);
     using Purpose = DeploymentComponent::Purpose;
     DeploymentComponent deployer(options.name, options.siteFile,
                                  options.dryRun  ? Purpose::PlanOnly
                                  : options.check ? Purpose::Check
                                                  : Purpose::Deploy);
     const bool deployed = deployFiles(deployer, *ending, options) && writeGraph(deployer, options.graphFile);
+    scriptEnd.reset();  // those of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {
         succeeded = stay(deployer, *ending, options, deployed) && deployed;

@@ -182,8 +182,10 @@ TEST_F(DeployerCheck, AScriptThatDoesNotEndIsInterruptedSomeTimeAfterASignal) {
     directory_.write("one.ops",
                      "Deployer.loadComponent(\"c\", \"deploytest::Consumer\")\nDeployer.c.start()\n"
                      "while (true) { Deployer.c.isRunning() }\n");
-    for (const auto& [file, place] : {std::pair("loop.ops", "loop.ops:4:"), std::pair("app.xml", "one.ops:3:")}) {
-        ChildProcess deployer(lasting({"-s", file, "-s", "next.xml"}));
+    const std::pair<const char*, const char*> cases[] = {
+        {"-sloop.ops", "loop.ops:4:"}, {"-sapp.xml", "one.ops:3:"}, {"--site-file=app.xml", "one.ops:3:"}};
+    for (const auto& [file, place] : cases) {
+        ChildProcess deployer(lasting({file, "-s", "next.xml"}));
         EXPECT_TRUE(deployer.waitForOutput("c: started", std::chrono::seconds(20)));
         deployer.send(SIGINT);
         const Outcome outcome = deployer.finish();
