@@ -9,7 +9,7 @@ import re
 import sys
 
 LINES = 30
-RESULT = re.compile(r" *\d+/\d+ +Test +#\d+: (\S+) \.*(.*)")
+RESULT = re.compile(r" *\d+/\d+ +Test +#\d+: (.*?) \.\.+ *(.*)")
 NEXT = re.compile(r" +Start +\d+: |\d+% tests passed|$")
 
 
@@ -21,7 +21,7 @@ def failed_tests(lines):
         result = RESULT.match(line)
         if result:
             output = None
-            if "***" in result[2]:
+            if "***" in result[2] and "***Skipped" not in result[2]:
                 output = []
                 failures.append((f"{result[1]} {result[2].lstrip('*')}", output))
         elif output is not None:
@@ -29,7 +29,7 @@ def failed_tests(lines):
                 output = None
             else:
                 output.append(line)
-    return [(name, output) for name, output in failures if not name.split(" ", 1)[1].startswith("Skipped")]
+    return failures
 
 
 def report(log):

@@ -13,7 +13,7 @@ TESTS = """        Start   1: console.program
         Start   2: flow_test.Ports.Connect
 1/4 Test   #2: flow_test.Ports.Connect ........................................................   Passed    0.02 sec
         Start   3: flow_test.Ports.Skipped
-2/4 Test   #3: flow_test.Ports.Skipped ........................................................***Skipped   0.02 sec
+2/4 Test   #3: flow_test.Ports.Skipped  # GetParam() = LOCKED DATA ........................................................***Skipped   0.02 sec
 no privilege
         Start   4: flow_test.Ports.Crash
 3/4 Test   #1: console.program ................................................................***Failed   20.13 sec
