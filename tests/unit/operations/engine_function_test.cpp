@@ -200,9 +200,9 @@ TEST(EngineFunctions, RemovingWhileTheActivityIsStoppedExecutesNothing) {
 }
 
 TEST(EngineFunctions, RemovingEndsThoughTheActivityStopsMeanwhile) {
+    Note busy([&] { usleep(30000); });  // may be queued until the component ends
     Probe probe;
     Steps function([] { return true; });
-    Note busy([&] { usleep(30000); });
     ASSERT_TRUE(probe.engine()->runFunction(&function));
     ASSERT_TRUE(probe.engine()->process(&busy));
     std::thread stopper([&] { probe.getActivity()->stop(); });
