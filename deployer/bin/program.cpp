@@ -82,7 +82,7 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
         }
         std::snprintf(
             endNotice, sizeof endNotice,
-            "%.380s: a signal came that ends the program, after the present step; a script is stopped after two "
+            "%.360s: a signal came that ends the program, after the present step; a script is stopped after two "
             "seconds, and a second signal ends all at once\n",
             file.c_str());
         ending.atFirst(&tellOfEnd);
