@@ -134,7 +134,7 @@ def measure(build):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/release")
+    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/dev")
     parser.add_argument("--table", action="store_true", help="a table instead of JSON")
     options = parser.parse_args()
     results = list(measure(options.build))

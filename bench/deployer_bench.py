@@ -88,7 +88,7 @@ def measure(build, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/release")
+    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/dev")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         results = list(measure(options.build, pathlib.Path(folder)))

@@ -97,7 +97,7 @@ def measure(typegen):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=pathlib.Path, nargs="?", help="build folder, for example build/release")
+    parser.add_argument("build", type=pathlib.Path, nargs="?", help="build folder, for example build/dev")
     parser.add_argument("--header", type=int, metavar="N", help="print a header with N structs")
     parser.add_argument("--table", action="store_true", help="a table instead of JSON")
     options = parser.parse_args()

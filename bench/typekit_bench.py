@@ -127,7 +127,7 @@ def measure_many(build, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/release")
+    parser.add_argument("build", type=pathlib.Path, help="build folder, for example build/dev")
     options = parser.parse_args()
     if not (options.build / "bin/typegen").exists():
         sys.exit(f"typekit_bench: error: no program {options.build / 'bin/typegen'}; build it first")

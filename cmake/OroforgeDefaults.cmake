@@ -12,20 +12,32 @@ endif()
 
 add_compile_options(-Wall -Wextra)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # STB_GNU_UNIQUE symbols would pin every plugin in memory for ever.
+  # STB_GNU_UNIQUE symbols would pin every plugin in memory for ever. Clang makes none.
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fno-gnu-unique>)
+else()
+  # A precompiled header that holds the time of its making is another one in every clone, so ccache would find nothing.
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
-add_link_options(-Wl,-z,defs)
 
 set(OROFORGE_SANITIZE "" CACHE STRING "address | thread | undefined, or a list joined by commas")
 if(OROFORGE_SANITIZE)
   add_compile_options(-fsanitize=${OROFORGE_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${OROFORGE_SANITIZE})
+  # GCC's names for what Clang 19 offers as features only.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    string(REGEX MATCH "address|thread" kind ${OROFORGE_SANITIZE})
+    string(TOUPPER "__SANITIZE_${kind}__" macro)
+    add_compile_definitions(${macro}=1)
+  endif()
   # `vptr` asks for the dynamic type, which classes compiled without run-time type information, as LLVM's users are, do not
   # tell; the inline functions that they share with others would ask all the same. The runtime turns it on for itself.
   if(OROFORGE_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize=vptr)
   endif()
+endif()
+# Clang links its sanitizers to programs, where the libraries find them when they are loaded.
+if(NOT OROFORGE_SANITIZE OR CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_link_options(-Wl,-z,defs)
 endif()
 
 # One layout for the build tree and the install tree, so that programs run from either.

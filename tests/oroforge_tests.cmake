@@ -10,10 +10,15 @@
 #   [TIMEOUT <seconds>]      for each test case, default 60
 #   [PREFIX <text>]          before each test name; default "<name>."
 #   [NO_MAIN]                the sources bring their own main()
+#   [OWN_HEADERS]            without a precompiled header: the test is about what includes bring
 #   [SERIAL])                never beside another test (timing, memory limits)
 #
-# oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [SERIAL])
-#   a test that is a command; default label unit, default time limit 120 s.
+# oroforge_add_script_test(<name> COMMAND <word>… [LABELS …] [DEPENDS <target>…] [ENVIRONMENT …] [TIMEOUT s] [PARALLEL] [SERIAL])
+#   a test that is a command; default label unit, default time limit 120 s. PARALLEL: it keeps two processors busy.
+#
+# oroforge_add_user_test(<name> COMMAND <word>… [LABELS <label>…] [TIMEOUT s] [PARALLEL])
+#   a script that builds packages with the installed toolchain, <build>/tests/prefix; default label build, default time
+#   limit 300 s. PARALLEL: it compiles with two processes. Packages are compiled as cheaply as their own files allow.
 #
 # Tests are not part of `all`: target `tests` builds every one of them, `tests-<label>` those with that label,
 # each together with the plugins and libraries that its folder defines.
@@ -40,7 +45,7 @@ function(_oroforge_collect_test labels)
 endfunction()
 
 function(oroforge_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;SERIAL" "TIMEOUT;PREFIX"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_MAIN;OWN_HEADERS;SERIAL" "TIMEOUT;PREFIX"
     "SOURCES;LABELS;LIBS;INCLUDES;DEFINITIONS;DEPENDS;ENVIRONMENT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
@@ -66,6 +71,17 @@ function(oroforge_add_test name)
   else()
     target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock GTest::gtest GTest::gtest_main)
   endif()
+  if(NOT arg_OWN_HEADERS)
+    set(headers plain)
+    if("${arg_LIBS}" MATCHES "(^|;)(orocos|rtt)-")
+      set(headers runtime)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM oroforge_test_headers_${headers})
+    # Sources of the toolchain that a test takes are compiled as they are elsewhere.
+    set(others ${arg_SOURCES})
+    list(FILTER others INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/(runtime|deployer|generator|typekit_gen)/")
+    set_source_files_properties(${others} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  endif()
   if(arg_DEPENDS)
     add_dependencies(${name} ${arg_DEPENDS})
   endif()
@@ -84,7 +100,7 @@ endif()
 endfunction()
 
 function(oroforge_add_script_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "TIMEOUT" "COMMAND;LABELS;ENVIRONMENT;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL;SERIAL" "TIMEOUT" "COMMAND;LABELS;ENVIRONMENT;DEPENDS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "oroforge_add_script_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -98,7 +114,36 @@ function(oroforge_add_script_test name)
   add_test(NAME ${name} COMMAND ${arg_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
     ENVIRONMENT "${arg_ENVIRONMENT}")
+  if(arg_PARALLEL)
+    set_tests_properties(${name} PROPERTIES PROCESSORS 2)
+  endif()
   if(arg_SERIAL)
     set_tests_properties(${name} PROPERTIES RUN_SERIAL TRUE)
+  endif()
+endfunction()
+
+function(oroforge_add_user_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL" "TIMEOUT" "COMMAND;LABELS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "oroforge_add_user_test(${name}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_LABELS)
+    set(arg_LABELS build)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  # ccache knows a package again only if its folder and the toolchain lie in the same way below CCACHE_BASEDIR (./dev).
+  set(folder ${PROJECT_BINARY_DIR}/tests/tmp)
+  file(MAKE_DIRECTORY ${folder})
+  set(environment TMPDIR=${folder} CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Debug)
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    list(APPEND environment CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER})
+  endif()
+  add_test(NAME ${name} COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED toolchain LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
+    ENVIRONMENT "${environment}")
+  if(arg_PARALLEL)
+    set_tests_properties(${name} PROPERTIES PROCESSORS 2)
   endif()
 endfunction()

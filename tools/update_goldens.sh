@@ -9,7 +9,6 @@ if [ -n "${CI:-}" ]; then
   echo "update_goldens.sh: error: CI is set; goldens are never rewritten there" >&2
   exit 2
 fi
-./dev build
-cmake --build build/dev --target tests-golden
+./dev build tests-golden
 UPDATE_GOLDENS=1 ctest --test-dir build/dev --output-on-failure --no-tests=error -L golden ${1:+-R "$1"}
 git --no-pager diff --stat -- tests/golden

@@ -10,68 +10,51 @@ set_target_properties(clang-cpp LLVM PROPERTIES IMPORTED_GLOBAL TRUE)
 set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
-add_library(oroforge_gen_clang STATIC
-  ${CMAKE_CURRENT_LIST_DIR}/accessor_check.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/adapter_match.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/attributes.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/check_headers.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/check_type.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/classify.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/classify_standard.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/collect_fields.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/conditional_watch.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/component_reader.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/constant_text.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/cpp_type_text.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/describe_adapted.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/describe_component.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/describe_constructors.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/describe_type.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnostic_bridge.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/doc_comment.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/field_forms.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/find_accessors.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/find_components.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/find_roots.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/fix_it.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/function_spans.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_calls.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_containers.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_interface.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_late.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_library.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_memory.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_objects.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_result.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_services.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_statements.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_texts.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/follow_values.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/header_edit.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/header_needs.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/hidden_fields.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/include_watch.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/lean_library.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/needed_files.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/registrations.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/parse_files.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/rejection.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/resource_dir.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/side_notes.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/sound_types.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/source_run.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/source_places.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/toolchain_flags.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/type_names.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/type_reader.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/typekit_headers.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/user_class.cpp)
-target_include_directories(oroforge_gen_clang SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
-target_include_directories(oroforge_gen_clang PUBLIC ${PROJECT_SOURCE_DIR}/generator)
-target_compile_definitions(oroforge_gen_clang PRIVATE OROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")
-# Debian's LLVM is built without run-time type information, and classes here derive from its classes.
-# GCC 12 sees null pointers in clang's inline functions where there are none.
-target_compile_options(oroforge_gen_clang PRIVATE -fno-rtti $<$<CXX_COMPILER_ID:GNU>:-Wno-nonnull>)
-# By a name without the folder of this clone, so that ccache has it for all.
-target_precompile_headers(oroforge_gen_clang PRIVATE <clang/llvm_compat.hpp>)
-target_link_libraries(oroforge_gen_clang PUBLIC oroforge_gen_types oroforge_gen_adapters oroforge_diag PRIVATE clang-cpp LLVM)
+# Clang's headers take longer to parse than a file here to compile: the files of one subject are one translation unit, and
+# so share their unnamed namespace. It is not UNITY_BUILD, whose files name the folder of the clone, so that another clone
+# would find nothing in ccache.
+option(OROFORGE_UNITS_BY_SUBJECT "Compile all files of one subject in generator/clang as one" ON)
+function(oroforge_clang_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SUBJECTS;LIBS")
+  add_library(${name} STATIC)
+  foreach(subject ${arg_SUBJECTS})
+    list(TRANSFORM ${subject} APPEND .cpp OUTPUT_VARIABLE files)
+    list(TRANSFORM files PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/ OUTPUT_VARIABLE sources)
+    if(OROFORGE_UNITS_BY_SUBJECT)
+      set_source_files_properties(${sources} PROPERTIES HEADER_FILE_ONLY TRUE)
+      list(TRANSFORM files REPLACE "(.+)" "#include <clang/\\1>\n" OUTPUT_VARIABLE lines)
+      list(JOIN lines "" text)
+      set(unit ${CMAKE_CURRENT_BINARY_DIR}/clang_${subject}.cpp)
+      file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
+      list(APPEND sources ${unit})
+    endif()
+    target_sources(${name} PRIVATE ${sources})
+  endforeach()
+  target_include_directories(${name} SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/generator)
+  target_compile_definitions(${name} PRIVATE OROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")
+  # Debian's LLVM is built without run-time type information, and classes here derive from its classes.
+  # GCC 12 sees null pointers in clang's inline functions where there are none.
+  target_compile_options(${name} PRIVATE -fno-rtti $<$<CXX_COMPILER_ID:GNU>:-Wno-nonnull>)
+  target_link_libraries(${name} PUBLIC ${arg_LIBS} PRIVATE clang-cpp LLVM)
+endfunction()
+
+# What typegen needs: files are read, types described.
+set(reading
+  check_headers diagnostic_bridge fix_it header_edit header_needs include_watch lean_library needed_files
+  parse_files rejection resource_dir side_notes source_places toolchain_flags typekit_headers)
+set(types
+  accessor_check adapter_match attributes check_type classify classify_standard collect_fields constant_text
+  cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_forms find_accessors
+  find_roots hidden_fields sound_types type_names type_reader)
+oroforge_clang_library(oroforge_gen_clang SUBJECTS reading types
+  LIBS oroforge_gen_types oroforge_gen_adapters oroforge_diag)
+
+# What orocreate-pkg needs besides: components found in sources, and followed through their code.
+set(components
+  component_reader conditional_watch describe_component find_components function_spans registrations source_run
+  user_class)
+set(following
+  follow_calls follow_containers follow_interface follow_late follow_library follow_memory follow_objects
+  follow_result follow_services follow_statements follow_texts follow_values)
+oroforge_clang_library(oroforge_gen_describe SUBJECTS components following LIBS oroforge_gen_clang)

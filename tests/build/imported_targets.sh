@@ -118,6 +118,7 @@ PKG_CONFIG_PATH=$work/moved/lib/pkgconfig cmake b3 > b3.log
 expect_text b3.log "uses Arm-kit::arm-support;"
 
 # Without automatic linking a target has what it names.
+rm -rf b3
 build_package hand b3 inst3 -G "Unix Makefiles" -DCMAKE_PREFIX_PATH="$prefix;$work/moved" -DOROCOS_NO_AUTO_LINKING=ON
 ! grep -q libarm-archive b3/CMakeFiles/hand.dir/link.txt || fail "a library was linked that nobody named"
 grep -q libarm-gnulinux b3/CMakeFiles/hand.dir/link.txt || fail "a library that was named was not linked"

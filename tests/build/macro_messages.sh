@@ -12,7 +12,7 @@ calls() { # text after the macros are there
 }
 configure() {
   local status=0
-  cmake -S pkg -B b -Wno-dev -DCMAKE_PREFIX_PATH="$prefix" > b.log 2>&1 || status=$?
+  cmake -S pkg -B b -Wno-dev -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$prefix" > b.log 2>&1 || status=$?
   tr -s ' \n' ' ' < b.log > b.line
   return $status
 }
@@ -86,7 +86,7 @@ orocos_component(arm one.cpp)
 target_link_libraries(arm late m)
 orocos_generate_package()'
 [ "$(grep -o 'in no package' b.line | wc -l)" = 1 ] || fail "told more than once"
-targets=b/package-config/pkg/orocos-targets.cmake
+targets=b/package-config/pkg/Debug/orocos-targets.cmake
 grep -q 'INTERFACE_LINK_LIBRARIES.*;m"' $targets || fail "the libraries of arm"
 ! grep 'LIBRARIES.*late' $targets || fail "users of arm are told to link what is not installed"
 printf '%s\n' 'subdirs(below)' 'orocos_typegen_headers(../one.hpp)' 'orocos_library(leg ../one.cpp)' 'orocos_generate_package()' > pkg/sub/CMakeLists.txt

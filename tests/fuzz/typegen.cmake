@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 # Included by CMakeLists.txt: typegen under libFuzzer, once what it reads besides C++, once all of it.
-if(NOT TARGET oroforge_typekit_gen)
+if(NOT TARGET oroforge_typekit_gen OR NOT OROFORGE_UNITS_BY_SUBJECT)
   return()
 endif()
 set(generator ${PROJECT_SOURCE_DIR}/generator)
@@ -10,24 +10,17 @@ file(GLOB parts CONFIGURE_DEPENDS ${generator}/adapters/*.cpp ${generator}/emit/
   ${generator}/model/*.cpp ${generator}/render/*.cpp ${generator}/report/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
   ${typekit_gen}/driver/*.cpp ${typekit_gen}/plan/*.cpp ${runtime}/diag/*.cpp)
 list(FILTER parts EXCLUDE REGEX "/driver/main.cpp$")
-file(GLOB clang_parts CONFIGURE_DEPENDS ${generator}/clang/*.cpp)
-# What reads components is no part of typegen.
-list(FILTER clang_parts EXCLUDE REGEX
-  "/(follow_|component_|describe_component|find_components|user_class|function_spans|registrations|conditional_watch|source_run)[a-z_]*.cpp$")
-list(APPEND clang_parts typegen/source_check.cpp)
+# What reads components is no part of typegen. Units as in generator/clang/clang.cmake.
+set(units ${PROJECT_BINARY_DIR}/generator)
+set(clang_parts ${units}/clang_reading.cpp ${units}/clang_types.cpp typegen/source_check.cpp)
 set(options -I${generator} -I${typekit_gen} -DOROFORGE_VERSION="fuzz")
-# As in generator/clang/clang.cmake: LLVM has no run-time type information, and its headers are read once.
+# LLVM has no run-time type information.
 get_target_property(clang_includes oroforge_gen_clang INCLUDE_DIRECTORIES)
 list(TRANSFORM clang_includes PREPEND -isystem)
 set(clang_options ${options} -fno-rtti ${clang_includes} -Wno-everything
   -DOROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/typegen)
-set(headers ${generator}/clang/llvm_compat.hpp)
-add_custom_command(OUTPUT ${prefix}.pch
-  COMMAND ${OROFORGE_FUZZ_COMPILER} ${fuzz_options} ${clang_options} -x c++-header ${headers} -o ${prefix}.pch
-  DEPENDS ${headers} COMMENT "Compiling the headers of clang for fuzzing" VERBATIM)
-oroforge_fuzz_objects(clang_objects ${prefix} OPTIONS ${clang_options} -include-pch ${prefix}.pch
-  DEPENDS ${prefix}.pch SOURCES ${clang_parts})
+oroforge_fuzz_objects(clang_objects ${prefix} OPTIONS ${clang_options} SOURCES ${clang_parts})
 oroforge_fuzz_objects(objects ${prefix} OPTIONS ${options} SOURCES ${parts} ${xml})
 add_custom_command(OUTPUT ${prefix}.a
   COMMAND ${CMAKE_COMMAND} -E rm -f ${prefix}.a

@@ -154,7 +154,7 @@ def try_one(number, seed, cases, typegen, compiler):
 def main():
     typegen, golden, compiler = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
     count, seed = int(os.environ.get("TYPEGEN_MUTANTS", "150")), int(os.environ.get("TYPEGEN_SEED", "1"))
-    kinds = ("model", "typekit", "typekit", "diagnostics_types")
+    kinds = ("model", "typekit", "typekit_view", "typekit", "typekit_view", "diagnostics_types")
     cases = sorted(args.parent for kind in kinds for args in golden.glob(kind + "/*/args")
                    if list(args.parent.rglob("*.hpp")))
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:

@@ -39,6 +39,19 @@ printf '#!/bin/sh\nprintf installed\n' > "$work/bin/dpkg-query"
 chmod +x "$work"/bin/*
 (cd "$work/here" && PATH=$work/bin:$PATH "$work/copy/dev" install out > /dev/null 2>&1)
 grep -q -- "--prefix $work/here/out\$" "$work/cmake.log" || { echo "install out: $(cat "$work/cmake.log")"; failed=1; }
+# It installs what any other verb has built, and does not configure the tests away.
+grep -q -- "--preset dev" "$work/cmake.log" || { echo "install does not use build/dev: $(cat "$work/cmake.log")"; failed=1; }
+! grep -q OROFORGE_BUILD_TESTS "$work/cmake.log" || { echo "install changes whether tests are built"; failed=1; }
+
+# A verb installs what it needs and no more: nothing of the tests for the demo. Nothing is installed on this machine.
+printf '#!/bin/sh\nexit 0\n' > "$work/bin/dpkg-query"
+printf '#!/bin/sh\necho "$0 $@"\n' > "$work/bin/apt-get"
+cp "$work/bin/apt-get" "$work/bin/apt-cache"
+printf '#!/bin/sh\n[ "$1" = env ] && shift && shift\n"$@"\n' > "$work/bin/sudo"
+chmod +x "$work"/bin/*
+needs() { PATH=$work/bin:$PATH "$work/copy/dev" setup "$@" 2>&1 | grep '^== installing'; }
+[[ $(needs) = *libtinyxml2-dev* && $(needs) != *gtest* && $(needs) != *benchmark* ]] || { echo "demo wants: $(needs)"; failed=1; }
+[[ $(needs tests) = *libtinyxml2-dev*libgtest-dev* && $(needs tests) != *lintian* ]] || { echo "tests want: $(needs tests)"; failed=1; }
 
 for script in "$source/dev" "$source/.ci/run" "$source"/tools/*.sh "$source"/examples/*/run; do
   expect "" 0 bash -n "$script"

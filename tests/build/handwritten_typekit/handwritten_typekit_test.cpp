@@ -25,7 +25,7 @@ namespace {
 void loadPlugin(const char* file) {
     void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     ASSERT_NE(nullptr, library) << dlerror();
-    using Load = bool(void*);
+    using Load = bool(RTT::TaskContext*);
     auto* load = reinterpret_cast<Load*>(dlsym(library, "loadRTTPlugin"));
     ASSERT_NE(nullptr, load);
     ASSERT_TRUE(load(nullptr));

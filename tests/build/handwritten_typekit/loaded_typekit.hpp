@@ -24,7 +24,7 @@ protected:
         WithBuiltinTypes::SetUpTestSuite();
         void* library = dlopen(TYPEKIT_FILE, RTLD_NOW | RTLD_LOCAL);
         ASSERT_NE(nullptr, library) << dlerror();
-        auto* load = reinterpret_cast<bool (*)(void*)>(dlsym(library, "loadRTTPlugin"));
+        auto* load = reinterpret_cast<bool (*)(RTT::TaskContext*)>(dlsym(library, "loadRTTPlugin"));
         ASSERT_NE(nullptr, load);
         ASSERT_TRUE(load(nullptr));
     }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Runs of typegen with adapter files.
-#include <driver/typegen.hpp>
-
 #include <filesystem>
-#include <sstream>
 
 #include <adapters/accessor.hpp>
 #include <adapters/name_pattern.hpp>
 #include <adapters/read_adapters.hpp>
 #include <support/golden.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 #include <gtest/gtest.h>
@@ -19,17 +17,6 @@ using namespace oroforge;
 using namespace oroforge::test;
 
 namespace {
-
-struct Ran {
-    int status;
-    std::string out, err;
-};
-
-Ran typegen(const std::vector<std::string>& words) {
-    std::ostringstream out, err;
-    const int status = typekit::run(words, out, err);
-    return {status, out.str(), err.str()};
-}
 
 const char* const kHeader =
     "#pragma once\n"
@@ -54,7 +41,8 @@ TEST(AdaptersRun, AreInputsOfTheDepfile) {
     const TempDir dir;
     const auto header = dir.write("t.hpp", kHeader).string(), xml = dir.write("a.xml", file(kPose)).string();
     const std::string depfile = (dir / "d").string();
-    const Ran ran = typegen({"-o", (dir / "out").string(), "--depfile", depfile, "--adapters=" + xml, "demo", header});
+    const Ran ran =
+        runTypegen({"-o", (dir / "out").string(), "--depfile", depfile, "--adapters=" + xml, "demo", header});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(readFile(depfile).find(xml), std::string::npos);
 }
@@ -67,7 +55,7 @@ TEST(AdaptersRun, TheFirstFileThatFitsIsTaken) {
     const auto xml =
         dir.write("a.xml", file("<sequence class=\"KDL::Vector\" name=\"mine\" size=\"1\" element=\"[index]\"/>"))
             .string();
-    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
+    const Ran ran = runTypegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(ran.out.find("\"name\": \"mine\""), std::string::npos) << ran.out;
 }
@@ -77,7 +65,7 @@ TEST(AdaptersRun, AnAdapterThatIsNotUsedIsAWarning) {
     const auto header = dir.write("t.hpp", kHeader).string();
     const auto xml =
         dir.write("a.xml", file(kPose + "<struct class=\"Poze\"><member name=\"x\" get=\"y\"/></struct>")).string();
-    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header});
+    const Ran ran = runTypegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header});
     EXPECT_EQ(ran.status, 0);
     EXPECT_NE(ran.err.find("warning: [TK074] no class 'Poze' in the headers; did you mean 'Pose'?"), std::string::npos)
         << ran.err;
@@ -90,7 +78,7 @@ TEST(AdaptersRun, AnAdapterThatIsNotUsedIsNoWarningIfItsFileHasOthersThatAre) {
     const std::string other = "<struct class=\"other::Quaternion\"><member name=\"x\" get=\"y\"/></struct>";
     const auto run = [&](const std::string& text) {
         const auto xml = dir.write("a.xml", file(text)).string();
-        return typegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header}).err;
+        return runTypegen({"-o", (dir / "out").string(), "--adapters", xml, "demo", header}).err;
     };
     EXPECT_EQ(run(kPose + other), "");
     EXPECT_NE(run(other).find("warning: [TK074] no class 'other::Quaternion' in the headers"), std::string::npos);
@@ -104,7 +92,7 @@ TEST(AdaptersRun, AClassMayHaveVirtualFunctionsButNotAbstractOnes) {
         std::string text = kHeader;
         text.insert(text.find("private:"), "    " + function + "\n");
         const auto header = dir.write("t.hpp", text).string();
-        return typegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
+        return runTypegen({"-o", (dir / "out").string(), "--adapters", xml, "--dump=model", "demo", header});
     };
     EXPECT_EQ(run("virtual ~Pose() = default;").status, 0);
     EXPECT_NE(run("virtual void f() = 0;").err.find("[TK020] type 'Pose' has virtual functions"), std::string::npos);
@@ -115,7 +103,7 @@ TEST(AdaptersRun, AreProposedForClassesOfHeadersThatAreNotListed) {
     dir.write("library.h", "#pragma once\nstruct Blob { unsigned char* data; };\n");
     const auto header =
         dir.write("t.hpp", "#pragma once\n#include \"library.h\"\nstruct A { Blob blob; };\nstruct B { int* own; };\n");
-    const Ran ran = typegen({"-o", (dir / "out").string(), "demo", header.string()});
+    const Ran ran = runTypegen({"-o", (dir / "out").string(), "demo", header.string()});
     EXPECT_NE(ran.err.find("note: store the value itself, or a std::vector of values; if that header is not yours, an "
                            "adapter says how the class is seen (--adapters=FILE)\n"),
               std::string::npos)
@@ -162,7 +150,7 @@ TEST(AdaptersRun, AreNotSaidToBeUnusedBecauseOfAHeaderThatDoesNotCompile) {
     const auto good = dir.write("good.hpp", kHeader).string();
     const auto more = dir.write("more.hpp", "#pragma once\nstruct More {};\n").string();
     const auto xml = dir.write("a.xml", file(kPose)).string();
-    const Ran ran = typegen({"-o", (dir / "out").string(), "--adapters=" + xml, "demo", bad, good, more});
+    const Ran ran = runTypegen({"-o", (dir / "out").string(), "--adapters=" + xml, "demo", bad, good, more});
     EXPECT_EQ(ran.status, 1);
     EXPECT_EQ(ran.err.find("TK074"), std::string::npos) << ran.err;
 }
@@ -172,7 +160,7 @@ TEST(AdaptersRun, ListTheirTypesWhenAsked) {
     const auto header = dir.write("t.hpp", kHeader).string();
     const std::string list = "<sequence class=\"Pose\" size=\"1\" element=\"[index]\"/>";
     const auto xml = dir.write("a.xml", file(list)).string();
-    const Ran ran = typegen({"-v", "-o", (dir / "out").string(), "--adapters=" + xml, "demo", header});
+    const Ran ran = runTypegen({"-v", "-o", (dir / "out").string(), "--adapters=" + xml, "demo", header});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(ran.out.find("class /Pose\n"), std::string::npos) << ran.out;
 }

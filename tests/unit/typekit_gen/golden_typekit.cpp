@@ -5,14 +5,17 @@
 #include <dlfcn.h>
 
 #include <filesystem>
-#include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include <adapters/read_adapters.hpp>
 #include <clang/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <driver/options.hpp>
+#include <rtt/TaskContext.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
+#include <support/run_typegen.hpp>
 
 namespace fs = std::filesystem;
 
@@ -20,25 +23,24 @@ namespace oroforge::test {
 
 namespace {
 
-std::vector<std::string> wordsOf(const fs::path& dir) {
-    std::vector<std::string> words;
-    std::ifstream file(dir / "args");
-    for (std::string line; std::getline(file, line);) words.push_back(line);
-    return words;
-}
-
 void load(const std::string& file) {
     void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     ASSERT_NE(library, nullptr) << ::dlerror();
-    const auto loadPlugin = reinterpret_cast<bool (*)(void*)>(::dlsym(library, "loadRTTPlugin"));
+    const auto loadPlugin = reinterpret_cast<bool (*)(RTT::TaskContext*)>(::dlsym(library, "loadRTTPlugin"));
     ASSERT_NE(loadPlugin, nullptr);
     ASSERT_TRUE(loadPlugin(nullptr));
 }
 
 }  // namespace
 
+std::vector<std::string> builtTypekits() {
+    std::istringstream words(GOLDEN_TYPEKITS);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
 void GoldenTypekit::SetUp() {
-    const fs::path dir = test::goldenDir("typekit", GetParam());
+    fs::path dir = test::goldenDir("typekit", GetParam());
+    if (!fs::exists(dir)) dir = test::goldenDir("typekit_view", GetParam());
     const fs::path before = fs::current_path();
     fs::current_path(dir);
     diag::Sink sink;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// A typekit of tests/golden/typekit, compiled and loaded, with what typegen reads from its headers.
+/// A typekit of tests/golden/{typekit,typekit_view}, compiled and loaded, with what typegen reads from its headers.
 #ifndef OROFORGE_TESTS_GOLDEN_TYPEKIT_HPP
 #define OROFORGE_TESTS_GOLDEN_TYPEKIT_HPP
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <model/type_model.hpp>
@@ -12,6 +13,9 @@
 #include <support/golden.hpp>
 
 namespace oroforge::test {
+
+/// Names of the cases that this build has made plugins of: all, or a few in sanitizer builds.
+std::vector<std::string> builtTypekits();
 
 class GoldenTypekit : public testing::TestWithParam<std::string> {
 protected:

@@ -2,35 +2,16 @@
 // Copyright Oroforge contributors
 // Whole runs of typegen against tests/golden/{model,typekit,diagnostics_types,remarks}. A case is a folder with its headers;
 // the file `args`, one word on each line, holds the command line.
-#include <fstream>
 #include <sstream>
 
-#include <driver/typegen.hpp>
 #include <support/golden.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 namespace fs = std::filesystem;
 using namespace oroforge::test;
 
 namespace {
-
-struct Ran {
-    int status;
-    std::string out;
-    std::string err;
-};
-
-/// In the case's folder, as the build of a package does.
-Ran typegen(const fs::path& dir, std::vector<std::string> words) {
-    std::ifstream file(dir / "args");
-    for (std::string line; std::getline(file, line);) words.push_back(line);
-    const fs::path before = fs::current_path();
-    fs::current_path(dir);
-    std::ostringstream out, err;
-    const int status = oroforge::typekit::run(words, out, err);
-    fs::current_path(before);
-    return {status, out.str(), err.str()};
-}
 
 class Model : public testing::TestWithParam<std::string> {};
 class Typekit : public testing::TestWithParam<std::string> {};
@@ -41,7 +22,7 @@ class TypeDiagnostics : public testing::TestWithParam<std::string> {};
 
 TEST_P(Model, IsReadFromHeaders) {
     const fs::path dir = goldenDir("model", GetParam());
-    const Ran ran = typegen(dir, {"--dump=model"});
+    const Ran ran = runTypegenIn(dir, {"--dump=model"});
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.err, "");
     expectGolden(dir / "expected/model.json", ran.out);
@@ -50,7 +31,7 @@ TEST_P(Model, IsReadFromHeaders) {
 TEST_P(Typekit, IsGenerated) {
     const fs::path dir = goldenDir("typekit", GetParam());
     const TempDir output;
-    const Ran ran = typegen(dir, {"-o", output.path().string()});
+    const Ran ran = runTypegenIn(dir, {"-o", output.path().string()});
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.err, "");
     EXPECT_EQ(ran.out, "");
@@ -65,7 +46,7 @@ TEST_P(TypeDiagnostics, AreLocatedAndNothingIsWritten) {
     const fs::path dir = goldenDir("diagnostics_types", GetParam());
     const TempDir place;
     const fs::path output = place / "output";
-    const Ran ran = typegen(dir, {"-o", output.string(), "--depfile", (place / "depfile").string()});
+    const Ran ran = runTypegenIn(dir, {"-o", output.string(), "--depfile", (place / "depfile").string()});
     EXPECT_EQ(ran.status, 1);
     EXPECT_EQ(ran.out, "");
     EXPECT_FALSE(fs::exists(output));
@@ -77,7 +58,7 @@ TEST_P(TypeDiagnostics, AreLocatedAndNothingIsWritten) {
 TEST_P(Remarks, AreLocated) {
     const fs::path dir = goldenDir("remarks", GetParam());
     const TempDir output;
-    const Ran ran = typegen(dir, {"-v", "-o", output.path().string()});
+    const Ran ran = runTypegenIn(dir, {"-v", "-o", output.path().string()});
     EXPECT_EQ(ran.status, 0);
     expectGolden(dir / "expected/stderr.txt", ran.err);
     std::string notes;

@@ -43,11 +43,14 @@ protected:
             action(info, value, filler);
         }
     }
+
+    void surviveAPropertyFile();
+    void surviveAPort();
+    void surviveAProperty();
+    void areReadAndWrittenByScriptsMemberByMember();
 };
 
-}  // namespace
-
-TEST_P(TypekitValues, SurviveAPropertyFile) {
+void TypekitValues::surviveAPropertyFile() {
     const test::TempDir dir;
     forEachStruct([&](const TypeInfo& info, const SourcePtr& value, test::ValueFiller&) {
         const std::string file = (dir.path() / "value.cpf").string();
@@ -67,7 +70,7 @@ TEST_P(TypekitValues, SurviveAPropertyFile) {
     });
 }
 
-TEST_P(TypekitValues, SurviveAPort) {
+void TypekitValues::surviveAPort() {
     forEachStruct([&](const TypeInfo& info, const SourcePtr& value, test::ValueFiller&) {
         const std::unique_ptr<RTT::base::OutputPortInterface> out(info.outputPort("out"));
         const std::unique_ptr<RTT::base::InputPortInterface> in(info.inputPort("in"));
@@ -80,7 +83,7 @@ TEST_P(TypekitValues, SurviveAPort) {
     });
 }
 
-TEST_P(TypekitValues, SurviveAProperty) {
+void TypekitValues::surviveAProperty() {
     forEachStruct([&](const TypeInfo& info, const SourcePtr& value, test::ValueFiller&) {
         const std::unique_ptr<RTT::base::PropertyBase> from(info.buildProperty("p", "", value));
         const std::unique_ptr<RTT::base::PropertyBase> to(info.buildProperty("p", ""));
@@ -89,7 +92,7 @@ TEST_P(TypekitValues, SurviveAProperty) {
     });
 }
 
-TEST_P(TypekitValues, AreReadAndWrittenByScriptsMemberByMember) {
+void TypekitValues::areReadAndWrittenByScriptsMemberByMember() {
     forEachStruct([&](const TypeInfo& info, const SourcePtr& value, test::ValueFiller& filler) {
         RTT::TaskContext component("component");
         RTT::scripting::ScriptingService scripts(&component);
@@ -108,4 +111,13 @@ TEST_P(TypekitValues, AreReadAndWrittenByScriptsMemberByMember) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, TypekitValues, testing::ValuesIn(test::goldenCases("typekit")), test::caseName);
+}  // namespace
+
+TEST_P(TypekitValues, SurviveFilesPortsPropertiesAndScripts) {
+    surviveAPropertyFile();
+    surviveAPort();
+    surviveAProperty();
+    areReadAndWrittenByScriptsMemberByMember();
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, TypekitValues, testing::ValuesIn(test::builtTypekits()), test::caseName);
