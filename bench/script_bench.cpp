@@ -15,8 +15,8 @@ namespace {
 
 using namespace RTT;
 
-constexpr double kStatementNs = 8, kCycleNs = 60, kEvalUs = 10, kLoadMs = 3, kStatementBytes = 400;
-constexpr int kStatements = 1000;
+constexpr double kStatementNs = 8, kCycleNs = 60, kStepNs = 60, kEvalUs = 10, kLoadMs = 3, kStatementBytes = 400;
+constexpr int kStatements = 1000, kStopped = 18;
 
 /** Steps when it is told to. */
 class Component : public TaskContext {
@@ -58,10 +58,15 @@ void statement(benchmark::State& state) {
     state.counters["target_ns"] = kStatementNs;
 }
 
-/** Calls `step(component, machine)` with a machine that stays in its state. */
+/** Calls `step(component, machine)` with a machine that stays in its state, and programs that are stopped. */
 template <class Step>
-void withMachine(benchmark::State& state, Step step) {
+void withMachine(benchmark::State& state, Step step, int programs = 0) {
     Component component;
+    for (int i = 0; i != programs; ++i) {
+        if (!component.scripting->loadProgramText("program p" + std::to_string(i) + " { cnt = cnt + 1 }"))
+            return state.SkipWithError("not loaded");
+        component.update();
+    }
     const bool running = component.scripting->loadStateMachineText(
                              "StateMachine M {\n  var int n\n  initial state A {\n    run { n = n + 1 }\n"
                              "    transitions { if n < 0 then select B }\n  }\n  final state B { }\n}\n"
@@ -83,6 +88,14 @@ void cycle(benchmark::State& state) {
 
 void step(benchmark::State& state) {
     withMachine(state, [](Component& component, scripting::StateMachine&) { component.update(); });
+}
+
+/** The same with programs that are loaded and do not run. */
+void stepWithStopped(benchmark::State& state) {
+    withMachine(
+        state, [](Component& component, scripting::StateMachine&) { component.update(); },
+        static_cast<int>(state.range(0)));
+    if (state.range(0) == kStopped) state.counters["target_ns"] = kStepNs;
 }
 
 /** What is in the above without a machine. */
@@ -133,6 +146,10 @@ void memory(benchmark::State& state) {
 BENCHMARK(statement)->Name("script/1000 statements of a program");
 BENCHMARK(cycle)->Name("script/cycle of a state machine");
 BENCHMARK(step)->Name("script/step of a component with a state machine");
+BENCHMARK(stepWithStopped)
+    ->Name("script/step of a component with a state machine and stopped programs")
+    ->Arg(kStopped)
+    ->Arg(10 * kStopped);
 BENCHMARK(emptyStep)->Name("script/step of a component without");
 BENCHMARK(eval)->Name("script/eval(\"cnt = 1 + 2*3\")")->Unit(benchmark::kMicrosecond);
 BENCHMARK(load)->Name("script/load")->Arg(100)->Arg(kStatements)->Arg(10000)->Unit(benchmark::kMillisecond);

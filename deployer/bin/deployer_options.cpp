@@ -39,7 +39,10 @@ const struct {
     {"check", Takes::Nothing,
      "check scripts without running them, load and configure what XML files describe, start nothing, clean up and end"},
     {"dry-run", Takes::Nothing,
-     "check everything that files and installed libraries can tell, create no component, and end"},
+     "check everything that files and installed libraries can tell, create nothing that XML files describe, and end"},
+    {"strict", Takes::Nothing,
+     "fail the statement of a script that calls an operation of the deployer in vain, such as connect(); else this is "
+     "a warning"},
     {"dot", Takes::Word, "write the graph of the components to this file, for Graphviz"},
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
@@ -138,6 +141,7 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     options.consoleLog = !values.count("no-consolelog");
     options.check = values.count("check") != 0;
     options.dryRun = values.count("dry-run") != 0;
+    options.strict = values.count("strict") != 0;
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     options.realTimeCheck = values.count("rt-check") != 0;

@@ -21,6 +21,7 @@ struct Options {
     bool consoleLog = true;
     bool check = false;
     bool dryRun = false;
+    bool strict = false;
     std::string graphFile;  // for the graph of the components; empty: none wanted
     bool daemon = false;
     bool realTimeCheck = false;

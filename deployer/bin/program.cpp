@@ -11,8 +11,8 @@
 
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/os/startstop.h>
-#include <rtt/scripting/check.hpp>
 
 #include <cerrno>
 #include <cstdio>
@@ -38,14 +38,9 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/** As it would be run: with the operations that the service brings. */
-bool checkScript(DeploymentComponent& deployer, const std::string& file) {
-    (void)deployer.loadService(deployer.getName(), "scripting");
-    return RTT::scripting::checkScript(file, deployer, std::cerr);
-}
-
+/** Checks the script first: what is certain to fail is reported before a statement is executed. */
 bool runScript(DeploymentComponent& deployer, const std::string& file, const Options& options) {
-    if (deployer.runScript(file)) return true;
+    if ((endsWith(file, ".lua") || deployer.checkScript(file)) && deployer.runScript(file)) return true;
     if (!options.consoleLog) std::cerr << file << ": error: could not run the script, the log file says why\n";
     return false;
 }
@@ -55,7 +50,7 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
         if (endsWith(file, suffix))
             return options.dryRun ? deployer.planOnly(file) : deployer.kickStart2(file, !options.check);
     for (const char* suffix : {".ops", ".osd"})
-        if (options.endsAtOnce() && endsWith(file, suffix)) return checkScript(deployer, file);
+        if (options.endsAtOnce() && endsWith(file, suffix)) return deployer.checkScript(file);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return runScript(deployer, file, options);
     std::cerr
@@ -108,6 +103,7 @@ int deploy(const Options& options, Stay stay) {
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
     std::optional<ScriptEnd> scriptEnd(std::in_place, *ending);
+    RTT::internal::FailureReport::setStrict(options.strict);
     using Purpose = DeploymentComponent::Purpose;
     DeploymentComponent deployer(options.name, options.siteFile,
                                  options.dryRun  ? Purpose::PlanOnly

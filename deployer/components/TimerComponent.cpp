@@ -4,6 +4,7 @@
 
 #include <ocl/Component.hpp>
 #include <rtt/Activity.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/os/Condition.hpp>
 #include <rtt/os/Mutex.hpp>
@@ -52,11 +53,29 @@ public:
     }
     bool waitUntilExpired(TimerId id) {
         const MutexLock lock(mutex_);
-        if (!running_ || !isKnown(id) || !isArmed(id)) return false;
+        if (!isKnown(id) || !isArmed(id)) return false;
         const std::size_t index = static_cast<std::size_t>(id);
         const unsigned before = expiries_[index];
-        while (running_ && expiries_[index] == before && isArmed(id)) changed_.wait(mutex_);
-        return running_ || expiries_[index] != before;
+        bool hasRun = running_;
+        while (expiries_[index] == before && isArmed(id) && (running_ || !hasRun)) {
+            hasRun = running_;
+            if (running_)
+                changed_.wait(mutex_);
+            else if (!waitForTime(rtos_get_time_ns() + RTT::Seconds_to_nsecs(timeRemaining(id))))
+                break;  // no thread lets it expire, but its time has come
+        }
+        return running_ || !hasRun || expiries_[index] != before;
+    }
+    /** Only time passes: nothing is armed, and no port is written. False for a bad id or delay. */
+    bool pause(TimerId id, RTT::Seconds delay) {
+        const MutexLock lock(mutex_);
+        if (!isKnown(id) || !(delay >= 0 && delay < 9e9)) {
+            RTT::log(RTT::Error) << "timer " << id << " cannot wait for " << delay << " s" << RTT::endlog();
+            return false;
+        }
+        const RTT::nsecs end = rtos_get_time_ns() + RTT::Seconds_to_nsecs(delay);
+        while (waitForTime(end)) continue;
+        return true;
     }
     bool isRunning() {
         const MutexLock lock(mutex_);
@@ -69,6 +88,12 @@ public:
     }
 
 private:
+    /** Until something changes. False if that time has passed. */
+    bool waitForTime(RTT::nsecs end) {
+        if (rtos_get_time_ns() >= end) return false;
+        changed_.wait_until(mutex_, end);
+        return true;
+    }
     bool isKnown(TimerId id) const { return id >= 0 && static_cast<std::size_t>(id) < expiries_.size(); }
 
     RTT::OutputPort<int> any_;
@@ -98,10 +123,14 @@ TimerComponent::TimerComponent(std::string name)
         .doc("Changes the number of timers. Those from 32 on have no port of their own.")
         .arg("timers", "How many; at first there are 32");
     addOperation("waitFor", &PortTimer::waitUntilExpired, timer)
-        .doc("Blocks until a timer expires or is killed; false if it is not armed, or stop() came first.")
+        .doc(
+            "Blocks until a timer expires or is killed, or would have expired if the component ran; false if it is not "
+            "armed, or stop() came first.")
         .arg(id, number);
     addOperation("wait", &TimerComponent::wait, this)
-        .doc("Lets a timer expire once and blocks until then.")
+        .doc(
+            "Lets a timer expire once and blocks until then; as long if the component does not run, when nothing "
+            "expires.")
         .arg(id, number)
         .arg("delay", "In seconds");
 }
@@ -112,7 +141,9 @@ TimerComponent::~TimerComponent() {
 }
 
 bool TimerComponent::wait(Timer::TimerId timer, double delay) {
-    if (!timer_->isRunning() || !timer_->arm(timer, delay)) return false;
+    // A script's pause lasts as long without a thread that would let the timer expire.
+    if (!timer_->isRunning()) return timer_->pause(timer, delay);
+    if (!timer_->arm(timer, delay)) return false;
     // Not armed any more: it has expired by now, and there is nothing to wait for.
     return timer_->waitUntilExpired(timer) || (timer_->isRunning() && !timer_->isArmed(timer));
 }

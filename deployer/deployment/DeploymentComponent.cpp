@@ -4,6 +4,7 @@
 #include <ocl/DeploymentComponent.hpp>
 
 #include "deployment_state.hpp"
+#include "failure.hpp"
 #include "graph.hpp"
 #include "read_value.hpp"
 #include "report.hpp"
@@ -24,7 +25,9 @@
 
 namespace OCL {
 
+using deploy::failed;
 using deploy::Plan;
+using deploy::reported;
 using oroforge::diag::Sink;
 using RTT::endlog;
 using RTT::log;
@@ -34,7 +37,9 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
     impl_->session.deployer = this;
     impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
     impl_->session.unloaded = [this](RTT::TaskContext* component) { componentUnloaded(component); };
+    impl_->purpose = purpose;
     addDeploymentInterface();
+    RTT::internal::FailureReport::add(*this);
     if (purpose == Purpose::Check) {
         impl_->session.startsNothing = true;
         deploy::holdBack(*this);
@@ -57,6 +62,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
 
 DeploymentComponent::~DeploymentComponent() {
     if (impl_->autoUnload) (void)kickOutAll();
+    RTT::internal::FailureReport::remove(*this);
     // Hooks of a derived class must not run while this part is taken apart.
     stop();
     clear();
@@ -82,7 +88,8 @@ bool DeploymentComponent::configureHook() {
 // --- libraries -----------------------------------------------------------------------------------------------------
 
 bool DeploymentComponent::import(const std::string& package) {
-    return RTT::ComponentLoader::Instance()->import(package, std::string());
+    const auto import = [&] { return RTT::ComponentLoader::Instance()->import(package, std::string()); };
+    return RTT::internal::FailureReport::isWanted() ? deploy::doneOr(std::string(), import) : import();
 }
 
 void DeploymentComponent::path(const std::string& paths) {
@@ -94,13 +101,12 @@ void DeploymentComponent::path(const std::string& paths) {
 
 bool DeploymentComponent::loadLibrary(const std::string& name) {
     std::string error;
-    const bool loaded = deploy::loadLibrary(name, error);
-    if (!loaded) log(RTT::Error) << "could not load library '" << name << "': " << error << endlog();
-    return loaded;
+    return deploy::loadLibrary(name, error) || failed("could not load library '" + name + "': " + error);
 }
 
 bool DeploymentComponent::reloadLibrary(const std::string& filepath) {
-    return RTT::ComponentLoader::Instance()->reloadLibrary(filepath);
+    const auto reload = [&] { return RTT::ComponentLoader::Instance()->reloadLibrary(filepath); };
+    return deploy::doneOr(std::string(), reload);
 }
 
 void DeploymentComponent::displayComponentTypes() const {
@@ -117,8 +123,10 @@ std::vector<std::string> DeploymentComponent::getComponentTypes() const {
 // --- files ---------------------------------------------------------------------------------------------------------
 
 bool DeploymentComponent::loadComponents(const std::string& file) {
-    Sink sink;
-    return impl_->load(deploy::readPlanFile(file, sink), sink);
+    return reported("could not load what '" + file + "' describes", [&] {
+        Sink sink;
+        return impl_->load(deploy::readPlanFile(file, sink), sink);
+    });
 }
 
 bool DeploymentComponent::planOnly(const std::string& file) {
@@ -126,13 +134,17 @@ bool DeploymentComponent::planOnly(const std::string& file) {
     return impl_->plan(deploy::readPlanFile(file, sink), sink);
 }
 
+bool DeploymentComponent::checkScript(const std::string& file) { return impl_->checkScript(file); }
+
 bool DeploymentComponent::siteFileFailed() const { return impl_->siteFileFailed; }
 
 std::string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
 
 bool DeploymentComponent::loadConfigurationString(const std::string& text) {
-    Sink sink;
-    return impl_->load(deploy::readPlanText(text, "configuration string", sink), sink);
+    return reported("could not load what the text describes", [&] {
+        Sink sink;
+        return impl_->load(deploy::readPlanText(text, "configuration string", sink), sink);
+    });
 }
 
 void DeploymentComponent::clearConfiguration() {
@@ -141,31 +153,39 @@ void DeploymentComponent::clearConfiguration() {
 }
 
 bool DeploymentComponent::configureComponents() {
-    if (impl_->session.records.all.empty()) {
-        log(RTT::Error) << "there are no components to configure: none was loaded" << endlog();
-        return false;
-    }
-    bool all = true;
-    for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->configure(group);
-    return all;
+    if (impl_->session.records.all.empty()) return failed("there are no components to configure: none was loaded");
+    return reported("could not configure all components", [&] {
+        bool all = true;
+        for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->configure(group);
+        return all;
+    });
 }
 
 bool DeploymentComponent::startComponents() {
-    if (!impl_->valid) {
-        log(RTT::Error) << "not starting components: the last configuration was not valid" << endlog();
-        return false;
-    }
-    bool all = true;
-    if (impl_->session.startsNothing) return all;
-    for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->start(group);
-    return all;
+    if (!impl_->valid) return failed("not starting components: the last configuration was not valid");
+    return reported("could not start all components", [&] {
+        bool all = true;
+        if (impl_->session.startsNothing) return all;
+        for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->start(group);
+        return all;
+    });
 }
 
-bool DeploymentComponent::stopComponents() { return impl_->forGroupsDown(&deploy::stop); }
-bool DeploymentComponent::cleanupComponents() { return impl_->forGroupsDown(&deploy::cleanup); }
-bool DeploymentComponent::unloadComponents() { return impl_->forGroupsDown(&deploy::unload); }
+bool DeploymentComponent::stopComponents() {
+    return reported("could not stop all components", [&] { return impl_->forGroupsDown(&deploy::stop); });
+}
 
-bool DeploymentComponent::kickStart(const std::string& file) { return kickStart2(file, true); }
+bool DeploymentComponent::cleanupComponents() {
+    return reported("could not clean up all components", [&] { return impl_->forGroupsDown(&deploy::cleanup); });
+}
+
+bool DeploymentComponent::unloadComponents() {
+    return reported("could not unload all components", [&] { return impl_->forGroupsDown(&deploy::unload); });
+}
+
+bool DeploymentComponent::kickStart(const std::string& file) {
+    return reported("could not deploy '" + file + "'", [&] { return kickStart2(file, true); });
+}
 
 bool DeploymentComponent::kickStart2(const std::string& file, bool start) {
     const Impl::State before = impl_->state();
@@ -183,18 +203,18 @@ bool DeploymentComponent::kickStart2(const std::string& file, bool start) {
 }
 
 bool DeploymentComponent::kickOutAll() {
-    const bool all = impl_->forGroupsDown(&deploy::takeDown);
-    if (all) impl_->session.nextGroup = 1;
-    return all;
+    return reported("could not kick out all components", [&] {
+        const bool all = impl_->forGroupsDown(&deploy::takeDown);
+        if (all) impl_->session.nextGroup = 1;
+        return all;
+    });
 }
 
 bool DeploymentComponent::kickOutComponent(const std::string& name) {
     const deploy::Record* record = impl_->session.records.find(name);
-    if (!record || !record->loadedHere) {
-        log(RTT::Error) << "could not kick out component '" << name << "': it was not loaded by " << getName()
-                        << endlog();
-        return false;
-    }
+    if (!record || !record->loadedHere)
+        return failed("could not kick out component '" + name + "': it was not loaded by " + getName());
+    const RTT::internal::FailureReport::Pause others;
     RTT::TaskContext& component = *record->instance;
     (void)deploy::stopOne(component);
     (void)deploy::cleanupOne(impl_->session, component);
@@ -212,10 +232,11 @@ void DeploymentComponent::kickOut(const std::string& file) {
 
 bool DeploymentComponent::runScript(const std::string& file) {
     std::string error;
-    const bool ran = deploy::runScript(*this, deploy::ScriptPlan::Run, file, error);
-    if (!ran)
-        log(RTT::Error) << "could not run script '" << file << "'" << (error.empty() ? "" : ": ") << error << endlog();
-    return ran;
+    const std::string what = "could not run script '" + file + "'";
+    const auto run = [&] { return deploy::runScript(*this, deploy::ScriptPlan::Run, file, error); };
+    if (reported(what, run)) return true;
+    if (!error.empty()) log(RTT::Error) << what << ": " << error << endlog();
+    return false;
 }
 
 // --- waiting -------------------------------------------------------------------------------------------------------

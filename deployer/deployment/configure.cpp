@@ -136,10 +136,14 @@ bool configure(Session& session, int group, diag::Sink& sink) {
     setActivities(session, records, sink);
     for (Record* record : records) applyProperties(*record, session.deployer, sink);
     if (sink.hadErrors()) return false;
-    std::vector<const RTT::TaskContext*> components;
-    for (const Record* record : records) components.push_back(record->instance);
+    struct Component {
+        const RTT::TaskContext* instance;
+        bool wasConfigured;
+    };
+    std::vector<Component> components;
+    for (const Record* record : records) components.push_back({record->instance, record->instance->isConfigured()});
     diag::Location last;
-    for (const RTT::TaskContext* component : components) {
+    for (const auto& [component, wasConfigured] : components) {
         Record* record = session.records.find(component);
         if (!record) continue;  // a script unloaded it
         last = record->plan.name.where;
@@ -150,7 +154,9 @@ bool configure(Session& session, int group, diag::Sink& sink) {
             record = session.records.find(component);
             if (!record) continue;
         }
-        if (record->plan.autoConf.value_or(false)) configureOne(*record, sink);  // if no script has changed that
+        // Its own scripts, or scripts and hooks of others, may have configured it meanwhile, and started it.
+        const bool isDone = isUp(*component) || (!wasConfigured && component->isConfigured());
+        if (record->plan.autoConf.value_or(false) && !isDone) configureOne(*record, sink);
         if (session.startsNothing && component != session.deployer) stopIfStarted(*record, last, sink);
     }
     stopWhatStarted(session, last, sink);  // those that the code of others started

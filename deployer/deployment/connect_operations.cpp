@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 // One operation that a component requires is connected to one that another component provides.
 #include "deployment_state.hpp"
+#include "failure.hpp"
 #include "lookup.hpp"
 
-#include <rtt/Logger.hpp>
 #include <rtt/ServiceRequester.hpp>
 
 #include <algorithm>
@@ -25,10 +25,7 @@ struct OperationPath {
     }
 };
 
-bool refuse(const std::string& why) {
-    RTT::log(RTT::Error) << "could not connect operations: " << why << RTT::endlog();
-    return false;
-}
+bool refuse(const std::string& why) { return deploy::failed("could not connect operations: " + why); }
 
 /** Requesters are not made; null, with the reason, if the path leads to none. */
 RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, const OperationPath& path,
@@ -67,7 +64,9 @@ bool DeploymentComponent::connectOperations(const std::string& requested, const 
     if (!service->hasOperation(to.operation))
         return refuse("component '" + to.component + "' provides no operation '" + to.operation + "'" +
                       (to.services.empty() ? "" : " in service '" + to.services + "'"));
-    return caller->setImplementationPart(service->getOperation(to.operation), client->engine());
+    return deploy::doneOr("could not connect '" + requested + "' to '" + provided + "'", [&] {
+        return caller->setImplementationPart(service->getOperation(to.operation), client->engine());
+    });
 }
 
 }  // namespace OCL

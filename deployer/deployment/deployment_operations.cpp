@@ -3,9 +3,9 @@
 // The operations on single components: life cycle, activities.
 #include "activities.hpp"
 #include "deployment_state.hpp"
+#include "failure.hpp"
 #include "lookup.hpp"
 
-#include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/threads.hpp>
@@ -14,8 +14,10 @@ namespace OCL {
 
 using deploy::ActivityKind;
 using deploy::ActivityNumbers;
-using RTT::endlog;
-using RTT::log;
+using deploy::doneOr;
+using deploy::failed;
+using deploy::reported;
+using RTT::internal::FailureReport;
 
 namespace {
 
@@ -24,9 +26,14 @@ bool change(deploy::Session& session, const std::string& name, ActivityKind kind
     RTT::TaskContext* component = deploy::findComponent(session, name, "set the activity");
     if (!component) return false;
     std::string error;
-    const bool changed = deploy::changeActivity(session, *component, kind, numbers, master, error);
-    if (!changed) log(RTT::Error) << "could not set the activity of component '" << name << "': " << error << endlog();
-    return changed;
+    return deploy::changeActivity(session, *component, kind, numbers, master, error) ||
+           failed("could not set the activity of component '" + name + "': " + error);
+}
+
+/** A change of its state, which executes code of others. */
+bool called(RTT::TaskContext& component, bool (RTT::TaskContext::*change)()) {
+    const FailureReport::Pause others;
+    return (component.*change)();
 }
 
 ActivityNumbers numbers(double period, int priority, int scheduler, unsigned affinity = 0) {
@@ -44,47 +51,51 @@ bool DeploymentComponent::loadComponent(const std::string& name, const std::stri
     if (type == "PropertyBag" || type == "RTT::PropertyBag")
         return false;  // the struct of a file that only adds options; it is no component type
     std::string error;
-    if (deploy::create(impl_->session, name, type, 0, error)) return true;
-    log(RTT::Error) << "could not load component '" << name << "': " << error << endlog();
-    return false;
+    RTT::TaskContext* made = nullptr;
+    {
+        const FailureReport::Pause others;
+        made = deploy::create(impl_->session, name, type, 0, error);
+    }
+    return made || failed("could not load component '" + name + "': " + error);
 }
 
 bool DeploymentComponent::unloadComponent(const std::string& name) {
     const deploy::Record* record = impl_->session.records.find(name);
-    if (record && record->loadedHere) return deploy::unloadOne(impl_->session, *record->instance);
-    log(RTT::Error) << "could not unload component '" << name << "': it was not loaded by " << getName() << endlog();
-    return false;
+    if (!record || !record->loadedHere)
+        return failed("could not unload component '" + name + "': it was not loaded by " + getName());
+    return reported("could not unload component '" + name + "'",
+                    [&] { return deploy::unloadOne(impl_->session, *record->instance); });
 }
 
 bool DeploymentComponent::loadService(const std::string& name, const std::string& service) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "load a service");
-    return component && deploy::loadService(*component, service);
+    return component && doneOr("could not load service '" + service + "' into component '" + name + "'",
+                               [&] { return deploy::loadService(*component, service); });
 }
 
 bool DeploymentComponent::configureComponent(const std::string& name) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "configure");
     if (!component) return false;
-    const bool done = component->configure();
-    if (!done) log(RTT::Error) << "could not configure component '" << name << "'" << endlog();
-    return done;
+    return called(*component, &RTT::TaskContext::configure) || failed("could not configure component '" + name + "'");
 }
 
 bool DeploymentComponent::startComponent(const std::string& name) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "start");
     if (!component) return false;
-    const bool done = component->isRunning() || impl_->session.startsNothing || component->start();
-    if (!done) log(RTT::Error) << "could not start component '" << name << "'" << endlog();
-    return done;
+    return component->isRunning() || impl_->session.startsNothing || called(*component, &RTT::TaskContext::start) ||
+           failed("could not start component '" + name + "'");
 }
 
 bool DeploymentComponent::stopComponent(const std::string& name) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "stop");
-    return component && deploy::stopOne(*component);
+    return component &&
+           reported("could not stop component '" + name + "'", [&] { return deploy::stopOne(*component); });
 }
 
 bool DeploymentComponent::cleanupComponent(const std::string& name) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "clean up");
-    return component && deploy::cleanupOne(impl_->session, *component);
+    return component && reported("could not clean up component '" + name + "'",
+                                 [&] { return deploy::cleanupOne(impl_->session, *component); });
 }
 
 bool DeploymentComponent::setActivity(const std::string& name, double period, int priority, int scheduler) {
@@ -93,11 +104,9 @@ bool DeploymentComponent::setActivity(const std::string& name, double period, in
 
 bool DeploymentComponent::setActivityOnCPU(const std::string& name, double period, int priority, int scheduler,
                                            unsigned int cpu) {
-    if (cpu >= 32) {
-        log(RTT::Error) << "could not set the activity of component '" << name << "': CPU " << cpu
-                        << ", expected 0 to 31" << endlog();
-        return false;
-    }
+    if (cpu >= 32)
+        return failed("could not set the activity of component '" + name + "': CPU " + std::to_string(cpu) +
+                      ", expected 0 to 31");
     return change(impl_->session, name, ActivityKind::Activity, numbers(period, priority, scheduler, 1u << cpu));
 }
 
@@ -126,10 +135,8 @@ bool DeploymentComponent::setMasterSlaveActivity(const std::string& master, cons
 bool DeploymentComponent::setWaitPeriodPolicy(const std::string& name, int policy) {
     RTT::TaskContext* component = deploy::findComponent(impl_->session, name, "set the wait policy");
     if (!component) return false;
-    if (!component->getActivity() || !component->getActivity()->thread()) {
-        log(RTT::Error) << "could not set the wait policy of component '" << name << "': it has no thread" << endlog();
-        return false;
-    }
+    if (!component->getActivity() || !component->getActivity()->thread())
+        return failed("could not set the wait policy of component '" + name + "': it has no thread");
     component->getActivity()->thread()->setWaitPeriodPolicy(policy);
     return true;
 }

@@ -3,12 +3,16 @@
 #include "deployment_state.hpp"
 
 #include "report.hpp"
+#include "script_forecast.hpp"
 #include "scripts.hpp"
 #include "signals.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/located_log.hpp>
 #include <rtt/os/fosi.h>
 
+#include <iostream>
+#include <sstream>
 #include <utility>
 
 namespace OCL {
@@ -47,6 +51,29 @@ bool DeploymentComponent::Impl::start(int group) {
     const bool started = deploy::start(session, group, sink);
     deploy::report(sink);
     return started;
+}
+
+bool DeploymentComponent::Impl::checkScript(const std::string& file) {
+    using deploy::Foresight;
+    // As when it is run: with the operations that this service brings.
+    (void)deploy::loadService(*session.deployer, "scripting");
+    // Components that were only planned do not exist.
+    for (const deploy::Plan& plan : session.planned)
+        for (const deploy::ComponentPlan& component : plan.components)
+            if (!session.component(component.name.value)) expected.components.insert(component.name.value);
+    if (purpose != Purpose::Deploy) {
+        deploy::ScriptForecast forecast(session, Foresight::Check);
+        return RTT::scripting::checkScript(file, *session.deployer, std::cerr, forecast, expected);
+    }
+    const deploy::KeptSearchPath paths;  // the script adds to it by itself
+    deploy::ScriptForecast forecast(session, Foresight::Run);
+    RTT::scripting::Expectations ofThisOne;
+    std::ostringstream messages;
+    if (RTT::scripting::checkScript(file, *session.deployer, messages, forecast, ofThisOne)) return true;
+    std::string text = messages.str();
+    if (!text.empty()) text.pop_back();  // its last end of line
+    RTT::internal::logLocated(RTT::Error, text);
+    return false;
 }
 
 bool DeploymentComponent::Impl::goesOn(const std::string& file) const {

@@ -8,6 +8,8 @@
 
 #include "session.hpp"
 
+#include <rtt/scripting/check.hpp>
+
 #include <string>
 
 namespace OCL {
@@ -23,6 +25,7 @@ struct DeploymentComponent::Impl {
     bool start(int group);
     /** False, and told, if a signal has come that ends the program. */
     bool goesOn(const std::string& file) const;
+    bool checkScript(const std::string& file);
     /** What a file changes besides creating components. */
     struct State {
         std::list<deploy::Record> records;
@@ -34,6 +37,8 @@ struct DeploymentComponent::Impl {
     bool forGroupsDown(bool (*step)(deploy::Session&, int));
 
     deploy::Session session;
+    DeploymentComponent::Purpose purpose = DeploymentComponent::Purpose::Deploy;
+    RTT::scripting::Expectations expected;  // of the scripts that were checked
     // Behind the properties and attributes of the component.
     std::string componentPath;
     bool autoUnload = true;

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // The operations that join components: peers, ports, streams, services.
 #include "deployment_state.hpp"
+#include "failure.hpp"
 #include "lookup.hpp"
 
 #include <rtt/ConnPolicy.hpp>
@@ -11,6 +12,8 @@
 
 namespace OCL {
 
+using deploy::doneOr;
+using deploy::failed;
 using RTT::endlog;
 using RTT::log;
 using RTT::base::PortInterface;
@@ -20,7 +23,7 @@ namespace {
 PortInterface* findPort(const deploy::Session& session, const std::string& path, const char* toDo) {
     std::string error;
     PortInterface* port = deploy::findPort(session, path, error);
-    if (!port) log(RTT::Error) << "could not " << toDo << ": " << error << endlog();
+    if (!port) (void)failed(std::string("could not ") + toDo + ": " + error);
     return port;
 }
 
@@ -32,11 +35,12 @@ bool DeploymentComponent::connectPeers(const std::string& one, const std::string
     if (!first || !second) return false;
     // One way it may be so already, as from the deployer to its components.
     const bool hadSecond = first->getPeer(second->getName()) == second;
-    if (addPeer(one, two) && addPeer(two, one)) return true;
+    {
+        const RTT::internal::FailureReport::Pause both;  // one reason is enough
+        if (addPeer(one, two) && addPeer(two, one)) return true;
+    }
     if (!hadSecond && first->getPeer(second->getName()) == second) first->removePeer(second->getName());
-    log(RTT::Error) << "could not connect peers '" << one << "' and '" << two
-                    << "': one of them has another peer of that name" << endlog();
-    return false;
+    return failed("could not connect peers '" + one + "' and '" + two + "': one of them has another peer of that name");
 }
 
 bool DeploymentComponent::addPeer(const std::string& from, const std::string& to) {
@@ -52,13 +56,16 @@ bool DeploymentComponent::aliasPeer(const std::string& from, const std::string& 
         log(RTT::Info) << "'" << from << "' has peer '" << name << "' already" << endlog();
         return true;
     }
-    return component->addPeer(peer, name);
+    return doneOr("could not add peer '" + name + "' to component '" + component->getName() + "'",
+                  [&] { return component->addPeer(peer, name); });
 }
 
 bool DeploymentComponent::connectPorts(const std::string& one, const std::string& two) {
     RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect ports");
     RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect ports");
-    return first && second && first->connectPorts(second);
+    return first && second && doneOr("could not connect all ports of '" + one + "' and '" + two + "'", [&] {
+               return first->connectPorts(second);
+           });
 }
 
 bool DeploymentComponent::connectTwoPorts(const std::string& one, const std::string& portOne, const std::string& two,
@@ -70,15 +77,16 @@ bool DeploymentComponent::connect(const std::string& portOne, const std::string&
     PortInterface* first = findPort(impl_->session, portOne, "connect ports");
     PortInterface* second = findPort(impl_->session, portTwo, "connect ports");
     if (!first || !second) return false;
-    const bool connected = first->connectTo(second, policy);
-    log(connected ? RTT::Info : RTT::Error)
-        << (connected ? "connected port " : "could not connect port ") << portOne << " to " << portTwo << endlog();
-    return connected;
+    if (!doneOr("could not connect port " + portOne + " to " + portTwo,
+                [&] { return first->connectTo(second, policy); }))
+        return false;
+    log(RTT::Info) << "connected port " << portOne << " to " << portTwo << endlog();
+    return true;
 }
 
 bool DeploymentComponent::stream(const std::string& port, RTT::ConnPolicy policy) {
     PortInterface* found = findPort(impl_->session, port, "create a stream");
-    return found && found->createStream(policy);
+    return found && doneOr("could not create a stream of port " + port, [&] { return found->createStream(policy); });
 }
 
 bool DeploymentComponent::createStream(const std::string& component, const std::string& port, RTT::ConnPolicy policy) {
@@ -88,7 +96,9 @@ bool DeploymentComponent::createStream(const std::string& component, const std::
 bool DeploymentComponent::connectServices(const std::string& one, const std::string& two) {
     RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect services");
     RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect services");
-    return first && second && first->connectServices(second);
+    return first && second && doneOr("could not connect all services of '" + one + "' and '" + two + "'", [&] {
+               return first->connectServices(second);
+           });
 }
 
 }  // namespace OCL

@@ -234,6 +234,15 @@ std::vector<std::string> missingDirectories(const std::string& paths) {
     return missing;
 }
 
+KeptSearchPath::KeptSearchPath()
+    : components_(ComponentLoader::Instance()->getComponentPath()),
+      plugins_(PluginLoader::Instance()->getPluginPath()) {}
+
+KeptSearchPath::~KeptSearchPath() {
+    ComponentLoader::Instance()->setComponentPath(components_);
+    PluginLoader::Instance()->setPluginPath(plugins_);
+}
+
 void addSearchPath(const std::string& paths) {
     const ComponentLoader::shared_ptr components = ComponentLoader::Instance();
     const PluginLoader::shared_ptr plugins = PluginLoader::Instance();

@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include "lookup.hpp"
 
+#include "failure.hpp"
 #include "session.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <rtt/Logger.hpp>
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/TaskContext.hpp>
 
@@ -20,8 +20,8 @@ std::pair<std::string, std::string> splitPath(const std::string& path) {
 RTT::TaskContext* findComponent(const Session& session, const std::string& name, const char* toDo) {
     RTT::TaskContext* component = session.component(name);
     if (!component)
-        RTT::log(RTT::Error) << "could not " << toDo << ": no component '" << name << "'"
-                             << oroforge::diag::didYouMean(name, session.componentNames()) << RTT::endlog();
+        (void)failed(std::string("could not ") + toDo + ": no component '" + name + "'" +
+                     oroforge::diag::didYouMean(name, session.componentNames()));
     return component;
 }
 

@@ -62,6 +62,17 @@ bool loadLibrary(const std::string& file, std::string& error);
 std::vector<std::string> missingDirectories(const std::string& paths);
 /** Adds directories to the search path of components and plugins. */
 void addSearchPath(const std::string& paths);
+/** Has the search path be what it was before, at the end. */
+class KeptSearchPath {
+public:
+    KeptSearchPath();
+    ~KeptSearchPath();
+    KeptSearchPath(const KeptSearchPath&) = delete;
+    KeptSearchPath& operator=(const KeptSearchPath&) = delete;
+
+private:
+    const std::string components_, plugins_;
+};
 
 // check_components.cpp
 /**

@@ -4,6 +4,7 @@
 #ifndef ORO_OCL_COMPONENT_HPP
 #define ORO_OCL_COMPONENT_HPP
 
+#include <ocl/OCL.hpp>
 #include <rtt/Component.hpp>
 
 namespace OCL {

@@ -4,6 +4,7 @@
 #ifndef ORO_OCL_COMPONENT_LOADER_HPP
 #define ORO_OCL_COMPONENT_LOADER_HPP
 
+#include <ocl/OCL.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 
 namespace OCL {

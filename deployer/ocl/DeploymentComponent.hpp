@@ -4,9 +4,12 @@
 #define ORO_DEPLOYMENT_COMPONENT_HPP
 
 #include <ocl/OCL.hpp>
+#include <rtt/Component.hpp>  // users take the macros from here
 #include <rtt/TaskContext.hpp>
 #include <rtt/rtt-config.h>
 
+#include <list>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,6 +98,12 @@ public:
     bool kickStart2(const std::string& file, bool start);
     /** Reads a file, does its imports and checks it, together with those read so before; creates nothing. */
     bool planOnly(const std::string& file);
+    /**
+     * Looks through a script for this component, see rtt/scripting/check.hpp; does the imports that it will do. Deploying:
+     * what is found goes to the log if there are errors, and else nothing, as running it will tell the rest. Otherwise
+     * creates the components that it will create, so that their operations are known, and writes to standard error.
+     */
+    bool checkScript(const std::string& file);
     /** True if there is a site file and something was wrong with it. */
     bool siteFileFailed() const;
     /** The components with their connections and peers, in the language of Graphviz. */

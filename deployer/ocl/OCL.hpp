@@ -13,4 +13,10 @@ namespace OCL {
 using namespace RTT;
 }
 
+/** The name of both before version 2. */
+namespace Orocos {
+namespace OCL = ::OCL;
+using namespace ::OCL;
+}  // namespace Orocos
+
 #endif

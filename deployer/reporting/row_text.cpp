@@ -24,6 +24,14 @@ void appendOneLine(Text& text, std::string_view value) {
     append(text, value);
 }
 
+/** Without a value, those behind it would stand in other columns than their names. */
+void appendText(Text& text, std::string_view value) {
+    if (value.empty())
+        append(text, "\"\"");
+    else
+        appendOneLine(text, value);
+}
+
 /** Longer than any number: general format has at most that many digits, a sign, a point and an exponent. */
 constexpr std::size_t kNumberRoom = 320;
 
@@ -45,10 +53,10 @@ void appendValue(Text& text, Tag tag, RecordReader& record, int digits) {
         case Tag::Unsigned: return appendNumber(text, record.value<std::uint64_t>());
         case Tag::Float: return appendReal(text, static_cast<double>(record.value<float>()), digits);
         case Tag::Real: return appendReal(text, record.value<double>(), digits);
-        case Tag::Text: return appendOneLine(text, record.text());
+        case Tag::Text: return appendText(text, record.text());
         case Tag::Other: {
             const OtherValue* const other = record.value<const OtherValue*>();
-            return appendOneLine(text, other->text(record.bytes(other->size())));
+            return appendText(text, other->text(record.bytes(other->size())));
         }
         case Tag::Line: return append(text, record.text());
     }

@@ -116,12 +116,14 @@ bool ValueTree::encode(Record& record) {
             const int before = std::exchange(size_, static_cast<int>(numbers_->size(vector)));
             record.tag(Tag::Bag);
             numbers_->encode(vector, record);
+            encodeEmptiness(record);
             return size_ != before;
         }
         case Kind::Group: {
             bool changed = count_ && resize(numberIn(count_));
             record.tag(Tag::Bag);
             for (ValueTree& part : parts_) changed |= part.encode(record);
+            encodeEmptiness(record);
             return changed;
         }
         case Kind::Bag: return encodeBag(record);
@@ -152,7 +154,16 @@ bool ValueTree::encodeBag(Record& record) {
     appendNames(now);
     record.tag(Tag::Bag);
     for (ValueTree& part : parts_) (void)part.encode(record);
+    encodeEmptiness(record);
     return now != before;
+}
+
+std::size_t ValueTree::elements() const {
+    return kind_ == Kind::Numbers ? static_cast<std::size_t>(size_) : parts_.size();
+}
+
+void ValueTree::encodeEmptiness(Record& record) const {
+    if (elements() == 0) record.value(Tag::Unsigned, std::uint64_t{0});
 }
 
 void ValueTree::appendNames(std::string& line, const std::string& name) const {
@@ -160,7 +171,7 @@ void ValueTree::appendNames(std::string& line, const std::string& name) const {
         line += ' ' + name;
         return;
     }
-    const std::size_t count = kind_ == Kind::Numbers ? static_cast<std::size_t>(size_) : parts_.size();
+    const std::size_t count = elements();
     if (count == 0) line += ' ' + name + "[0]";
     for (std::size_t i = 0; i < count; ++i) {
         if (kind_ == Kind::Numbers)

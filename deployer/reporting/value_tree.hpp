@@ -56,6 +56,9 @@ private:
     bool encodeBag(Record& record);
     bool takeMembers();
     bool currentBag(RTT::PropertyBag& bag) const;
+    std::size_t elements() const;
+    /** What is empty has one column all the same, "name[0]"; without a value those behind it would move. */
+    void encodeEmptiness(Record& record) const;
     /** A part without a name is called by its number, from 1. */
     void appendNames(std::string& line, const std::string& name) const;
 

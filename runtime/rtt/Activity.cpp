@@ -33,7 +33,7 @@ Activity::Activity(int scheduler, int priority, Seconds period, base::RunnableIn
 // The thread itself has no period: session() waits for both, the end of a period and a wake-up.
 Activity::Activity(int scheduler, int priority, Seconds period, unsigned cpuAffinity, base::RunnableInterface* r,
                    const std::string& name)
-    : os::Thread(scheduler, priority, 0.0, cpuAffinity, name), updatePeriod_(periodInNs(period)) {
+    : os::Thread(scheduler, priority, cpuAffinity, name, period), updatePeriod_(periodInNs(period)) {
     adopt(r);
 }
 
@@ -156,7 +156,8 @@ void Activity::step() {
 }
 
 void Activity::loop() {
-    if (runner) runner->loop();
+    // A sub-class without a runner may have no more than a step().
+    runner ? runner->loop() : step();
 }
 
 bool Activity::breakLoop() { return runner ? runner->breakLoop() : os::Thread::breakLoop(); }

@@ -25,8 +25,8 @@ public:
         : AttributeBase(name), data(internal::ValueDataSource<T>::make()) {}
     [[gnu::cold]] Attribute(const std::string& name, T value)
         : AttributeBase(name), data(internal::ValueDataSource<T>::make(value)) {}
-    [[gnu::cold]] Attribute(const std::string& name, internal::AssignableDataSource<T>* source)
-        : AttributeBase(name), data(source) {}
+    template <class P, class = internal::IfSource<P, internal::AssignableDataSource<T>>>
+    [[gnu::cold]] Attribute(const std::string& name, const P& source) : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
     [[gnu::cold]] Attribute(base::AttributeBase* other)
         : AttributeBase(nameOf(other)), data(other ? DataSourceType::narrow(other->getDataSource().get()) : nullptr) {}
@@ -63,10 +63,12 @@ protected:
 template <typename T>
 class Constant : public base::AttributeBase {
 public:
+    /** Not ready. */
+    Constant() {}
     [[gnu::cold]] Constant(const std::string& name, T value)
         : AttributeBase(name), data(new internal::ConstantDataSource<T>(std::move(value))) {}
-    [[gnu::cold]] Constant(const std::string& name, internal::DataSource<T>* source)
-        : AttributeBase(name), data(source) {}
+    template <class P, class = internal::IfSource<P, internal::DataSource<T>>>
+    [[gnu::cold]] Constant(const std::string& name, const P& source) : AttributeBase(name), data(source) {}
     /** Shares the data of `other`; not ready if its type is not T. */
     [[gnu::cold]] Constant(base::AttributeBase* other)
         : AttributeBase(nameOf(other)),

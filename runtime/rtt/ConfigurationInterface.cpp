@@ -38,6 +38,10 @@ bool ConfigurationInterface::setValue(base::AttributeBase* attribute) {
     return true;
 }
 
+void ConfigurationInterface::ownValue(base::AttributeBase* value) {
+    (value->getName().empty() ? nameless_ : values_).push_back(value);
+}
+
 base::AttributeBase* ConfigurationInterface::getValue(const std::string& name) const {
     const auto found =
         std::find_if(values_.begin(), values_.end(), [&](auto* value) { return value->getName() == name; });
@@ -66,8 +70,10 @@ void ConfigurationInterface::loadValues(const AttributeObjects& values) {
 bool ConfigurationInterface::removeProperty(base::PropertyBase& property) { return bag_.removeProperty(&property); }
 
 void ConfigurationInterface::clear() {
-    for (base::AttributeBase* value : values_) delete value;
-    values_.clear();
+    for (AttributeObjects* const values : {&values_, &nameless_}) {
+        for (base::AttributeBase* value : *values) delete value;
+        values->clear();
+    }
     bag_.clear();
 }
 

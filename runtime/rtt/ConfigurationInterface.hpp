@@ -28,34 +28,42 @@ public:
     ConfigurationInterface(const ConfigurationInterface&) = delete;
     ConfigurationInterface& operator=(const ConfigurationInterface&) = delete;
 
-    /** Names a variable. */
+    /** Names a variable; gives the new attribute, which belongs to this. Without a name nobody finds it. */
     template <class T>
-    bool addAttribute(const std::string& name, T& variable) {
-        return setValue(new Attribute<T>(name, new internal::ReferenceDataSource<T>(variable)));
+    Attribute<T>& addAttribute(const std::string& name, T& variable) {
+        auto* made = new Attribute<T>(name, new internal::ReferenceDataSource<T>(variable));
+        ownValue(made);
+        return *made;
     }
     template <class T>
-    bool addAttribute(const std::string& name, Attribute<T>& attribute) {
+    Attribute<T>& addAttribute(const std::string& name, Attribute<T>& attribute) {
         attribute.setName(name);
-        return addAttribute(attribute);
+        addAttribute(attribute);
+        return attribute;
     }
     /** Shares the value of `attribute`; false if it has none. */
     bool addAttribute(base::AttributeBase& attribute);
 
-    /** Names a variable that cannot be changed through this name. */
+    /** Names a variable that cannot be changed through this name; gives the new constant, which belongs to this. */
     template <class T>
-    bool addConstant(const std::string& name, const T& variable) {
-        return setValue(new Constant<T>(name, new internal::ConstReferenceDataSource<T>(variable)));
+    Constant<T>& addConstant(const std::string& name, const T& variable) {
+        auto* made = new Constant<T>(name, new internal::ConstReferenceDataSource<T>(variable));
+        ownValue(made);
+        return *made;
     }
     /** Of a value that is no variable it keeps a copy. */
     template <class T, std::enable_if_t<!std::is_lvalue_reference<T>::value, int> = 0>
-    bool addConstant(const std::string& name, T&& value) {
+    Constant<std::remove_const_t<T>>& addConstant(const std::string& name, T&& value) {
         typedef std::remove_const_t<T> Value;
-        return setValue(new Constant<Value>(name, new internal::ConstantDataSource<Value>(std::forward<T>(value))));
+        auto* made = new Constant<Value>(name, new internal::ConstantDataSource<Value>(std::forward<T>(value)));
+        ownValue(made);
+        return *made;
     }
     template <class T>
-    bool addConstant(const std::string& name, Constant<T>& constant) {
+    Constant<T>& addConstant(const std::string& name, Constant<T>& constant) {
         constant.setName(name);
-        return addConstant(constant);
+        addConstant(constant);
+        return constant;
     }
     bool addConstant(base::AttributeBase& constant);
 
@@ -102,8 +110,10 @@ public:
 
 private:
     void ownProperty(base::PropertyBase* property);
+    void ownValue(base::AttributeBase* value);
 
     AttributeObjects values_;
+    AttributeObjects nameless_;  // whoever added one may hold it
     PropertyBag bag_;
 };
 

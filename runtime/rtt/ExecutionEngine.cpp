@@ -9,8 +9,8 @@
 #include <rtt/internal/HookInProgress.hpp>
 #include <rtt/internal/detail/engine_removal.hpp>
 
-#include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace RTT {
 
@@ -19,18 +19,32 @@ using internal::Mailbox;
 
 namespace {
 std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskCore::getName() : "GlobalEngine"; }
+
+/** Raises a flag, if there is one, until the end of the scope. */
+class Raised {
+public:
+    explicit Raised(std::atomic<bool>* flag) noexcept : flag_(flag) {
+        if (flag_) *flag_ = true;
+    }
+    ~Raised() {
+        if (flag_) *flag_ = false;
+    }
+    Raised(const Raised&) = delete;
+    Raised& operator=(const Raised&) = delete;
+
+private:
+    std::atomic<bool>* const flag_;
+};
 }  // namespace
 
 ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : gate_(new EngineGate(this)), task_(owner) {
-    functions_.reserve(64);
     deferred_ports_.reserve(16);  // and never more
 }
 
 ExecutionEngine::~ExecutionEngine() {
     const_cast<EngineGate&>(*gate_).close();  // from here on nobody puts anything into the queue
     disposeQueued();
-    for (base::ExecutableInterface* function : functions_)
-        if (function) function->unloaded();
+    functions_.forEach([](base::ExecutableInterface& function) { function.unloaded(); });
 }
 
 void ExecutionEngine::setExceptionTask() {
@@ -54,6 +68,10 @@ bool ExecutionEngine::stopTask() {
     const EngineGate::Visit visit(*gate_);
     base::ActivityInterface* const activity = visit.activity();
     if (!activity || !activity->isActive()) return true;
+    // The hook that calls this is asked whatever the activity is. One that asks as well gets the same answer.
+    const bool within = gate_->isStepping() && in_hook_;
+    if (within && !breakLoop()) return false;
+    const Raised asked(within ? &break_asked_ : nullptr);
     if (!activity->stop()) return false;
     startActivity();
     return true;
@@ -79,7 +97,7 @@ void ExecutionEngine::setActivity(base::ActivityInterface* activity) {
 bool ExecutionEngine::initialize() { return true; }
 void ExecutionEngine::step() {}
 void ExecutionEngine::loop() {}
-bool ExecutionEngine::breakLoop() { return task_ ? task_->breakUpdateHook() : true; }
+bool ExecutionEngine::breakLoop() { return break_asked_ || !task_ || task_->breakUpdateHook(); }
 void ExecutionEngine::finalize() {}
 bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || missed_ports_; }
 
@@ -157,13 +175,10 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
             }
             if (depth == Depth::Step) callDeferredPorts(here);
             break;
-        case Mailbox::Kind::AddFunction:
-            functions_.push_back(static_cast<base::ExecutableInterface*>(item.what));
-            break;
+        case Mailbox::Kind::AddFunction: functions_.add(static_cast<base::ExecutableInterface*>(item.what)); break;
         case Mailbox::Kind::RemoveFunction: {
             auto* const removal = static_cast<Removal*>(item.what);
-            // Leaves a hole, because the engine may be walking the list: it closes holes after the walk.
-            takeOut(removal->function);
+            functions_.remove(removal->function);
             if (executing_ == removal->function) {
                 // Its execute() waits for something, further down the stack.
                 removal->next = removals_;
@@ -198,44 +213,60 @@ void ExecutionEngine::callPort(const Step& here, base::PortInterface* port) {
 }
 
 void ExecutionEngine::processFunctions(const Step& here) {
-    // Functions added or removed by those that run here take effect in the next step.
-    for (std::size_t i = 0, count = functions_.size(); i != count; ++i) {
-        base::ExecutableInterface* function = functions_[i];
+    // Functions added or removed by those that run here take effect in the next step; those that are woken, in this one, if
+    // their turn is still to come.
+    internal::FunctionList::Round round = functions_.begin();
+    functions_.takeWoken();
+    while (base::ExecutableInterface* const function = functions_.next(round)) {
         if (task_ && task_->base::TaskCore::inFatalError()) return;
-        if (!function) continue;
+        // Programs stand still until recover(); functions that others wait for come to their end.
+        if (task_ && task_->base::TaskCore::inException() && !function->isAwaited()) continue;
         executing_ = function;
         bool again = false;
         const bool returned = guarded(here, "a function", [&] { again = function->execute(); });
         if (here.gone()) return;
         executing_ = nullptr;
-        if (!(returned && again) && functions_[i] == function) {
-            functions_[i] = nullptr;
-            function->unloaded();
+        if (functions_.has(round, function)) {
+            if (returned && again)
+                functions_.rest(round);
+            else
+                unload(round, *function);
         }
         while (Removal* const removal = removals_) {
             removals_ = removal->next;
             removal->finish(Removal::Removed);
         }
+        functions_.takeWoken();
     }
-    functions_.erase(std::remove(functions_.begin(), functions_.end(), nullptr), functions_.end());
+    functions_.tidy();
 }
 
 // While the component waits. True if there are some left: nobody will tell that it is their turn.
 bool ExecutionEngine::processAwaited(const Step& here) {
     bool left = false;
-    for (std::size_t i = 0, count = functions_.size(); i != count; ++i) {
+    internal::FunctionList::Round round = functions_.begin();
+    while (base::ExecutableInterface* const function = functions_.next(round)) {
         if (task_ && task_->base::TaskCore::inFatalError()) return false;
-        base::ExecutableInterface* const function = functions_[i];
-        if (!function || function == executing_ || !function->isAwaited()) continue;
+        if (function == executing_ || !function->isAwaited()) continue;
         bool again = false;
         guarded(here, "a function", [&] { again = function->execute(); });
         if (here.gone()) return false;
         left = left || again;
-        if (again || functions_[i] != function) continue;
-        functions_[i] = nullptr;
-        function->unloaded();
+        if (!again && functions_.has(round, function)) unload(round, *function);
     }
     return left;
+}
+
+void ExecutionEngine::unload(const internal::FunctionList::Round& round, base::ExecutableInterface& function) {
+    functions_.drop(round);
+    function.unloaded();
+}
+
+template <class Hook>
+void ExecutionEngine::callHook(const Step& here, const char* what, Hook&& hook) {
+    in_hook_ = true;
+    guarded(here, what, std::forward<Hook>(hook));
+    if (!here.gone()) in_hook_ = false;
 }
 
 void ExecutionEngine::processHooks(const Step& here) {
@@ -243,11 +274,11 @@ void ExecutionEngine::processHooks(const Step& here) {
     // Not through the virtual functions: a sub-class of a component that was stopped may be under destruction.
     using Core = base::TaskCore;
     if (task_->Core::getTaskState() == Core::Running && task_->Core::getTargetState() == Core::Running)
-        guarded(here, "updateHook()", [this] { task_->updateHook(); });
+        callHook(here, "updateHook()", [this] { task_->updateHook(); });
     if (here.gone()) return;
     // error() in updateHook() is served in the same step.
     if (task_->Core::getTaskState() == Core::RunTimeError && task_->Core::getTargetState() >= Core::Running)
-        guarded(here, "errorHook()", [this] { task_->errorHook(); });
+        callHook(here, "errorHook()", [this] { task_->errorHook(); });
 }
 
 }  // namespace RTT

@@ -7,6 +7,7 @@
 #include <rtt/base/ExecutableInterface.hpp>
 #include <rtt/base/RunnableInterface.hpp>
 #include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/FunctionList.hpp>
 #include <rtt/internal/Mailbox.hpp>
 
 #include <boost/function.hpp>
@@ -30,6 +31,8 @@ class TaskCore;
  *
  *   Trigger             messages and port callbacks, in order of arrival
  *   TimeOut, IOReady    the same, then functions, then updateHook() or errorHook()
+ *
+ * In Exception, functions stand still, but for those that others wait for.
  *
  * A step takes at most Mailbox::kCapacity messages and callbacks; if they ask for more, another step follows.
  *
@@ -66,11 +69,11 @@ public:
         if (visit.engine()) queued();
         return true;
     }
-    /** Executes `function` in every step until its execute() returns false. False as above, and if it is loaded
-        already. Any thread. */
+    /** Executes `function` in every step until its execute() returns false, but for steps in which it is idle. False as
+        above, and if it is loaded already. Any thread. */
     bool runFunction(base::ExecutableInterface* function);
-    /** Stops executing it; waits until it is not being executed, except in the engine's own thread. True if it was not
-        loaded or is removed; false if the queue is full. */
+    /** Stops executing it; waits until it is not being executed, and while the queue is full, except in the engine's own
+        thread. True: it was not loaded or is removed. */
     bool removeFunction(base::ExecutableInterface* function);
     /** The same, for a function that removes itself in its execute(). */
     bool removeSelfFunction(base::ExecutableInterface* function) { return removeFunction(function); }
@@ -97,7 +100,8 @@ public:
     void setExceptionTask();
     /** Called by the component in FatalError: stops the activity for good and disposes of what is queued. */
     void setFatalTask();
-    /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop. */
+    /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop, or if this is called
+        within a hook and breakUpdateHook() is false. */
     bool stopTask();
     /** Starts the activity and sees to it that it executes what was queued meanwhile. */
     bool startActivity();
@@ -132,7 +136,9 @@ private:
     bool waitInStead(const boost::function<bool()>& done, std::int64_t deadline);
     void triggerDeferred();
     void triggerSelf();
-    void takeOut(base::ExecutableInterface* function);
+    static void dispose(internal::Mailbox::Item item);
+    void takeAdditions();
+    bool removeHere(base::ExecutableInterface* function, Removal* removal = nullptr);
     void awaitRemoval(Removal& removal, const internal::EngineGate& waiting);
 
     // These are given the step they belong to, because what they call may destroy this engine: they return then.
@@ -143,9 +149,12 @@ private:
     void callPort(const Step& here, base::PortInterface* port);
     void processFunctions(const Step& here);
     bool processAwaited(const Step& here);
+    void unload(const internal::FunctionList::Round& round, base::ExecutableInterface& function);
     void processHooks(const Step& here);
     template <class Action>
     bool guarded(const Step& here, const char* what, Action&& action);
+    template <class Hook>
+    void callHook(const Step& here, const char* what, Hook&& hook);
 
     const boost::intrusive_ptr<const internal::EngineGate> gate_;
     base::TaskCore* task_;
@@ -153,9 +162,11 @@ private:
 
     // Touched in the engine's thread only. Ports whose callbacks came up while the component was waiting:
     std::vector<base::PortInterface*> deferred_ports_;
-    std::vector<base::ExecutableInterface*> functions_;
+    internal::FunctionList functions_;
     base::ExecutableInterface* executing_ = nullptr;
+    bool in_hook_ = false;                   // updateHook() or errorHook() is being executed
     Removal* removals_ = nullptr;            // of executing_
+    std::atomic<bool> break_asked_{false};   // by stopTask(), within a hook
     std::atomic<bool> deferred_{false};      // there are such ports
     std::atomic<bool> missed_ports_{false};  // there was no room for a port, here or in the mailbox
 };

@@ -46,6 +46,11 @@ public:
     }
     /** A sample of the size the writer announced with setDataSample(); untouched if there is none. */
     void getDataSample(reference_t sample) { copyDataSample(&sample); }
+    /** The storage that all connections of this port share, those with the policy PerInputPort or Shared; null if they do
+        not, or there is none. Not real-time safe. */
+    [[gnu::cold]] typename base::ChannelElement<T>::shared_ptr getSharedBuffer() const {
+        return boost::dynamic_pointer_cast<base::ChannelElement<T>>(this->sharedStorage());
+    }
 
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
     [[gnu::cold]] InputPort<T>* clone() const override;

@@ -5,6 +5,7 @@
 #include <rtt/detail/log_line.hpp>
 #include <rtt/detail/log_sink.hpp>
 #include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/located_log.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>
 
@@ -160,5 +161,10 @@ os::TimeService::ticks Logger::getReferenceTime() const { return logSink().refer
 
 void Logger::startup() { logSink().startup(); }
 void Logger::shutdown() { logSink().shutdown(); }
+
+void internal::logLocated(LoggerLevel level, const std::string& text) {
+    Logger::Instance();
+    logSink().writeBare(level, text);
+}
 
 }  // namespace RTT

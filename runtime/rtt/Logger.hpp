@@ -3,6 +3,7 @@
 #ifndef ORO_LOGGER_HPP
 #define ORO_LOGGER_HPP
 
+#include <rtt/os/MutexLock.hpp>  // users take it from here
 #include <rtt/os/TimeService.hpp>
 #include <rtt/rtt-config.h>
 

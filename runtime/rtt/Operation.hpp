@@ -40,6 +40,11 @@ public:
         : Operation(name) {
         calls(function, object, et, ownerEngine);
     }
+    Operation(const Operation& other) : OperationBase(other) {}
+    Operation& operator=(const Operation& other) {
+        OperationBase::operator=(other);
+        return *this;
+    }
 
     Operation& doc(const std::string& description) {
         this->setDoc(description);
@@ -65,17 +70,35 @@ public:
 
     /** Makes this a signal too: functions connected to it are called, with the arguments, before the operation is. */
     Operation& signals() {
-        signal();
+        listeners();
         return *this;
     }
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
     Handle signals(Function function) {
-        return signal().connect(function);
+        return listeners().connect(function);
     }
     template <class Function, class Object, std::enable_if_t<std::is_member_function_pointer_v<Function>, int> = 0>
     Handle signals(Function function, Object object) {
-        return signal().connect(internal::BoundMember<Function, Object>{function, object});
+        return listeners().connect(internal::BoundMember<Function, Object>{function, object});
     }
+
+    /** The signal by itself: `signal->connect(function)`, `signal->emit(arguments)`. True if signals() was called; using it
+        does that. */
+    class Listeners {
+    public:
+        explicit Listeners(Operation& operation) : operation_(operation) {}
+        Listeners(const Listeners&) = delete;
+        Listeners& operator=(const Listeners&) = delete;
+        explicit operator bool() const { return operation_.hasFunction() && operation_.caller()->callee()->signal(); }
+        internal::Signal<void(Args...)>* get() const { return &operation_.listeners(); }
+        internal::Signal<void(Args...)>* operator->() const { return get(); }
+        internal::Signal<void(Args...)>& operator*() const { return *get(); }
+        Handle connect(const boost::function<void(Args...)>& function) const { return get()->connect(function); }
+
+    private:
+        Operation& operation_;
+    };
+    const Listeners signal{*this};
 
     boost::shared_ptr<internal::LocalOperationCaller<Signature>> getOperationCaller() const {
         return boost::shared_ptr<internal::LocalOperationCaller<Signature>>(this->implementation(), caller());
@@ -87,9 +110,9 @@ private:
     internal::LocalOperationCaller<Signature>* caller() const {
         return static_cast<internal::LocalOperationCaller<Signature>*>(this->implementation().get());
     }
-    OperationSignal& signal() {
+    OperationSignal& listeners() {
         // An operation that is only a signal.
-        if (!ready()) calls([](Args...) -> R { return internal::NA<R>::na(); });
+        if (!this->hasFunction()) calls([](Args...) -> R { return internal::NA<R>::na(); });
         internal::CalleeBase& callee = *caller()->callee();
         if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>());
         return static_cast<OperationSignal&>(*callee.signal());

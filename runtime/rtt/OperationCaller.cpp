@@ -4,6 +4,7 @@
 
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/Service.hpp>
+#include <rtt/internal/OperationPart.hpp>
 
 namespace RTT {
 
@@ -11,10 +12,15 @@ base::OperationCallerBaseInvoker::~OperationCallerBaseInvoker() = default;
 
 namespace internal {
 
-base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part) { return part->getLocalOperation(); }
+base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part, const std::type_info& signature) {
+    const auto* const local = dynamic_cast<const OperationPart*>(part);
+    return local ? local->callerOf(signature) : part->getLocalOperation();
+}
 
 OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name) {
-    return service ? service->getOperation(name) : nullptr;
+    if (!service) return nullptr;
+    OperationInterfacePart* const found = service->findOperation(name);
+    return found ? found : service->getOperation(name);  // which warns
 }
 
 std::string operationName(OperationInterfacePart* part) { return part ? part->getName() : std::string(); }

@@ -19,8 +19,9 @@ class OperationInterfacePart;
 class Service;
 
 namespace internal {
-/** What is behind `part`; null if it is remote. */
-RTT_API base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part);
+/** What callers of that signature call behind `part`; null if it is remote. */
+RTT_API base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part,
+                                                             const std::type_info& signature);
 /** The operation `name` of `service`, or null. */
 RTT_API OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& service, const std::string& name);
 RTT_API std::string operationName(OperationInterfacePart* part);
@@ -171,7 +172,7 @@ public:
         if (caller) caller_ = caller;
         disconnect();
         if (!part) return false;
-        const base::DisposableInterface::shared_ptr local = internal::localOperation(part);
+        const base::DisposableInterface::shared_ptr local = internal::localOperation(part, *signature().type);
         auto* typed = dynamic_cast<base::OperationCallerBase<Signature>*>(local.get());
         if (typed) impl_ = typed->cloneI(caller_);
         internal::hold(holder_, typed ? impl_ : internal::makeRemoteOperation(part, signature(), caller_));

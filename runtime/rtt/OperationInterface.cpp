@@ -4,7 +4,9 @@
 
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/Handle.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/internal/DataSource.hpp>
+#include <rtt/internal/OperationCallerC.hpp>
 
 #include <mutex>
 
@@ -44,6 +46,12 @@ OperationInterfacePart& OperationInterface::part(const std::string& name) const 
     OperationInterfacePart* found = getPart(name);
     if (!found) throw name_not_found_exception(name);
     return *found;
+}
+
+internal::OperationCallerC OperationInterface::create(const std::string& name, ExecutionEngine* caller) const {
+    const OperationInterfacePart* const found = getPart(name);
+    if (!found) log(Warning) << "there is no operation '" << name << "' to create a caller of" << endlog();
+    return internal::OperationCallerC(found, name, caller);
 }
 
 base::DataSourceBase::shared_ptr OperationInterface::produce(const std::string& name, const Args& args,

@@ -11,6 +11,9 @@
 #include <vector>
 
 namespace RTT {
+namespace internal {
+class OperationCallerC;
+}
 
 /**
  * The operations of a service by name. Not thread safe, not real-time safe; any number of threads may look for operations
@@ -52,6 +55,10 @@ public:
     int getCollectArity(const std::string& name) const;
     const types::TypeInfo* getCollectType(const std::string& name, int index) const;
     bool isSynchronous(const std::string& name) const;
+
+    /** A generic caller of an operation, for the component of that engine: `create("add", engine()).argC(2).ret(sum)`. Not
+        ready, and a warning, if there is no such operation. */
+    internal::OperationCallerC create(const std::string& name, ExecutionEngine* caller) const;
 
     /** Takes ownership; replaces what has the name. */
     void add(const std::string& name, OperationInterfacePart* part);

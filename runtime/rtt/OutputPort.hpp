@@ -45,6 +45,12 @@ public:
     /** False, and `sample` untouched, if nothing was written yet, or nothing is kept. */
     bool getLastWrittenValue(reference_t sample) const { return copyLastWritten(&sample); }
 
+    /** The storage that all connections of this port share, those with the policy PerOutputPort or Shared; null if they do
+        not, or there is none. Not real-time safe. */
+    [[gnu::cold]] typename base::ChannelElement<T>::shared_ptr getSharedBuffer() const {
+        return boost::dynamic_pointer_cast<base::ChannelElement<T>>(this->sharedStorage());
+    }
+
     const types::TypeInfo* getTypeInfo() const override { return internal::DataSourceTypeInfo<T>::getTypeInfo(); }
     [[gnu::cold]] OutputPort<T>* clone() const override;
     [[gnu::cold]] base::PortInterface* antiClone() const override;

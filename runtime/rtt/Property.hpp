@@ -42,12 +42,8 @@ public:
     [[gnu::cold]] Property(const std::string& name, const std::string& description,
                            const T& value = types::ValueTraits<T>::make())
         : PropertyBase(name, description), _value(internal::ValueDataSource<T>::make(value)) {}
-    [[gnu::cold]] Property(const std::string& name, const std::string& description,
-                           const typename internal::AssignableDataSource<T>::shared_ptr& source)
-        : PropertyBase(name, description), _value(source) {}
-    // The pointer form exists because a pointer would rather become the value of a Property<bool>.
-    [[gnu::cold]] Property(const std::string& name, const std::string& description,
-                           internal::AssignableDataSource<T>* source)
+    template <class P, class = internal::IfSource<P, internal::AssignableDataSource<T>>>
+    [[gnu::cold]] Property(const std::string& name, const std::string& description, const P& source)
         : PropertyBase(name, description), _value(source) {}
     /** Copies the value. */
     [[gnu::cold]] Property(const Property<T>& other)

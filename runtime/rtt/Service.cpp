@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace RTT {
 
@@ -27,6 +28,9 @@ namespace {
 const internal::OperationPart* localOperation(const OperationInterfacePart* part) {
     return dynamic_cast<const internal::OperationPart*>(part);
 }
+internal::OperationPart* localPart(OperationInterfacePart* part) {
+    return dynamic_cast<internal::OperationPart*>(part);
+}
 
 }  // namespace
 
@@ -40,9 +44,10 @@ void Service::setOwner(TaskContext* owner) {
     // A component's own service becomes one of another component's: with the operations of the first one.
     if (owner && getOwner() && owner != owner_) (void)hasMember(name_);
     knowOwner(owner);
-    for (const auto& entry : partsNow())
-        if (const internal::OperationPart* const part = localOperation(entry.second.get()))
-            part->caller()->setThread(part->caller()->getThread(), getOwnerExecutionEngine());
+    for (const Parts* const parts : {&partsNow(), &std::as_const(local_)})
+        for (const auto& entry : *parts)
+            if (const internal::OperationPart* const part = localOperation(entry.second.get()))
+                part->setThread(part->caller()->getThread(), getOwnerExecutionEngine());
     for (auto& entry : services_) entry.second->setOwner(owner);
 }
 
@@ -133,6 +138,7 @@ void Service::clear() {
     ConfigurationInterface::clear();
     OperationInterface::clear();
     owned_.clear();
+    local_.clear();
     while (!services_.empty()) removeService(services_.begin()->first);
 }
 
@@ -143,39 +149,59 @@ OperationInterfacePart* Service::getOperation(const std::string& name) {
 }
 
 base::DisposableInterface::shared_ptr Service::getLocalOperation(const std::string& name) {
-    OperationInterfacePart* found = getPart(name);
+    const OperationInterfacePart* const found = findOperation(name);
+    if (const internal::OperationPart* const part = localOperation(found)) return part->firstCaller();
     return found ? found->getLocalOperation() : nullptr;
 }
 
+OperationInterfacePart* Service::findOperation(const std::string& name) const {
+    const auto local = local_.find(name);
+    return local == local_.end() ? getPart(name) : local->second.get();
+}
+
+bool Service::hasOperation(const std::string& name) const { return findOperation(name) != nullptr; }
+
+std::vector<std::string> Service::getOperationNames() const {
+    std::vector<std::string> names = getNames();
+    for (const auto& entry : local_) names.push_back(entry.first);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 bool Service::setOperationThread(const std::string& name, ExecutionThread et) {
-    const internal::OperationPart* const part = localOperation(getPart(name));
-    if (!part) return false;
-    part->caller()->setThread(et, part->caller()->getOwner());
-    return true;
+    const internal::OperationPart* const part = localOperation(findOperation(name));
+    if (part) part->setThread(et, part->caller()->getOwner());
+    return part != nullptr;
 }
 
 bool Service::resetOperation(const std::string& name, base::OperationBase* operation) {
-    const internal::OperationPart* const part = localOperation(getPart(name));
+    const internal::OperationPart* const part = localOperation(findOperation(name));
     if (!part) {
         log(Error) << "operation '" << name << "' of '" << name_ << "' was not reset: there is no such operation"
                    << endlog();
         return false;
     }
-    OperationInterfacePart* const reset = operation && operation->ready() ? part->reimplemented(*operation) : nullptr;
+    OperationInterfacePart* const reset =
+        operation && operation->hasFunction() ? part->reimplemented(*operation) : nullptr;
     if (!reset) {
         log(Error) << "operation '" << name << "' of '" << name_
                    << "' was not reset: the new one has no function, or one of another signature" << endlog();
         return false;
     }
     operation->setOwner(getOwnerExecutionEngine());
-    OperationInterface::add(name, reset);
+    const auto local = local_.find(name);
+    if (local == local_.end())
+        OperationInterface::add(name, reset);
+    else
+        local->second.reset(reset);
     return true;
 }
 
 void Service::removeOperation(const std::string& name) {
-    const internal::OperationPart* const part = localOperation(getPart(name));
+    const internal::OperationPart* const part = localOperation(findOperation(name));
     const auto implementation = part ? part->caller() : nullptr;
     OperationInterface::remove(name);
+    local_.erase(name);
     if (!implementation) return;
     owned_.erase(std::remove_if(owned_.begin(), owned_.end(),
                                 [&](const auto& kept) { return kept->implementation() == implementation; }),
@@ -188,28 +214,72 @@ void Service::adopt(base::OperationBase* operation, internal::CalleeBase* functi
     registerOperation(*operation, callOnly);
 }
 
-bool Service::registerOperation(base::OperationBase& operation, bool callOnly) {
+bool Service::accepts(const base::OperationBase& operation) const {
     const std::string& name = operation.getName();
-    if (name.empty()) {
+    if (name.empty())
         log(Error) << "an operation was not added to '" << name_ << "': it has no name" << endlog();
-        return false;
-    }
-    if (!operation.ready()) {
+    else if (!operation.hasFunction())
         log(Error) << "operation '" << name << "' was not added to '" << name_ << "': it has no function" << endlog();
-        return false;
-    }
+    else
+        return true;
+    return false;
+}
+
+void Service::replaceEarlier(const base::OperationBase& operation) {
+    const std::string name = operation.getName();
     completeFor(name);
     const auto present = partsNow().find(name);
-    const internal::OperationPart* const part =
-        present == partsNow().end() ? nullptr : localOperation(present->second.get());
-    if (present != partsNow().end() && (!part || part->caller() != operation.implementation())) {
+    const auto local = local_.find(name);
+    const OperationInterfacePart* const earlier = local != local_.end()         ? local->second.get()
+                                                  : present != partsNow().end() ? present->second.get()
+                                                                                : nullptr;
+    if (!earlier) return;
+    const internal::OperationPart* const part = localOperation(earlier);
+    if (!part || part->caller() != operation.implementation())
         log(Warning) << "operation '" << name << "' of '" << name_ << "' replaces an earlier one of that name"
                      << endlog();
-        removeOperation(name);
-    }
+    else if (local == local_.end())
+        return;
+    removeOperation(name);
+}
+
+bool Service::registerOperation(base::OperationBase& operation, bool callOnly) {
+    if (!accepts(operation)) return false;
+    replaceEarlier(operation);
     operation.setOwner(getOwnerExecutionEngine());
-    OperationInterface::add(name, operation.makePart(callOnly));
+    OperationInterface::add(operation.getName(), operation.makePart(callOnly));
     return true;
+}
+
+bool Service::addLocalOperation(base::OperationBase& operation) {
+    if (!accepts(operation)) return false;
+    const internal::OperationPart* const present = localOperation(findOperation(operation.getName()));
+    if (present && present->caller() == operation.implementation()) return true;
+    replaceEarlier(operation);
+    operation.setOwner(getOwnerExecutionEngine());
+    local_[operation.getName()].reset(operation.makePart(false));
+    return true;
+}
+
+void Service::registerLate(base::OperationBase* late, internal::CalleeBase* function, base::OperationBase& operation,
+                           const std::type_info& signature) {
+    owned_.emplace_back(late);
+    const boost::intrusive_ptr<internal::CalleeBase> held(function);
+    if (!accepts(operation)) return owned_.pop_back();
+    operation.setOwner(getOwnerExecutionEngine());
+    late->shareDescription(operation);
+    late->setFunction(function, operation.implementation()->getThread(), nullptr);
+    registerOperation(*late, false);
+    localPart(getPart(late->getName()))->overload(signature, operation.implementation());
+}
+
+bool Service::overload(const std::string& name, const std::type_info& signature, base::OperationCallerInterface* made,
+                       internal::CalleeBase* function) {
+    const base::OperationCallerInterface::shared_ptr owned(made);
+    made->setCallee(function);
+    internal::OperationPart* const part = localPart(getPart(name));
+    if (part && owned->ready()) part->overload(signature, owned);
+    return part && owned->ready();
 }
 
 }  // namespace RTT

@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace RTT {
@@ -37,6 +38,38 @@ struct LateMember<Member, Object, R(A...)> {
     boost::intrusive_ptr<DataSource<boost::shared_ptr<Object>>> source;
     R operator()(A... args) const {
         const boost::shared_ptr<Object> object = source->get();
+        if (!object) throwNoObject();
+        return ((*object).*member)(static_cast<A>(args)...);
+    }
+};
+
+/** A function whose first argument is an object that is looked up in the same way. */
+template <class Object, class Signature>
+struct LateFirst;
+template <class Object, class R, class First, class... A>
+struct LateFirst<Object, R(First, A...)> {
+    boost::intrusive_ptr<Callee<R(First, A...)>> function;
+    boost::intrusive_ptr<DataSource<boost::shared_ptr<Object>>> source;
+    R operator()(A... args) const {
+        const boost::shared_ptr<Object> object = source->get();
+        if (!object) throwNoObject();
+        if constexpr (std::is_pointer_v<First>)
+            return (*function)(object.get(), static_cast<A>(args)...);
+        else
+            return (*function)(object, static_cast<A>(args)...);
+    }
+};
+
+/** A member function of the object that is its first argument. Throws std::runtime_error if that is null. */
+template <class Object, class Member, class Signature>
+struct MemberOf;
+template <class Object, class Member, class R, class... A>
+struct MemberOf<Object, Member, R(A...)> {
+    typedef R ByPointer(Object*, A...);
+    typedef R BySharedPointer(boost::shared_ptr<Object>, A...);
+    Member member;
+    template <class Pointer>
+    R operator()(const Pointer& object, A... args) const {
         if (!object) throwNoObject();
         return ((*object).*member)(static_cast<A>(args)...);
     }
@@ -93,7 +126,16 @@ public:
 
     /** Null, and a warning, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name);
+    /** What to make an OperationCaller of, also of a local operation; null if there is none, or it is remote. */
     base::DisposableInterface::shared_ptr getLocalOperation(const std::string& name);
+    /** As getOperation(), with the local ones; without a warning. */
+    OperationInterfacePart* findOperation(const std::string& name) const;
+    /** With the local ones. */
+    bool hasOperation(const std::string& name) const;
+    std::vector<std::string> getOperationNames() const;
+    /** Registers an operation for getLocalOperation() only: scripts, tools and other processes do not see it. False, and an
+        error, if it has no name or no function. */
+    bool addLocalOperation(base::OperationBase& operation);
     void removeOperation(const std::string& name);
     /** For local operations; callers made before are not affected. */
     bool setOperationThread(const std::string& name, ExecutionThread et);
@@ -124,12 +166,15 @@ public:
                                                                             ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, false);
     }
-    /** Registers a member function of the object that the source gives at the time of the call, in the thread of the call. */
+    /** Registers a member function of the object that the source gives at the time of the call, in the thread of the call.
+        Callers in C++ may give an object instead, as first argument: a pointer or a boost::shared_ptr. */
     template <class Function, class Object>
     Operation<typename internal::SignatureOf<Function>::type>& addOperationDS(
         const std::string& name, Function function, internal::DataSource<boost::shared_ptr<Object>>* object,
         ExecutionThread et = ClientThread) {
-        return addOperation(name, internal::LateMember<Function, Object>{function, object}, et);
+        auto& made = addOperation(name, internal::LateMember<Function, Object>{function, object}, et);
+        addMemberOverloads<Object>(name, function);
+        return made;
     }
     template <class Function, class Source>
     Operation<typename internal::SignatureOf<Function>::type>& addOperationDS(const std::string& name,
@@ -138,6 +183,38 @@ public:
                                                                               ExecutionThread et = ClientThread) {
         return addOperationDS(name, function, object.get(), et);
     }
+    /** Registers an operation whose first argument is an object: `Object*` or a boost::shared_ptr. Callers in C++ give it;
+        for scripts and tools the operation does not have that argument, they call it with what the source gives then. */
+    template <class Object, class R, class First, class... Args>
+    Operation<R(First, Args...)>& addOperationDS(internal::DataSource<boost::shared_ptr<Object>>* object,
+                                                 Operation<R(First, Args...)>& operation) {
+        typedef R Signature(First, Args...);
+        auto* const function = static_cast<internal::Callee<Signature>*>(operation.implementation()->callee());
+        auto* const late = new Operation<R(Args...)>(operation.getName());
+        registerLate(late, internal::makeCallee<R(Args...)>(internal::LateFirst<Object, Signature>{function, object}),
+                     operation, typeid(Signature));
+        return operation;
+    }
+    template <class Source, class Signature>
+    Operation<Signature>& addOperationDS(boost::intrusive_ptr<Source> object, Operation<Signature>& operation) {
+        return addOperationDS(object.get(), operation);
+    }
+    /** Lets callers in C++ that have another signature than an operation of this service call another function by its name,
+        in the same thread. Scripts and tools do not see it. False if there is no such operation in this process. */
+    template <class Signature, class Function>
+    bool addOverload(const std::string& name, Function function) {
+        auto* const made = new internal::LocalOperationCaller<Signature>();
+        return overload(name, typeid(Signature), made, internal::makeCallee<Signature>(std::move(function)));
+    }
+    /** The same for a member function, whose object is the first argument: a pointer or a boost::shared_ptr. */
+    template <class Object, class Function>
+    void addMemberOverloads(const std::string& name, Function function) {
+        typedef typename internal::SignatureOf<Function>::type Signature;
+        typedef internal::MemberOf<Object, Function, Signature> Member;
+        addOverload<typename Member::ByPointer>(name, Member{function});
+        addOverload<typename Member::BySharedPointer>(name, Member{function});
+    }
+
     /** Can be called, in the caller's thread, but not sent. */
     template <class Signature>
     Operation<Signature>& addSynchronousOperation(Operation<Signature>& operation) {
@@ -177,6 +254,12 @@ private:
     friend class internal::PortOperation;
     void adopt(base::OperationBase* operation, internal::CalleeBase* function, ExecutionThread et, bool callOnly);
     bool registerOperation(base::OperationBase& operation, bool callOnly);
+    void registerLate(base::OperationBase* late, internal::CalleeBase* function, base::OperationBase& operation,
+                      const std::type_info& signature);
+    bool overload(const std::string& name, const std::type_info& signature, base::OperationCallerInterface* made,
+                  internal::CalleeBase* function);
+    bool accepts(const base::OperationBase& operation) const;
+    void replaceEarlier(const base::OperationBase& operation);
     bool isCommon(const std::string& name) const override;
     void addCommon() override;
     void leaveComponent();
@@ -185,6 +268,7 @@ private:
     typedef std::map<std::string, shared_ptr> Services;
     Services services_;
     std::vector<std::unique_ptr<base::OperationBase>> owned_;  // the others belong to the component
+    Parts local_;                                              // that others in this process alone can call
     std::string name_, doc_;
     TaskContext* owner_;
     boost::intrusive_ptr<const internal::EngineGate>

@@ -140,16 +140,20 @@ public:
 
     template <class T>
     bool addAttribute(const std::string& name, T& attribute) {
-        return service_->addAttribute(name, attribute);
+        return service_->addAttribute(name, attribute).ready() && !name.empty();
     }
     bool addAttribute(base::AttributeBase& attribute) { return service_->addAttribute(attribute); }
     template <class T>
     bool addConstant(const std::string& name, const T& constant) {
-        return service_->addConstant(name, constant);
+        return service_->addConstant(name, constant).ready() && !name.empty();
+    }
+    template <class T>
+    bool addConstant(const std::string& name, Constant<T>& constant) {
+        return service_->addConstant(name, constant).ready() && !name.empty();
     }
     template <class T, std::enable_if_t<!std::is_lvalue_reference<T>::value, int> = 0>
     bool addConstant(const std::string& name, T&& value) {
-        return service_->addConstant(name, std::forward<T>(value));
+        return service_->addConstant(name, std::forward<T>(value)).ready() && !name.empty();
     }
     bool addConstant(base::AttributeBase& constant) { return service_->addConstant(constant); }
     base::AttributeBase* getAttribute(const std::string& name) const { return service_->getAttribute(name); }

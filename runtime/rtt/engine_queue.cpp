@@ -23,17 +23,19 @@ constexpr std::int64_t kMillisecond = 1000000;
 std::int64_t soon(std::int64_t ms) { return rtos_get_time_ns() + ms * kMillisecond; }
 }  // namespace
 
+void ExecutionEngine::dispose(Mailbox::Item item) {
+    if (!item.what) return;
+    switch (item.kind) {
+        case Mailbox::Kind::Message: static_cast<base::DisposableInterface*>(item.what)->dispose(); break;
+        case Mailbox::Kind::Port: break;
+        case Mailbox::Kind::AddFunction: static_cast<base::ExecutableInterface*>(item.what)->unloaded(); break;
+        case Mailbox::Kind::RemoveFunction: static_cast<Removal*>(item.what)->finish(Removal::Disposed); break;
+    }
+}
+
 void ExecutionEngine::disposeQueued() {
     Mailbox::Item item;
-    while (mailbox_.take(item)) {
-        if (!item.what) continue;
-        switch (item.kind) {
-            case Mailbox::Kind::Message: static_cast<base::DisposableInterface*>(item.what)->dispose(); break;
-            case Mailbox::Kind::Port: break;
-            case Mailbox::Kind::AddFunction: static_cast<base::ExecutableInterface*>(item.what)->unloaded(); break;
-            case Mailbox::Kind::RemoveFunction: static_cast<Removal*>(item.what)->finish(Removal::Disposed); break;
-        }
-    }
+    while (mailbox_.take(item)) dispose(item);
 }
 
 // The component may enter FatalError between our look at its state and put(). Its thread then enters the new state,
@@ -87,48 +89,62 @@ bool ExecutionEngine::runFunction(base::ExecutableInterface* function) {
 
 bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     if (!function || !function->isLoaded() || function->getEngine() != this) return true;
-    const EngineGate::Stand stand(gate_.get());
-    if (stand) {
-        mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
-        takeOut(function);
-    } else {
+    if (!removeHere(function)) {
         const EngineGate* const own = EngineGate::ofThisThread();
         const EngineGate& waiting = own ? *own : *gate_;
         Removal removal(function, waiting);
-        // The queue is in order, so an addition that still waits in it is executed before the removal.
-        if (enqueue({Mailbox::Kind::RemoveFunction, &removal}))
-            awaitRemoval(removal, waiting);
-        else if (getActivity() && accepts())
-            return false;
-        else
-            removal.finish(Removal::Disposed);
+        awaitRemoval(removal, waiting);
         if (removal.state() == Removal::Disposed) {
             // Nobody executes any more, at most what is left of the last step.
             gate_->waitForStep();
             mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
-            takeOut(function);
+            functions_.remove(function);
         }
     }
     function->unloaded();
     return true;
 }
 
+// By this thread, if the component is its own, or if nobody executes that. `removal` is withdrawn, if there is one; false as well
+// if it has been taken already.
+bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* removal) {
+    const EngineGate::Stand stand(gate_.get(), EngineGate::Stand::Anybody);
+    if (!stand || (removal && !mailbox_.withdraw({Mailbox::Kind::RemoveFunction, removal}))) return false;
+    takeAdditions();
+    mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
+    functions_.remove(function);
+    return true;
+}
+
+// As long as nobody executes, those that come and go would fill the queue. By the thread that may touch the component.
+void ExecutionEngine::takeAdditions() {
+    Mailbox::Item item;
+    const auto isWithdrawn = [&] { return !item.what && item.kind == Mailbox::Kind::RemoveFunction; };
+    while (mailbox_.peek(item) && (item.kind == Mailbox::Kind::AddFunction || isWithdrawn()) && mailbox_.take(item)) {
+        if (item.kind != Mailbox::Kind::AddFunction)
+            dispose(item);  // after a fatal error, when another thread clears the queue at this moment
+        else if (item.what)
+            functions_.add(static_cast<base::ExecutableInterface*>(item.what));
+    }
+}
+
 // The thread of a component goes on executing its messages: the function may be waiting for one of them.
 void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) {
     const auto finished = [&] { return removal.state() != Removal::Waiting; };
-    // Looks at once, and then from time to time, because an activity that is stopped meanwhile tells nobody.
+    // The queue is in order, so an addition that still waits in it is executed before the removal. It may be full.
+    bool queued = false;
+    // Looks at once, and then from time to time, because an activity that is stopped meanwhile tells nobody, nor does a
+    // thread that executes it no more.
     do {
+        if (!queued) queued = enqueue({Mailbox::Kind::RemoveFunction, &removal});
+        if (removeHere(removal.function, queued ? &removal : nullptr)) return removal.finish(Removal::Removed);
         const EngineGate::Visit visit(*gate_);
-        const bool executed = visit.activity() && visit.activity()->isActive();
-        if (!executed && mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal})) {
+        const bool executed = visit.activity() && visit.activity()->isActive() && accepts();
+        if (!executed && (!queued || mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal}))) {
             removal.finish(Removal::Disposed);
             return;
         }
-    } while (!waiting.engine()->waitForMessages(finished, soon(20)));
-}
-
-void ExecutionEngine::takeOut(base::ExecutableInterface* function) {
-    std::replace(functions_.begin(), functions_.end(), function, static_cast<base::ExecutableInterface*>(nullptr));
+    } while (!waiting.engine()->waitForMessages(finished, soon(queued ? 20 : 1)));
 }
 
 // Executes the messages of all engines that this thread is executing, and the functions that others wait for. True if some of

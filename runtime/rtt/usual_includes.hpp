@@ -36,7 +36,10 @@
 #include <rtt/Service.hpp>
 #include <rtt/ServiceRequester.hpp>
 #include <rtt/Time.hpp>
+#include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/OperationCallerC.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/TimeService.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
 
 #endif

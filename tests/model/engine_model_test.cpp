@@ -11,6 +11,7 @@
 #include <rtt/engine_queue.cpp>
 #include <rtt/internal/CallPool.cpp>
 #include <rtt/internal/EngineGate.cpp>
+#include <rtt/internal/FunctionList.cpp>
 #include <rtt/internal/Mailbox.cpp>
 #include <rtt/internal/SentCall.cpp>
 #include <rtt/internal/WaitPoint.cpp>
@@ -18,6 +19,7 @@
 #include <rtt/base/RunnableInterface.cpp>
 
 RTT::ExecutionEngine* RTT::internal::GlobalEngine::Instance() { return nullptr; }
+RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return nullptr; }  // asked by who calls in the executor's name
 void RTT::internal::CalleeBase::deref() const {}  // there are none
 std::string RTT::internal::describe(const CalleeBase*) { return {}; }
 

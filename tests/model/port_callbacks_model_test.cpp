@@ -3,35 +3,19 @@
 #include <model/expect.hpp>
 #define MODEL_SHARED_POINTERS
 #include <model/checker/substitute.hpp>
+#include <model/checked_waiting.hpp>
 
-#define pthread_key_create(key, destructor) static_cast<void>(0)
-#define pthread_setspecific(key, value) static_cast<void>(0)
-#define pthread_self() static_cast<pthread_t>(model::self() + 1)
-#include <rtt/internal/DeferredCalls.cpp>
 #include <rtt/internal/PortCallbacks.cpp>
-#include <rtt/internal/Reclaimer.cpp>
-#include <rtt/internal/detail/waiting.cpp>
 
 namespace {
 
+using model::prepareWaiting;
 using model::require;
 using model::Trial;
 using RTT::internal::PortCallbacks;
 using RTT::internal::Reclaimer;
-using RTT::internal::ReclaimerState;
 
 /** A port, the queue of its component's engine, and what the callback saw. */
-typedef RTT::internal::detail::Waiting Waiting;
-// Made now: their memory must not be that of a run.
-const bool listsExist = (Waiting::mutex(), Waiting::all(), true);
-
-void prepare() {
-    model::threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
-    new (&ReclaimerState::instance()) ReclaimerState;
-    new (&Waiting::mutex()) std::mutex;
-    new (&Waiting::all()) std::vector<Waiting*>;
-}
-
 struct Component {
     PortCallbacks callbacks;
     RTT::base::PortInterface* const port = reinterpret_cast<RTT::base::PortInterface*>(&callbacks);
@@ -39,7 +23,7 @@ struct Component {
     int taken = 0, seen = 0, calls = 0;
 
     Component() {
-        prepare();
+        prepareWaiting();
         add();
     }
     void add() {
@@ -132,7 +116,7 @@ void removing(Trial& trial) {
 
 /** A port is removed by another thread: afterwards its callback is not executed any more. */
 void removedWhileCalled(Trial& trial) {
-    prepare();
+    prepareWaiting();
     PortCallbacks callbacks;
     auto* const port = reinterpret_cast<RTT::base::PortInterface*>(&callbacks);
     model::Plain<int> data(0);  // what the callback uses
@@ -149,7 +133,7 @@ void removedWhileCalled(Trial& trial) {
 
 /** Two callbacks that remove each other's port do not wait for each other. */
 void removingEachOther(Trial& trial) {
-    prepare();
+    prepareWaiting();
     std::array<PortCallbacks, 2> callbacks;
     const auto portOf = [&](std::size_t i) { return reinterpret_cast<RTT::base::PortInterface*>(&callbacks[i]); };
     for (std::size_t i = 0; i < 2; ++i) {

@@ -3,34 +3,18 @@
 // How an input port tells its component of new samples while the port or the component goes away.
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
+#include <model/checked_waiting.hpp>
 
-#define pthread_key_create(key, destructor) static_cast<void>(0)
-#define pthread_setspecific(key, value) static_cast<void>(0)
-#define pthread_self() static_cast<pthread_t>(model::self() + 1)
 #include <rtt/base/input_port_signals.cpp>
-#include <rtt/internal/DeferredCalls.cpp>
-#include <rtt/internal/Reclaimer.cpp>
-#include <rtt/internal/detail/waiting.cpp>
 
 namespace {
 
+using model::prepareWaiting;
 using model::require;
 using model::Trial;
 using RTT::DataFlowInterface;
 using RTT::base::InputPortInterface;
 using RTT::internal::Reclaimer;
-using RTT::internal::ReclaimerState;
-
-typedef RTT::internal::detail::Waiting Waiting;
-// Made now: their memory must not be that of a run.
-const bool listsExist = (Waiting::mutex(), Waiting::all(), true);
-
-void prepare() {
-    model::threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
-    new (&ReclaimerState::instance()) ReclaimerState;
-    new (&Waiting::mutex()) std::mutex;
-    new (&Waiting::all()) std::vector<Waiting*>;
-}
 
 /** A port of a component. */
 struct World {
@@ -58,7 +42,7 @@ struct World {
 };
 
 void portDestroyed(Trial& trial) {
-    prepare();
+    prepareWaiting();
     World world;
     trial.thread([&] { world.write(); });
     trial.thread([&] { world.destroyPort(); });
@@ -68,7 +52,7 @@ void portDestroyed(Trial& trial) {
 
 /** As DataFlowInterface::takeOut() does: the component goes, the port stays. */
 void componentDestroyed(Trial& trial) {
-    prepare();
+    prepareWaiting();
     World world;
     trial.thread([&] { world.write(); });
     trial.thread([&] {
@@ -81,7 +65,7 @@ void componentDestroyed(Trial& trial) {
 
 /** One write signals two ports; in the callback of the first the second one is destroyed. Another thread tells it, too. */
 void siblingDestroyed(Trial& trial) {
-    prepare();
+    prepareWaiting();
     World first, second;
     first.component->onData = [&](InputPortInterface*) { second.destroyPort(); };
     trial.thread([&] {
@@ -98,7 +82,7 @@ void siblingDestroyed(Trial& trial) {
     the other thread has yet to tell. */
 template <bool pending>
 void endingEachOther(Trial& trial) {
-    prepare();
+    prepareWaiting();
     World told[2], waiting[2];
     for (int i = 0; i != 2; ++i)
         told[i].component->onData = [&, i](InputPortInterface*) {
@@ -119,7 +103,7 @@ void endingEachOther(Trial& trial) {
 
 /** More signals than there are places for: after the last one the component has seen all samples. */
 void manySignals(Trial& trial) {
-    prepare();
+    prepareWaiting();
     World world;
     std::atomic<int> sample[2] = {{0}, {0}};
     std::atomic<int> seen[2] = {{0}, {0}};

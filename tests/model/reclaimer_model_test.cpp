@@ -2,18 +2,13 @@
 // Copyright Oroforge contributors
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
-
-#define pthread_key_create(key, destructor) static_cast<void>(0)
-#define pthread_setspecific(key, value) static_cast<void>(0)
-#include <rtt/internal/DeferredCalls.cpp>
-#include <rtt/internal/Reclaimer.cpp>
+#include <model/checked_reclaimer.hpp>
 
 namespace {
 
 using model::require;
 using model::Trial;
 using RTT::internal::Reclaimer;
-using RTT::internal::ReclaimerState;
 
 struct Object {
     explicit Object(int v) : value(v) {}
@@ -26,8 +21,7 @@ struct Shared {
     std::atomic<int> destroyed{0};
 
     explicit Shared(bool asymmetric) {
-        model::threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
-        new (&ReclaimerState::instance()) ReclaimerState;
+        model::prepareReclaimer();
         Reclaimer::asymmetric_ = asymmetric;
         instance = this;
     }

@@ -2,20 +2,9 @@
 // Copyright Oroforge contributors
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
+#include <model/threadless_activity.hpp>
 
-#include <rtt/os/fosi.h>
-#define rtos_get_time_ns() NANO_TIME(0)  // time stands still
-#include <rtt/base/ActivityInterface.cpp>
-#include <rtt/base/DisposableInterface.cpp>
-#include <rtt/base/RunnableInterface.cpp>
-#include <rtt/extras/SequentialActivity.cpp>
-#include <rtt/internal/AccessGate.cpp>
-#include <rtt/os/ThreadInterface.cpp>
-
-RTT::os::ThreadInterface* volatile mainThread = nullptr;
-RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return mainThread; }
-int RTT::os::detail::addThread(const char*, unsigned) { return 0; }
-void RTT::os::detail::removeThread(int) {}
+void RTT::os::detail::log(LogLevel, const char*, std::string_view) {}
 
 namespace {
 
@@ -61,6 +50,25 @@ void stopping(Trial& trial) {
     require(runner.done >= 100, "executed after stop()");
 }
 
+/** One thread makes a call directly, in the stead of who executes; another one triggers. */
+void callingDirectly(Trial& trial) {
+    Runner runner;
+    SequentialActivity activity(&runner);
+    require(activity.start(), "not started");
+    trial.thread([&] {
+        if (activity.beginInStead() != SequentialActivity::Direct::Entered) return;
+        runner.done = runner.done + 0;
+        activity.endDirect();
+    });
+    trial.thread([&] {
+        runner.queued.fetch_add(1, std::memory_order_release);
+        require(activity.trigger(), "refused");
+    });
+    trial.go();
+    require(runner.done == 1, "a message was forgotten");
+}
+
+TEST(SequentialActivity, a_direct_call_while_it_is_triggered) { EXPECT_TRUE(model::holds(callingDirectly)); }
 TEST(SequentialActivity, two_triggers) { EXPECT_TRUE(model::holds(triggering<2>)); }
 TEST(SequentialActivity, three_triggers) { EXPECT_TRUE(model::holds(triggering<3>, {0})); }
 TEST(SequentialActivity, stop_waits_for_the_execution) { EXPECT_TRUE(model::holds(stopping)); }
@@ -70,6 +78,8 @@ TEST(SequentialActivity, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("sequential_relaxed_trigger", triggering<2>));
     EXPECT_TRUE(model::catches("sequential_not_woken", stopping));
     EXPECT_TRUE(model::catches("sequential_stop_does_not_wait", stopping));
+    EXPECT_TRUE(model::catches("sequential_direct_beside_execution", callingDirectly));
+    EXPECT_TRUE(model::catches("sequential_leaves_too_early", callingDirectly));
 }
 
 }  // namespace

@@ -2,19 +2,15 @@
 // Copyright Oroforge contributors
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
+#include <model/checked_reclaimer.hpp>
 
-#define pthread_key_create(key, destructor) static_cast<void>(0)
-#define pthread_setspecific(key, value) static_cast<void>(0)
 #include <rtt/internal/SignalBase.cpp>
-#include <rtt/internal/DeferredCalls.cpp>
-#include <rtt/internal/Reclaimer.cpp>
 
 namespace {
 
 using model::require;
 using model::Trial;
 using RTT::internal::Reclaimer;
-using RTT::internal::ReclaimerState;
 using RTT::internal::SignalBase;
 
 struct Signal : SignalBase {
@@ -30,8 +26,7 @@ struct World {
     Signal signal;
     std::shared_ptr<Function> first = std::make_shared<Function>(), second = std::make_shared<Function>();
     World() {
-        model::threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
-        new (&ReclaimerState::instance()) ReclaimerState;
+        model::prepareReclaimer();
         signal.add(first, true);
     }
 };

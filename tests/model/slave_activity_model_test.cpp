@@ -2,21 +2,10 @@
 // Copyright Oroforge contributors
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
+#include <model/threadless_activity.hpp>
 
-#include <rtt/os/fosi.h>
-#define rtos_get_time_ns() NANO_TIME(0)  // time stands still
-#include <rtt/base/ActivityInterface.cpp>
-#include <rtt/base/DisposableInterface.cpp>
-#include <rtt/base/RunnableInterface.cpp>
-#include <rtt/extras/SequentialActivity.cpp>
 #include <rtt/extras/SlaveActivity.cpp>
-#include <rtt/internal/AccessGate.cpp>
-#include <rtt/os/ThreadInterface.cpp>
 
-RTT::os::ThreadInterface* volatile mainThread = nullptr;
-RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return mainThread; }
-int RTT::os::detail::addThread(const char*, unsigned) { return 0; }
-void RTT::os::detail::removeThread(int) {}
 void RTT::os::detail::log(LogLevel, const char*, std::string_view) {}
 
 namespace {

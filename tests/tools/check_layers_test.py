@@ -22,8 +22,8 @@ class CheckLayers(unittest.TestCase):
 
     def test_os_must_not_know_core(self):
         check_one(self, SCRIPT, {"runtime/rtt/Port.hpp": "",
-                                 "runtime/rtt/os/Timer.cpp": '\n#include "../Port.hpp"\n'},
-                  "runtime/rtt/os/Timer.cpp:2: error: [LAY01]")
+                                 "runtime/rtt/os/Mutex.cpp": '\n#include "../Port.hpp"\n'},
+                  "runtime/rtt/os/Mutex.cpp:2: error: [LAY01]")
 
     def test_core_must_not_know_scripting_even_if_not_written_yet(self):
         check_one(self, SCRIPT, {"runtime/rtt/TaskContext.cpp": "#include <rtt/scripting/Parser.hpp>\n"},

@@ -41,11 +41,18 @@ void ActivityInterface::adopt(RunnableInterface* newRunner) {
         attach(newRunner);
 }
 
+// A thread that only stands for the one that executes is not within a step.
+bool ActivityInterface::isWithin() {
+    const Direct answer = beginDirect();
+    if (answer == Direct::Entered) endDirect();
+    return answer == Direct::Granted && isRunning();
+}
+
 bool ActivityInterface::claimRunner() {
     ActivityInterface* const other = runner ? runner->getActivity() : this;
     if (other == this) return true;
     // Stopped within its own step it would go on until that returns.
-    const bool within = other && other->isSelf() && other->isRunning();
+    const bool within = other && other->isWithin();
     if (within || (other && other->isActive() && !other->stop() && other->isActive())) {
         log(Error) << "cannot start an activity: what it is to execute belongs to another one, "
                    << (within ? "whose thread calls start()" : "which does not stop") << endlog();
@@ -63,6 +70,7 @@ bool ActivityInterface::run(RunnableInterface* newRunner) {
 }
 
 ActivityInterface::Direct ActivityInterface::beginDirect() { return isSelf() ? Direct::Granted : Direct::Refused; }
+ActivityInterface::Direct ActivityInterface::beginInStead() { return beginDirect(); }
 void ActivityInterface::endDirect() {}
 
 bool ActivityInterface::isPeriodic() const { return getPeriod() != 0.0; }

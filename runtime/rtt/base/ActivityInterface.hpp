@@ -73,6 +73,11 @@ public:
      * may, nobody else executes the runner meanwhile, and it calls endDirect() afterwards. Never blocks; real-time safe.
      */
     virtual Direct beginDirect();
+    /**
+     * The same for any thread, while nobody executes the runner and nobody is known who will. As beginDirect(), unless the
+     * activity borrows its threads.
+     */
+    virtual Direct beginInStead();
     virtual void endDirect();
 
     /** For those who keep a pointer to an activity that others may destroy, as a slave does: pass it before each use. */
@@ -100,6 +105,8 @@ protected:
     RunnableInterface* runner = nullptr;
 
 private:
+    bool isWithin();
+
     std::shared_ptr<internal::AccessGate> gate_;
     bool attached_ = false;  // the runner knows this activity
     bool gateClosed_ = false;

@@ -19,6 +19,7 @@ public:
 
     /** True if there is a value behind the name. */
     bool ready() const { return getDataSource() != nullptr; }
+    explicit operator bool() const { return ready(); }
     virtual DataSourceBase::shared_ptr getDataSource() const = 0;
 
     /** A new attribute on the same data source. The caller owns it. */

@@ -4,6 +4,7 @@
 #define ORO_BUFFER_HPP
 
 #include <rtt/base/BufferLockFree.hpp>
+#include <rtt/base/BufferLocked.hpp>
 
 namespace RTT {
 namespace base {

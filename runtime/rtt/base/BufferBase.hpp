@@ -4,6 +4,7 @@
 #ifndef ORO_BUFFER_BASE_HPP
 #define ORO_BUFFER_BASE_HPP
 
+#include <rtt/base/StorageUsers.hpp>
 #include <rtt/rtt-config.h>
 
 #include <boost/shared_ptr.hpp>
@@ -17,9 +18,10 @@ public:
     typedef int size_type;
     typedef boost::shared_ptr<BufferBase> shared_ptr;
 
-    class RTT_API Options {
+    class RTT_API Options : public StorageUsers {
     public:
-        Options(bool circular = false, unsigned int max_threads = 2) : circular_(circular), max_threads_(max_threads) {}
+        Options(bool circular = false) : circular_(circular) {}
+        Options(bool circular, unsigned int max_threads) : circular_(circular) { setThreads(max_threads); }
         Options(const ConnPolicy& policy);
 
         /** When full, drop the oldest sample instead of the new one. */
@@ -29,15 +31,24 @@ public:
             return *this;
         }
         /** How many threads use a lock-free buffer at once. */
-        unsigned int max_threads() const { return max_threads_; }
+        using StorageUsers::max_threads;
         Options& max_threads(unsigned int n) {
-            max_threads_ = n;
+            setThreads(n);
+            return *this;
+        }
+        using StorageUsers::multiple_writers;
+        Options& multiple_writers(bool on) {
+            setSeveralWriters(on);
+            return *this;
+        }
+        using StorageUsers::multiple_readers;
+        Options& multiple_readers(bool on) {
+            setSeveralReaders(on);
             return *this;
         }
 
     private:
         bool circular_;
-        unsigned int max_threads_;
     };
 
     virtual ~BufferBase();

@@ -25,7 +25,7 @@ public:
     virtual bool Push(param_t item) = 0;
     /** Pushes in order until one does not fit; the number of samples taken. */
     virtual size_type Push(const std::vector<value_t>& items) = 0;
-    /** NewData and the oldest sample; if empty OldData, with `item` untouched, or NoData if there never was one. */
+    /** NewData and the oldest sample; NoData, with `item` untouched, if empty. */
     virtual FlowStatus Pop(reference_t item) = 0;
     /** Replaces `items` by all samples; their number. Allocates. */
     virtual size_type Pop(std::vector<value_t>& items) = 0;

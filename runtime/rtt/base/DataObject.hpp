@@ -4,6 +4,7 @@
 #define ORO_CORELIB_DATAOBJECT_HPP
 
 #include <rtt/base/DataObjectLockFree.hpp>
+#include <rtt/base/DataObjectLocked.hpp>
 
 namespace RTT {
 namespace base {

@@ -4,6 +4,7 @@
 #ifndef ORO_CORELIB_DATA_OBJECT_BASE_HPP
 #define ORO_CORELIB_DATA_OBJECT_BASE_HPP
 
+#include <rtt/base/StorageUsers.hpp>
 #include <rtt/rtt-config.h>
 
 namespace RTT {
@@ -13,19 +14,27 @@ namespace base {
 class RTT_API DataObjectBase {
 public:
     /** For lock-free data objects: how many threads use it at once. */
-    class RTT_API Options {
+    class RTT_API Options : public StorageUsers {
     public:
-        Options(unsigned int max_threads = 2) : max_threads_(max_threads) {}
+        Options() = default;
+        Options(unsigned int max_threads) { setThreads(max_threads); }
         Options(const ConnPolicy& policy);
 
-        unsigned int max_threads() const { return max_threads_; }
+        using StorageUsers::max_threads;
         Options& max_threads(unsigned int n) {
-            max_threads_ = n;
+            setThreads(n);
             return *this;
         }
-
-    private:
-        unsigned int max_threads_;
+        using StorageUsers::multiple_writers;
+        Options& multiple_writers(bool on) {
+            setSeveralWriters(on);
+            return *this;
+        }
+        using StorageUsers::multiple_readers;
+        Options& multiple_readers(bool on) {
+            setSeveralReaders(on);
+            return *this;
+        }
     };
 
     virtual ~DataObjectBase();

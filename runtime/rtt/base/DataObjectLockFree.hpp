@@ -14,12 +14,17 @@ class DataObjectLockFree : public internal::StoredDataObject<T> {
 public:
     typedef DataObjectBase::Options Options;
 
-    DataObjectLockFree() : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, nullptr, 2) {}
+    /** How many threads may use this at once. */
+    const unsigned int MAX_THREADS;
+
+    DataObjectLockFree() : DataObjectLockFree(Options()) {}
     explicit DataObjectLockFree(const Options& options)
-        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, nullptr, options.max_threads()),
+          MAX_THREADS(options.max_threads()) {}
     /** `initial_value` sizes the storage; it is not delivered as data. */
     explicit DataObjectLockFree(const T& initial_value, const Options& options = Options())
-        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads()) {}
+        : internal::StoredDataObject<T>(internal::StoreSpec::LockFree, &initial_value, options.max_threads()),
+          MAX_THREADS(options.max_threads()) {}
 };
 
 }  // namespace base

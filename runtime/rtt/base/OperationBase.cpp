@@ -16,6 +16,19 @@ OperationBase::OperationBase(const std::string& name, OperationCallerInterface* 
 
 OperationBase::~OperationBase() = default;
 
+OperationBase::OperationBase(const OperationBase& other)
+    : description_(std::make_shared<OperationDescription>(*other.description_)),
+      implementation_(other.implementation_->cloneFor(nullptr)),
+      table_(other.table_) {}
+
+OperationBase& OperationBase::operator=(const OperationBase& other) {
+    if (this == &other) return *this;
+    description_ = std::make_shared<OperationDescription>(*other.description_);
+    implementation_.reset(other.implementation_->cloneFor(nullptr));
+    table_ = other.table_;
+    return *this;
+}
+
 void OperationBase::setOwner(ExecutionEngine* owner) {
     implementation_->setThread(implementation_->getThread(), owner);
 }

@@ -28,14 +28,18 @@ struct OperationDescription {
 class RTT_API OperationBase {
 public:
     virtual ~OperationBase();
-    OperationBase(const OperationBase&) = delete;
-    OperationBase& operator=(const OperationBase&) = delete;
+    /** The same function, thread, listeners and documentation; what one of both is given later the other does not get. A
+        service goes on offering what was added to it. */
+    OperationBase(const OperationBase& other);
+    OperationBase& operator=(const OperationBase& other);
 
     const std::string& getName() const { return description_->name; }
     /** The documentation, then name and documentation of each argument in turn. */
     const std::vector<std::string>& getDescriptions() const { return description_->texts; }
+    /** True if there is a function to call and a component that provides it. */
+    bool ready() const { return hasFunction() && implementation_->getOwner(); }
     /** True if there is a function to call. */
-    bool ready() const { return implementation_->ready(); }
+    bool hasFunction() const { return implementation_->ready(); }
 
     /** The engine of the component that provides this. */
     void setOwner(ExecutionEngine* owner);
@@ -56,6 +60,8 @@ protected:
     void setFunction(internal::CalleeBase* function, ExecutionThread et, ExecutionEngine* owner);
     void setDoc(const std::string& text) { description_->texts[0] = text; }
     void addArgument(const std::string& name, const std::string& text);
+    /** Of another operation from now on: both have its name and documentation. */
+    void shareDescription(const OperationBase& other) { description_ = other.description_; }
 
 private:
     friend class RTT::Service;

@@ -64,6 +64,11 @@ public:
 
     /** True if a call has to be sent to another thread. */
     bool isSend() const;
+    /** From now on, what the operation throws in the GlobalEngine puts the component that provides it into Exception: for
+        those who send by data sources, as scripts do. */
+    void setGeneric() { generic_ = true; }
+    /** A caller by data sources executed the operation itself, and it threw that: see internal::blame(). */
+    void ownerThrew(const char* what) const;
 
 protected:
     OperationCallerInterface() = default;
@@ -85,6 +90,7 @@ protected:
 
 private:
     ExecutionThread thread_ = ClientThread;
+    bool generic_ = false;
     boost::intrusive_ptr<internal::CalleeBase> callee_;
     boost::intrusive_ptr<const internal::EngineGate> owner_;
     ExecutionEngine* caller_ = nullptr;

@@ -90,6 +90,8 @@ internal::SharedConnectionBase::shared_ptr PortInterface::getSharedConnection() 
     return manager_->getSharedConnection();
 }
 
+ChannelElementBase::shared_ptr PortInterface::sharedStorage() const { return manager_->getSharedStorage(); }
+
 bool PortInterface::createConnection(internal::SharedConnectionBase::shared_ptr shared_connection) {
     if (shared_connection) return createConnection(shared_connection, shared_connection->getPolicy());
     log(Error) << "port " << getFullName() << ": there is no shared connection to join" << endlog();

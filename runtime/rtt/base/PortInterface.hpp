@@ -111,6 +111,8 @@ protected:
     PortInterface(const std::string& name, const types::TypeOps* ops);
     void setSampleSchema(const types::Schema& schema) { schema_ = &schema; }
 
+    /** The storage that this port shares between its connections, or with other ports; null if there is none. */
+    ChannelElementBase::shared_ptr sharedStorage() const;
     /** Leaves the component; waits for a callback of this port that another thread executes. */
     void leaveInterface();
     /** Disconnects, leaves the component and waits until no thread is inside. Every direct derived class calls it in its

@@ -85,6 +85,15 @@ TaskCore::TaskCore(TaskState initial_state, const std::string& name)
       states_(pack({initial_state, initial_state, 0})),
       name_(name) {}
 
+TaskCore::StateVariable& TaskCore::StateVariable::operator=(TaskState state) {
+    task_.modify([this, state](States& now) {
+        if (target_ || now.target == now.state) now.target = state;
+        if (!target_) now.state = state;
+        return true;
+    });
+    return *this;
+}
+
 TaskCore::~TaskCore() {
     if (ee->getActivity()) ee->getActivity()->stop();
     delete ee;
@@ -213,7 +222,6 @@ bool TaskCore::stop() {
     }
     const TaskState from = states().state;
     if (from < Running) return false;  // that step ended in Exception or FatalError
-    aim(Stopped);                      // again: it may have called error() or recover()
     stopped_ = true;
     const Outcome outcome = callHook("stop()", from, [this] {
         const HookInProgress hook(this, "stopHook()");
@@ -239,9 +247,8 @@ void TaskCore::error() {
 bool TaskCore::recover() {
     return modify([this](States& now) {
         if (now.state != Exception && now.state != RunTimeError) return false;
-        const TaskState from = now.state;
-        now.state = from == Exception ? mInitialState : Running;
-        if (now.target == from) now.target = now.state;  // else stop() is under way
+        if (now.target != now.state) return false;  // stop() is under way
+        now.state = now.target = now.state == Exception ? mInitialState : Running;
         return true;
     });
 }

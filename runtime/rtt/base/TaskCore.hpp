@@ -53,7 +53,8 @@ public:
     virtual bool cleanup();
     /** Starts the activity; the state stays. */
     virtual bool activate();
-    /** From Exception to the state of construction, from RunTimeError to Running. Calls no hook. */
+    /** From Exception to the state of construction, from RunTimeError to Running. Calls no hook. False while stop() is under
+        way. */
     virtual bool recover();
     /** The name of recover() before 2.0. */
     bool resetException() { return recover(); }
@@ -90,7 +91,8 @@ protected:
     virtual bool startHook();
     /** One cycle. Default: nothing. */
     virtual void updateHook();
-    /** Asked by stop() when updateHook() is executing and does not return by itself: make it return, or answer false. */
+    /** Asked by stop() when updateHook() is executing in an activity that is not periodic, or is what calls stop(): make it
+        return, or answer false, and the component goes on. Default: true. */
     virtual bool breakUpdateHook();
     /** One cycle in state RunTimeError. Default: nothing. */
     virtual void errorHook();
@@ -116,8 +118,24 @@ protected:
     typedef void (*PortStep)(TaskCore& task, PortInterface* port);
     PortStep port_step_ = nullptr;
 
+    /** What getTaskState() or getTargetState() tells, for sub-classes that read it as a variable. Who assigns it changes the
+        state and no more: no hook is called. */
+    class RTT_API StateVariable {
+    public:
+        StateVariable(TaskCore& task, bool target) : task_(task), target_(target) {}
+        StateVariable(const StateVariable&) = delete;
+        StateVariable& operator=(const StateVariable& other) { return *this = TaskState(other); }
+        StateVariable& operator=(TaskState state);
+        operator TaskState() const { return target_ ? task_.getTargetState() : task_.getTaskState(); }
+
+    private:
+        TaskCore& task_;
+        const bool target_;
+    };
+
     friend class RTT::ExecutionEngine;
     ExecutionEngine* ee;
+    StateVariable mTaskState{*this, false}, mTargetState{*this, true};
     const TaskState mInitialState;
     /** How often it was started; counted before it is Running. */
     std::atomic<unsigned> mStartCounter{0};

@@ -8,18 +8,17 @@
 namespace RTT {
 namespace base {
 
-namespace {
-unsigned int threadsOf(const ConnPolicy& policy) {
-    return policy.max_threads > 0 ? static_cast<unsigned int>(policy.max_threads) : 2;
-}
-}  // namespace
+StorageUsers::StorageUsers(const ConnPolicy& policy)
+    : max_threads_(policy.max_threads > 0 ? static_cast<unsigned int>(policy.max_threads) : 0),
+      several_writers_(policy.buffer_policy == PerInputPort || policy.buffer_policy == Shared),
+      several_readers_(policy.buffer_policy == PerOutputPort || policy.buffer_policy == Shared) {}
 
 DataObjectBase::~DataObjectBase() = default;
-DataObjectBase::Options::Options(const ConnPolicy& policy) : max_threads_(threadsOf(policy)) {}
+DataObjectBase::Options::Options(const ConnPolicy& policy) : StorageUsers(policy) {}
 
 BufferBase::~BufferBase() = default;
 BufferBase::Options::Options(const ConnPolicy& policy)
-    : circular_(policy.type == ConnPolicy::CIRCULAR_BUFFER), max_threads_(threadsOf(policy)) {}
+    : StorageUsers(policy), circular_(policy.type == ConnPolicy::CIRCULAR_BUFFER) {}
 
 }  // namespace base
 }  // namespace RTT

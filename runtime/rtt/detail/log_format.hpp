@@ -17,6 +17,7 @@ struct LogParts {
     LoggerLevel level;
     std::string_view module, text;
     std::size_t cut = 0;  // characters of the text that were left out
+    bool bare = false;    // the text alone is the line
 };
 
 /** "[ Warning]", always ten characters. */
@@ -33,9 +34,11 @@ std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept;
 template <class Append>
 void composeLine(const LogParts& parts, Append append) {
     char start[kLongestStart], mark[kLongestMark];
-    append(start, formatStart(start, parts.time, parts.level));
-    append(parts.module.data(), parts.module.size());
-    append("] ", std::size_t(2));
+    if (!parts.bare) {
+        append(start, formatStart(start, parts.time, parts.level));
+        append(parts.module.data(), parts.module.size());
+        append("] ", std::size_t(2));
+    }
     append(parts.text.data(), parts.text.size());
     append(mark, formatMark(mark, parts.cut));
     append("\n", std::size_t(1));

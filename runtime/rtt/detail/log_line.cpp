@@ -4,6 +4,7 @@
 
 #include <rtt/detail/log_queue.hpp>
 #include <rtt/detail/log_sink.hpp>
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>
@@ -107,7 +108,9 @@ void LogLine::setModule(const char* name, std::size_t size) noexcept {
 void LogLine::finish(bool flush) {
     // Nobody sees it, nothing was composed: the common case of debug messages, which must cost next to nothing.
     if (!opened && !logMayReach(level)) return;
-    if (!buffer.text().empty() && logMayReach(level))
+    const bool composed = !buffer.text().empty();
+    const bool kept = composed && level <= Error && internal::KeptErrors::keep(buffer.text());
+    if (composed && !kept && logMayReach(level))
         logSink().write(level, module, buffer.text(), flush, buffer.cut());
     else if (flush)
         logSink().flush();

@@ -19,6 +19,7 @@ struct LogRecord {
     std::uint32_t cut;  // characters of the text that were left out
     std::uint16_t moduleSize, textSize;
     std::uint8_t level;
+    bool bare;  // as in LogParts
 };
 
 /**

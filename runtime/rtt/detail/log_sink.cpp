@@ -180,22 +180,36 @@ void LogSink::note(LoggerLevel level, const std::string& text) {
 }
 
 void LogSink::write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut) {
-    if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return enqueue(level, module, text, cut);
+    writeNow({0, level, module, text, cut}, flush);
+}
+
+void LogSink::writeBare(LoggerLevel level, std::string_view text) {
+    if (logMayReach(level)) writeNow({0, level, {}, text, 0, /*bare=*/true}, true);
+}
+
+void LogSink::writeNow(LogParts parts, bool flush) {
+    if (os::inRealTimeThread() && !finished_.load(std::memory_order_relaxed)) return enqueue(parts);
     std::lock_guard<std::mutex> lock(mutex_);
     drainLocked();
-    writeLocked({now(), level, module, text, cut});
+    parts.time = now();
+    writeLocked(parts);
     if (flush || finished_) flushLocked();
 }
 
 void LogSink::enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut) noexcept {
+    enqueue({0, level, module, text, cut});
+}
+
+void LogSink::enqueue(const LogParts& parts) noexcept {
     LogRecord record{};
     record.time = now();
-    record.level = static_cast<std::uint8_t>(level);
-    record.moduleSize = static_cast<std::uint16_t>(std::min(module.size(), kLongestLogModule));
-    const std::size_t size = std::min<std::size_t>(text.size(), LogQueue::kLongest - record.moduleSize);
+    record.level = static_cast<std::uint8_t>(parts.level);
+    record.bare = parts.bare;
+    record.moduleSize = static_cast<std::uint16_t>(std::min(parts.module.size(), kLongestLogModule));
+    const std::size_t size = std::min<std::size_t>(parts.text.size(), LogQueue::kLongest - record.moduleSize);
     record.textSize = static_cast<std::uint16_t>(size);
-    record.cut = static_cast<std::uint32_t>(std::min<std::size_t>(cut + text.size() - size, UINT32_MAX));
-    queue_.put(record, module.data(), text.data());
+    record.cut = static_cast<std::uint32_t>(std::min<std::size_t>(parts.cut + parts.text.size() - size, UINT32_MAX));
+    queue_.put(record, parts.module.data(), parts.text.data());
     drainer_.wake();
 }
 
@@ -208,8 +222,12 @@ void LogSink::drain() {
 namespace {
 
 LogParts partsOf(const LogRecord& record, const char* bytes) {
-    return {record.time, static_cast<LoggerLevel>(record.level), std::string_view(bytes, record.moduleSize),
-            std::string_view(bytes + record.moduleSize, record.textSize), record.cut};
+    return {record.time,
+            static_cast<LoggerLevel>(record.level),
+            std::string_view(bytes, record.moduleSize),
+            std::string_view(bytes + record.moduleSize, record.textSize),
+            record.cut,
+            record.bare};
 }
 
 /** Text of the line that tells of others; into a buffer, for signal handlers. */

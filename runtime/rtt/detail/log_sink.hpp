@@ -34,6 +34,8 @@ public:
 
     /** Real-time safe in a real-time thread. `cut`: characters of the text that were left out. */
     void write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut = 0);
+    /** A line of that text alone, and flushes. Likewise. */
+    void writeBare(LoggerLevel level, std::string_view text);
     /** Puts a line into the queue and wakes who empties it. Real-time safe. */
     void enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut = 0) noexcept;
     /** Nothing in a real-time thread: what was queued before is flushed when it is written. */
@@ -71,6 +73,9 @@ private:
     void announceStart();
     void updateLimits();
     void note(LoggerLevel level, const std::string& text);
+    // These two set the time.
+    void enqueue(const LogParts& parts) noexcept;
+    void writeNow(LogParts parts, bool flush);
     void writeLocked(const LogParts& parts);
     void drainLocked();
     void flushLocked();

@@ -41,6 +41,7 @@ struct FileDescriptorActivity::Descriptors {
     std::atomic<nsecs> timeout{0};  // 0: none
     std::atomic<bool> timedOut{false};
     std::atomic<bool> failed{false};
+    std::atomic<bool> executing{false};
     std::atomic<bool> quit{false};  // the object is being destroyed
 
     // The thread's.
@@ -54,10 +55,21 @@ struct FileDescriptorActivity::Descriptors {
     }
     void note(const detail::PollResult& found, std::uint32_t signals, nsecs now) {
         if (signals & kNewTimeout) arm(now);
-        timedOut = (signals & kTimedOut) || now >= deadline;
+        timedOut = !found.ready && now >= deadline;
         failed = found.error != 0 || found.closed >= 0;
-        if (timedOut || found.ready) arm(now);
     }
+};
+
+/** While the thread executes what others wrote. */
+class FileDescriptorActivity::Execution {
+public:
+    explicit Execution(Descriptors& descriptors) : executing_(descriptors.executing) { executing_ = true; }
+    ~Execution() { executing_ = false; }
+    Execution(const Execution&) = delete;
+    Execution& operator=(const Execution&) = delete;
+
+private:
+    std::atomic<bool>& executing_;
 };
 
 FileDescriptorActivity::FileDescriptorActivity(int priority, base::RunnableInterface* r, const std::string& name)
@@ -70,7 +82,7 @@ FileDescriptorActivity::FileDescriptorActivity(int scheduler, int priority, Seco
     : FileDescriptorActivity(scheduler, priority, period, 0, r, name) {}
 FileDescriptorActivity::FileDescriptorActivity(int scheduler, int priority, Seconds period, unsigned cpuAffinity,
                                                base::RunnableInterface* r, const std::string& name)
-    : Activity(scheduler, priority, 0.0, cpuAffinity, nullptr, name), descriptors_(new Descriptors) {
+    : Activity(scheduler, priority, period, cpuAffinity, nullptr, name), descriptors_(new Descriptors) {
     (void)FileDescriptorActivity::setPeriod(period);
     adopt(r);
 }
@@ -128,6 +140,7 @@ void FileDescriptorActivity::setTimeout_us(int microseconds) {
 int FileDescriptorActivity::getTimeout() const { return clamped(descriptors_->timeout / 1000000); }
 int FileDescriptorActivity::getTimeout_us() const { return clamped(descriptors_->timeout / 1000); }
 
+bool FileDescriptorActivity::isRunning() const { return Activity::isRunning() && descriptors_->executing; }
 bool FileDescriptorActivity::isPeriodic() const { return false; }
 Seconds FileDescriptorActivity::getPeriod() const { return nsecs_to_Seconds(nominalPeriod_); }
 nsecs FileDescriptorActivity::getPeriodNS() const { return nominalPeriod_; }
@@ -181,8 +194,11 @@ void FileDescriptorActivity::session() {
     d.set.forgetReady();
     d.timedOut = false;
     d.failed = false;
+    if (d.mayWait(mayRun())) {
+        const Execution execution(d);
+        work(base::RunnableInterface::Trigger);
+    }
     d.arm(rtos_get_time_ns());
-    if (d.mayWait(mayRun())) work(base::RunnableInterface::Trigger);
     std::uint32_t signals = 0;
     while (d.mayWait(mayRun())) {
         const bool sleeps = signals == 0 && d.waker.prepare();
@@ -193,15 +209,24 @@ void FileDescriptorActivity::session() {
         if (!mayRun()) return;
         d.note(found, signals, rtos_get_time_ns());
         reportFailure(found);
-        const bool due = d.timedOut || d.failed || found.ready || (signals & kTriggered);
-        const auto reason = d.timedOut                ? base::RunnableInterface::TimeOut
-                            : d.failed || found.ready ? base::RunnableInterface::IOReady
-                                                      : base::RunnableInterface::Trigger;
+        executeDue(found.ready, signals);
         signals = 0;
-        if (!due) continue;
-        step();
-        work(reason);
     }
+}
+
+void FileDescriptorActivity::executeDue(bool ready, std::uint32_t signals) {
+    Descriptors& d = *descriptors_;
+    const bool timeOut = d.timedOut || (signals & kTimedOut);
+    if (!timeOut && !d.failed && !ready && !(signals & kTriggered)) return;
+    {
+        const Execution execution(d);
+        step();
+        work(timeOut             ? base::RunnableInterface::TimeOut
+             : d.failed || ready ? base::RunnableInterface::IOReady
+                                 : base::RunnableInterface::Trigger);
+    }
+    // The time begins when it waits again, so that a long step is not taken for one without input.
+    if (timeOut || ready) d.arm(rtos_get_time_ns());
 }
 
 void FileDescriptorActivity::reportFailure(const detail::PollResult& found) {

@@ -24,7 +24,8 @@ struct PollResult;
  * the first that applies; isUpdated() tells about descriptors in each of them. After start(), work(Trigger) is executed
  * once, for messages that came earlier. Any number of descriptors with any number can be watched.
  *
- * Triggers do not postpone the time of setTimeout(); ready descriptors do. A watched descriptor that turns out to be closed
+ * Triggers do not postpone the time of setTimeout(); steps because of ready descriptors or of a timeout do, it begins when they
+ * are over. hasTimeout() is true only after that time, not after timeout(). A watched descriptor that turns out to be closed
  * is reported once: hasError() is true in that step, and it is not watched any more.
  *
  * trigger() and timeout() are real-time safe: one atomic operation, and one system call only if the thread sleeps. The
@@ -57,6 +58,8 @@ public:
     int getTimeout() const override;
     int getTimeout_us() const override;
 
+    /** True while it executes step() or work(), false while it waits. */
+    bool isRunning() const override;
     /** False if active already; forgets a timeout() that came before. */
     bool start() override;
     /** False if not active. */
@@ -78,6 +81,8 @@ protected:
 
 private:
     struct Descriptors;
+    class Execution;
+    void executeDue(bool ready, std::uint32_t signals);
     void reportFailure(const detail::PollResult& found);
 
     std::unique_ptr<Descriptors> descriptors_;

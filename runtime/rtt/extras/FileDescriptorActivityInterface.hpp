@@ -28,7 +28,7 @@ public:
     virtual bool isWatched(int fd) const = 0;
     /** True if `fd` was ready when the component was last woken. */
     virtual bool isUpdated(int fd) const = 0;
-    /** True if the component was last woken because of timeout() or because the time of setTimeout() was over. */
+    /** True if the component was last woken because the time of setTimeout() was over and no descriptor was ready. */
     virtual bool hasTimeout() const = 0;
     /** True if the component was last woken because waiting failed. */
     virtual bool hasError() const = 0;

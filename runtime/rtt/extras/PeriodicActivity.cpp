@@ -44,7 +44,7 @@ bool PeriodicActivity::start() {
         thread_->removeActivity(this);
     }
     running_ = false;
-    active_ = false;
+    const internal::ActiveWhile active(active_);
     finalize();
     return false;
 }
@@ -60,7 +60,7 @@ bool PeriodicActivity::stop() {
         running_ = true;
         return false;
     }
-    active_ = false;
+    const internal::ActiveWhile active(active_);
     finalize();
     return true;
 }
@@ -92,6 +92,19 @@ bool PeriodicActivity::isSelf() const {
     return executor != 0 ? executor == os::detail::currentTid() : thread_->isSelf();
 }
 os::ThreadInterface* PeriodicActivity::thread() { return thread_.get(); }
+
+base::ActivityInterface::Direct PeriodicActivity::beginDirect() {
+    if (executor_ == os::detail::currentTid()) return Direct::Granted;
+    // The thread of a cycle executes one after another, and others may execute this one meanwhile.
+    return isSelf() && thread_->enterNow(*this) ? Direct::Entered : Direct::Refused;
+}
+
+base::ActivityInterface::Direct PeriodicActivity::beginInStead() {
+    if (thread_->isActive() || executor_ == os::detail::currentTid()) return beginDirect();
+    return thread_->enterNow(*this) ? Direct::Entered : Direct::Refused;
+}
+
+void PeriodicActivity::endDirect() { thread_->leave(*this); }
 
 bool PeriodicActivity::initialize() { return claimRunner() && (!runner || runner->initialize()); }
 

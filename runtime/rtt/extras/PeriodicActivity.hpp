@@ -48,6 +48,11 @@ public:
     bool timeout() override { return false; }
     os::ThreadInterface* thread() override;
     bool isSelf() const override;
+    /** While it has entered, the thread does not execute this activity: it waits, at most one second, and leaves it out. */
+    Direct beginDirect() override;
+    /** Refused while the thread is active. */
+    Direct beginInStead() override;
+    void endDirect() override;
 
 protected:
     virtual bool initialize();
@@ -55,6 +60,8 @@ protected:
     virtual void work(base::RunnableInterface::WorkReason reason);
     virtual void finalize();
     TimerThread& timerThread() const { return *thread_; }
+    /** Some thread is executing it. */
+    bool isExecuted() const { return executor_ != 0; }
 
 private:
     friend class TimerThread;
@@ -64,7 +71,7 @@ private:
     std::atomic<bool> running_{false};
     std::atomic<bool> active_{false};
     std::atomic<bool> changing_{false};  // within start() or stop()
-    std::atomic<int> executor_{0};       // Linux id of the executing thread; written under the mutex of the thread
+    std::atomic<int> executor_{0};       // Linux id of the executing thread; see TimerThread::enterNow()
 };
 
 }  // namespace extras

@@ -5,6 +5,9 @@
 #include <rtt/internal/TryFlag.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/futex.hpp>
+#include <rtt/os/detail/os_log.hpp>
+
+#include <exception>
 
 namespace RTT {
 namespace extras {
@@ -14,14 +17,16 @@ SequentialActivity::SequentialActivity(base::RunnableInterface* r) { adopt(r); }
 SequentialActivity::~SequentialActivity() {
     closeGate();
     stop();
-    if (!isSelf()) waitForExecution(os::detail::kForever);  // one that stopped itself, or does not end in time
+    if (!isExecutor()) waitForExecution(os::detail::kForever);  // one that stopped itself, or does not end in time
 }
 
 bool SequentialActivity::start() {
     {
         const internal::TryFlag mine(changing_);
-        if (!mine || active_ || !claimRunner() || (runner && !runner->initialize())) return false;
-        active_ = true;
+        if (!mine || active_) return false;
+        internal::ActiveWhile active(active_);
+        if (!initialize()) return false;
+        active.stay();
         open_ = true;
     }
     // Messages that came while it was stopped have found nobody to execute them.
@@ -33,14 +38,14 @@ bool SequentialActivity::stop() {
     const internal::TryFlag mine(changing_);
     const bool stops = mine && open_.exchange(false);
     // Also if it is not active: who calls stop() does not expect that it is still being executed.
-    const bool left = isSelf() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
+    const bool left = isExecutor() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
     if (!stops) return false;
     if (!left) {
         open_ = true;
         return false;
     }
-    active_ = false;
-    if (runner) runner->finalize();
+    const internal::ActiveWhile active(active_);
+    finalize();
     return true;
 }
 
@@ -59,7 +64,10 @@ bool SequentialActivity::waitForExecution(nsecs deadline) {
 bool SequentialActivity::isRunning() const { return requests_ != 0; }
 bool SequentialActivity::isActive() const { return active_; }
 os::ThreadInterface* SequentialActivity::thread() { return os::MainThread::Instance(); }
-bool SequentialActivity::isSelf() const { return executor_ == os::detail::currentTid(); }
+bool SequentialActivity::isExecutor() const { return executor_ == os::detail::currentTid(); }
+bool SequentialActivity::isSelf() const {
+    return isExecutor() || (!active_ && requests_ == 0 && os::MainThread::Instance()->isSelf());
+}
 
 bool SequentialActivity::trigger() {
     if (!open_) return false;
@@ -75,17 +83,25 @@ void SequentialActivity::executeWhileWork() {
     executor_ = os::detail::currentTid();
     try {
         executeOnce();
-        // A caller may queue a message and be refused just after hasWork() returned false: then the count has moved on.
-        std::uint32_t seen = requests_.load(std::memory_order_acquire);
-        do {
-            while (open_ && runner && runner->hasWork()) executeOnce();
-        } while (!leave(seen));
+        finishWork();
     } catch (...) {
-        // The next trigger must find the activity free.
-        std::uint32_t seen = requests_;
-        while (!leave(seen)) {
-        }
+        free();
         throw;
+    }
+}
+
+void SequentialActivity::finishWork() {
+    // A caller may queue a message and be refused just after hasWork() returned false: then the count has moved on.
+    std::uint32_t seen = requests_.load(std::memory_order_acquire);
+    do {
+        while (open_ && runner && runner->hasWork()) executeOnce();
+    } while (!leave(seen));
+}
+
+// The next trigger must find the activity free.
+void SequentialActivity::free() {
+    std::uint32_t seen = requests_;
+    while (!leave(seen)) {
     }
 }
 
@@ -102,9 +118,51 @@ bool SequentialActivity::leave(std::uint32_t& seen) {
 }
 
 void SequentialActivity::executeOnce() {
-    if (!open_ || !runner) return;
-    runner->step();
-    runner->work(base::RunnableInterface::TimeOut);
+    if (!open_) return;
+    step();
+    work(base::RunnableInterface::TimeOut);
+}
+
+base::ActivityInterface::Direct SequentialActivity::beginDirect() {
+    return isSelf() ? SequentialActivity::beginInStead() : Direct::Refused;
+}
+
+// As a trigger that finds nobody, but what it executes is the caller's.
+base::ActivityInterface::Direct SequentialActivity::beginInStead() {
+    if (isExecutor()) return Direct::Granted;
+    std::uint32_t nobody = 0;
+    if (!requests_.compare_exchange_strong(nobody, 1)) return Direct::Refused;
+    executor_ = os::detail::currentTid();
+    return Direct::Entered;
+}
+
+void SequentialActivity::endDirect() {
+    // Called by a destructor, and the call has nothing to do with what others have triggered.
+    try {
+        // They have left it to this thread.
+        if ((requests_ & ~kWaiting) > 1) executeOnce();
+        return finishWork();
+    } catch (const std::exception& e) {
+        os::detail::log(os::detail::LogError, "SequentialActivity",
+                        std::string("what others triggered meanwhile threw: ") + e.what());
+    } catch (...) {
+        os::detail::log(os::detail::LogError, "SequentialActivity", "what others triggered meanwhile threw");
+    }
+    free();
+}
+
+bool SequentialActivity::initialize() { return claimRunner() && (!runner || runner->initialize()); }
+
+void SequentialActivity::step() {
+    if (runner) runner->step();
+}
+
+void SequentialActivity::work(base::RunnableInterface::WorkReason reason) {
+    if (runner) runner->work(reason);
+}
+
+void SequentialActivity::finalize() {
+    if (runner) runner->finalize();
 }
 
 }  // namespace extras

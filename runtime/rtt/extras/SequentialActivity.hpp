@@ -38,19 +38,35 @@ public:
     bool timeout() override { return trigger(); }
     /** The main thread stands in for whoever triggers. */
     os::ThreadInterface* thread() override;
+    /** True in the thread that executes; in the main thread while nobody can, because it is not active. */
     bool isSelf() const override;
+    /** While a thread has entered, others that trigger leave the execution to it. */
+    Direct beginDirect() override;
+    Direct beginInStead() override;
+    void endDirect() override;
+
+protected:
+    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
+    // overrides initialize() calls this one in it. A sub-class calls stop() in its destructor.
+    virtual bool initialize();
+    virtual void step();
+    virtual void finalize();
+    virtual void work(base::RunnableInterface::WorkReason reason);
 
 private:
     static constexpr std::uint32_t kWaiting = 0x80000000u;  // in requests_: stop() waits for the end of the execution
     void executeOnce();
+    bool isExecutor() const;
     void executeWhileWork();
+    void finishWork();
+    void free();
     bool leave(std::uint32_t& seen);
     bool waitForExecution(nsecs deadline);
 
     std::atomic<bool> active_{false};
     std::atomic<bool> open_{false};  // may be executed; active_ stays until stop() has waited for the last execution
     std::atomic<bool> changing_{false};       // within start() or stop()
-    std::atomic<std::uint32_t> requests_{0};  // triggers since the executing thread began; 0: nobody executes
+    std::atomic<std::uint32_t> requests_{0};  // triggers since a thread began, or entered; 0: nobody executes
     std::atomic<int> executor_{0};            // Linux id of the executing thread
 };
 

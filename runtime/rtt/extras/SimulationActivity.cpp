@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/SimulationActivity.hpp>
 
+#include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
 namespace RTT {
@@ -24,6 +25,10 @@ SimulationActivity::~SimulationActivity() {
 }
 
 bool SimulationActivity::isRunning() const { return isActive(); }
+bool SimulationActivity::isSelf() const {
+    return PeriodicActivity::isSelf() ||
+           (!isExecuted() && !timerThread().isActive() && os::MainThread::Instance()->isSelf());
+}
 bool SimulationActivity::execute() { return timerThread().executeNow(*this); }
 
 }  // namespace extras

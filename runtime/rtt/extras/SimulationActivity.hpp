@@ -24,6 +24,8 @@ public:
     bool isRunning() const override;
     /** step() and work(TimeOut) in the calling thread, never at the same time as a step of the simulation. */
     bool execute() override;
+    /** While the simulation makes no steps: in the main thread, which stands for the one that will make them. */
+    bool isSelf() const override;
 };
 
 }  // namespace extras

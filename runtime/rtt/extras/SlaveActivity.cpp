@@ -124,9 +124,10 @@ bool SlaveActivity::activate() {
         os::detail::log(os::detail::LogError, "SlaveActivity", "cannot start a slave: it is active already");
         return false;
     }
-    if (!claimRunner() || (runner && !runner->initialize())) return false;
+    internal::ActiveWhile active(active_);
+    if (!initialize()) return false;
+    active.stay();
     updater_ = 0;
-    active_ = true;
     open_ = true;
     return true;
 }
@@ -144,8 +145,8 @@ bool SlaveActivity::stop() {
         open_ = true;
         return false;
     }
-    active_ = false;
-    if (runner) runner->finalize();
+    const internal::ActiveWhile active(active_);
+    finalize();
     return true;
 }
 
@@ -194,7 +195,7 @@ bool SlaveActivity::enter() {
 void SlaveActivity::servePending() {
     while (pending_ && enter()) {
         const Leave atEnd{*this};
-        if (pending_.exchange(false) && open_ && runner) runner->work(base::RunnableInterface::Trigger);
+        if (pending_.exchange(false) && open_) work(base::RunnableInterface::Trigger);
     }
 }
 
@@ -212,15 +213,14 @@ bool SlaveActivity::execute() {
 }
 
 void SlaveActivity::executeOnce() {
-    if (!runner) return;
-    periodic_ ? runner->step() : runner->loop();
-    runner->work(base::RunnableInterface::TimeOut);
+    periodic_ ? step() : loop();
+    work(base::RunnableInterface::TimeOut);
 }
 
 void SlaveActivity::executeTrigger() {
     // Within execute() of this thread: the master executes its messages while the slave waits for something.
     if (executor() == os::detail::currentTid()) {
-        if (open_ && runner) runner->work(base::RunnableInterface::Trigger);
+        if (open_) work(base::RunnableInterface::Trigger);
         return;
     }
     pending_ = true;
@@ -244,7 +244,12 @@ bool SlaveActivity::trigger() {
 
 bool SlaveActivity::timeout() {
     // In its own thread the master cannot be destroyed before this returns, so nobody has to wait for the execution.
-    if (ofMaster([](ActivityInterface& master) { return master.isSelf(); }, false) && execute()) return true;
+    // While a master makes no steps, main stands in for its thread (isSelf()). That lets main make calls, but no steps.
+    const auto isMaster = [](ActivityInterface& master) {
+        const os::ThreadInterface* const thread = master.thread();
+        return master.isSelf() && master.isActive() && thread && thread->isActive();
+    };
+    if (ofMaster(isMaster, false) && execute()) return true;
     return ofMaster([](ActivityInterface& master) { return master.timeout(); }, false);
 }
 
@@ -255,19 +260,35 @@ os::ThreadInterface* SlaveActivity::thread() {
 bool SlaveActivity::isSelf() const {
     const int executing = executor();
     if (executing != 0) return executing == os::detail::currentTid();
-    if (!master_) {
-        // Between two executions it belongs to the thread that makes them, so that nobody else is inside at the next one.
-        const int updater = updater_;
-        return updater != 0 ? updater == os::detail::currentTid() : os::MainThread::Instance()->isSelf();
+    {
+        const internal::AccessGate::Pass pass(masterGate_);
+        if (master_ && pass) return master_->isSelf();
     }
-    return ofMaster([](ActivityInterface& master) { return master.isSelf(); }, false);
+    return isUpdater();
+}
+
+// Between two executions it belongs to the thread that makes them, so that nobody else is inside at the next one. A thread
+// that has ended makes none.
+bool SlaveActivity::isUpdater() const {
+    const int updater = updater_;
+    if (updater == os::detail::currentTid()) return true;
+    return os::MainThread::Instance()->isSelf() && (updater == 0 || !os::detail::threadExists(updater));
 }
 
 // Between two executions this thread only stands for the one that makes them: the next one may come from another thread at
 // any moment. So it becomes the executing thread for as long as the call takes.
 base::ActivityInterface::Direct SlaveActivity::beginDirect() {
     if (executor() == os::detail::currentTid()) return Direct::Granted;
-    if (!isSelf()) return Direct::Refused;
+    return isSelf() ? claim() : Direct::Refused;
+}
+
+base::ActivityInterface::Direct SlaveActivity::beginInStead() {
+    if (ofMaster([](ActivityInterface& master) { return master.isActive(); }, false))
+        return SlaveActivity::beginDirect();
+    return executor() == os::detail::currentTid() ? Direct::Granted : claim();
+}
+
+base::ActivityInterface::Direct SlaveActivity::claim() {
     std::uint32_t nobody = 0;
     const auto self = static_cast<std::uint32_t>(os::detail::currentTid());
     return executor_.compare_exchange_strong(nobody, self) ? Direct::Entered : Direct::Refused;
@@ -283,6 +304,22 @@ void SlaveActivity::endDirect() {
     } catch (...) {
         os::detail::log(os::detail::LogError, "SlaveActivity", "a trigger of a slave threw");
     }
+}
+
+bool SlaveActivity::initialize() { return claimRunner() && (!runner || runner->initialize()); }
+
+void SlaveActivity::step() {
+    if (runner) runner->step();
+}
+
+void SlaveActivity::loop() { runner ? runner->loop() : step(); }
+
+void SlaveActivity::finalize() {
+    if (runner) runner->finalize();
+}
+
+void SlaveActivity::work(base::RunnableInterface::WorkReason reason) {
+    if (runner) runner->work(reason);
 }
 
 }  // namespace extras

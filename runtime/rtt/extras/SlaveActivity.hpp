@@ -56,10 +56,24 @@ public:
     /** By the master's thread: execute(). By others, and within execute(): forwarded to the master; false without one. */
     bool timeout() override;
     os::ThreadInterface* thread() override;
+    /** Without a master, or after that was destroyed: in the thread that executed it last; in the main thread if there is none
+        or it has ended. */
     bool isSelf() const override;
     /** While it has entered, execute() by others is refused, as during an execution. */
     Direct beginDirect() override;
+    /** Refused while there is a master that executes it. */
+    Direct beginInStead() override;
     void endDirect() override;
+
+protected:
+    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
+    // overrides initialize() calls this one in it. A sub-class calls stop() in its destructor.
+    virtual bool initialize();
+    virtual void step();
+    /** Default, without a runner: step(). */
+    virtual void loop();
+    virtual void finalize();
+    virtual void work(base::RunnableInterface::WorkReason reason);
 
 private:
     static constexpr std::uint32_t kWaiting = 0x80000000u;  // in executor_: stop() waits for the end of the execution
@@ -70,6 +84,8 @@ private:
     bool activate();
     void executeTrigger();
     bool enter();
+    bool isUpdater() const;
+    Direct claim();
     int executor() const;
     void executeOnce();
     void servePending();

@@ -20,14 +20,42 @@ namespace {
 // What a cycle waits for an activity that another thread executes, before it goes on without it.
 constexpr nsecs kLongExecution = 1000000000;
 
-struct Shared {
+/** What threads are shared by. */
+struct Parameters {
     int scheduler, priority;
     nsecs period;
     unsigned cpuAffinity;
+
+    /** With the priority that CheckPriority() would give, were there no limits for this user. */
+    static Parameters of(int scheduler, int priority, nsecs period, unsigned cpuAffinity) {
+        const bool realTime = scheduler != ORO_SCHED_OTHER;
+        return {scheduler, realTime ? std::clamp(priority, os::LowestPriority, os::HighestPriority) : 0, period,
+                cpuAffinity};
+    }
+    static Parameters of(const TimerThread& thread) {
+        return of(thread.getScheduler(), thread.getPriority(), thread.getPeriodNS(), thread.getCpuAffinity());
+    }
+    bool operator==(const Parameters& other) const {
+        return scheduler == other.scheduler && priority == other.priority && period == other.period &&
+               cpuAffinity == other.cpuAffinity;
+    }
+};
+
+struct Shared {
+    Parameters asked, got;
     boost::weak_ptr<TimerThread> thread;
 
-    bool has(int s, int p, nsecs ns, unsigned cpus) const {
-        return scheduler == s && priority == p && period == ns && cpuAffinity == cpus;
+    /** The thread may have got less than it was asked for, without the privilege; what was changed since is as it is now. */
+    Parameters present(const TimerThread& one) const {
+        const Parameters now = Parameters::of(one);
+        Parameters result = asked;
+        if (now.scheduler != got.scheduler || now.priority != got.priority) {
+            result.scheduler = now.scheduler;
+            result.priority = now.priority;
+        }
+        if (now.period != got.period) result.period = now.period;
+        if (now.cpuAffinity != got.cpuAffinity) result.cpuAffinity = now.cpuAffinity;
+        return result;
     }
 };
 
@@ -48,7 +76,7 @@ TimerThread::TimerThread(int priority, const std::string& name, double period, u
 
 TimerThread::TimerThread(int scheduler, int priority, const std::string& name, double period, unsigned cpuAffinity)
     : os::Thread(scheduler, priority, period, cpuAffinity, name) {
-    activities_.reserve(MaxActivities);  // step() must not allocate, nor must the vector move while it iterates
+    activities_.reserve(MAX_ACTIVITIES);  // step() must not allocate, nor must the vector move while it iterates
 }
 
 TimerThread::~TimerThread() {
@@ -62,23 +90,25 @@ TimerThreadPtr TimerThread::Instance(int priority, double period) {
 
 TimerThreadPtr TimerThread::Instance(int scheduler, int priority, double period, unsigned cpuAffinity) {
     Registry& threads = registry();
+    std::vector<TimerThreadPtr> others;  // released after the lock: the last one ends a thread
     std::lock_guard<std::mutex> lock(threads.mutex);
-    // Compared as asked for: the thread itself may have got less, without the privilege.
-    const nsecs ns = Seconds_to_nsecs(period);
-    for (const Shared& entry : threads.shared)
-        if (entry.has(scheduler, priority, ns, cpuAffinity))
-            if (TimerThreadPtr thread = entry.thread.lock()) return thread;
+    const Parameters asked = Parameters::of(scheduler, priority, Seconds_to_nsecs(period), cpuAffinity);
+    for (const Shared& entry : threads.shared) {
+        TimerThreadPtr thread = entry.thread.lock();
+        if (thread && entry.present(*thread) == asked) return thread;
+        others.push_back(std::move(thread));
+    }
     threads.shared.erase(std::remove_if(threads.shared.begin(), threads.shared.end(),
                                         [](const Shared& entry) { return entry.thread.expired(); }),
                          threads.shared.end());
     TimerThreadPtr thread(new TimerThread(scheduler, priority, "TimerThreadInstance", period, cpuAffinity));
-    threads.shared.push_back(Shared{scheduler, priority, ns, cpuAffinity, thread});
+    threads.shared.push_back(Shared{asked, Parameters::of(*thread), thread});
     return thread;
 }
 
 bool TimerThread::addActivity(PeriodicActivity* activity) {
     os::MutexLock lock(mutex_);
-    if (activities_.size() < MaxActivities) {
+    if (activities_.size() < MAX_ACTIVITIES) {
         activities_.push_back(activity);
         return true;
     }
@@ -89,7 +119,7 @@ bool TimerThread::addActivity(PeriodicActivity* activity) {
         return true;
     }
     os::detail::log(os::detail::LogError, "TimerThread",
-                    "cannot add an activity: the thread executes " + std::to_string(MaxActivities) + " already");
+                    "cannot add an activity: the thread executes " + std::to_string(MAX_ACTIVITIES) + " already");
     return false;
 }
 
@@ -138,13 +168,16 @@ PeriodicActivity* TimerThread::enter(std::size_t index) {
     const nsecs deadline = rtos_get_time_ns() + kLongExecution;
     while (PeriodicActivity* const activity = activities_[index]) {
         if (!activity->running_) return nullptr;
-        if (activity->executor_ == 0) {
-            activity->executor_ = os::detail::currentTid();
-            return activity;
-        }
+        if (enterNow(*activity)) return activity;
         if (activity->executor_ == os::detail::currentTid() || !left_.wait_until(mutex_, deadline)) return nullptr;
     }
     return nullptr;
+}
+
+// Without the mutex: leave() wakes the threads that wait for the end of an execution.
+bool TimerThread::enterNow(PeriodicActivity& activity) {
+    int nobody = 0;
+    return activity.executor_.compare_exchange_strong(nobody, os::detail::currentTid());
 }
 
 void TimerThread::leave(PeriodicActivity& activity) {
@@ -156,8 +189,7 @@ void TimerThread::leave(PeriodicActivity& activity) {
 bool TimerThread::executeNow(PeriodicActivity& activity) {
     {
         os::MutexLock lock(mutex_);
-        if (!activity.running_ || activity.executor_ != 0) return false;
-        activity.executor_ = os::detail::currentTid();
+        if (!activity.running_ || !enterNow(activity)) return false;
     }
     activity.executePeriod();
     leave(activity);

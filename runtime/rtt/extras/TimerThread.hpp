@@ -23,13 +23,14 @@ typedef boost::shared_ptr<TimerThread> TimerThreadPtr;
 class RTT_API TimerThread : public os::Thread {
 public:
     /** Activities that one thread can execute. */
-    static constexpr std::size_t MaxActivities = 64;
+    static constexpr std::size_t MAX_ACTIVITIES = 64;
 
     TimerThread(int priority, const std::string& name, double period, unsigned cpuAffinity = 0);
     TimerThread(int scheduler, int priority, const std::string& name, double period, unsigned cpuAffinity = 0);
     ~TimerThread() override;
 
-    /** The shared thread with these parameters; created if there is none. It lives as long as somebody holds it. */
+    /** The shared thread with these parameters, as they were asked for or changed since; created if there is none. It lives
+        as long as somebody holds it. */
     static TimerThreadPtr Instance(int priority, double period);
     static TimerThreadPtr Instance(int scheduler, int priority, double period, unsigned cpuAffinity = 0);
 
@@ -42,6 +43,10 @@ public:
     bool removeActivity(PeriodicActivity* activity, nsecs deadline = InfiniteNSecs);
     /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or executing. */
     bool executeNow(PeriodicActivity& activity);
+    /** Makes the calling thread the one that executes an activity, also one that is not started, until leave(). False if there
+        is one; a cycle waits for it. Never blocks; real-time safe. */
+    bool enterNow(PeriodicActivity& activity);
+    void leave(PeriodicActivity& activity);
     /** Lets the thread run for an activity that starts. */
     virtual bool startForActivity();
     /** True as well for another thread that executes cycles of this one. */
@@ -54,7 +59,6 @@ protected:
 
 private:
     PeriodicActivity* enter(std::size_t index);
-    void leave(PeriodicActivity& activity);
 
     // Never held while an activity is executed: activities of several threads may stop each other.
     os::Mutex mutex_;

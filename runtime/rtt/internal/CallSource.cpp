@@ -55,10 +55,25 @@ bool GenericCall::invoke(void* result) const {
     Interruption* const interruption = Interruption::ofThisThread();
     const Interruption::Region called(interruption && !caller_->isSend() ? interruption : nullptr,
                                       Interruption::Region::Native);
-    table_->invoke(*caller_, addresses_.data(), result);
+    try {
+        table_->invoke(*caller_, addresses_.data(), result);
+    } catch (const Interrupted&) {
+        throw;  // whoever asked for it means the caller
+    } catch (const std::exception& thrown) {
+        threw(thrown.what());
+        throw;
+    } catch (...) {
+        threw("something that is no std::exception");
+        throw;
+    }
     for (std::size_t i = 0; i != arguments_.size(); ++i)
         if (table_->types[i + 1].isOutput()) arguments_[i]->updated();
     return true;
+}
+
+void GenericCall::threw(const char* what) const {
+    // The engine that executes what is sent sees to it itself.
+    if (!caller_->isSend()) caller_->ownerThrew(what);
 }
 
 bool GenericCall::send(SentCall::shared_ptr& sent) const {

@@ -40,10 +40,10 @@ public:
     ~GenericCall();
 
     /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. False, and nothing is called, if
-        an argument cannot be evaluated. */
+        an argument cannot be evaluated. Throws what the operation throws, which puts its component into Exception. */
     bool invoke(void* result) const;
     /** Evaluates the arguments and sends; `sent` is null if refused. False, and nothing is sent, if an argument cannot be
-        evaluated. */
+        evaluated. An operation that throws puts its component into Exception, whichever engine executes it. */
     bool send(SentCall::shared_ptr& sent) const;
     /** After one of them gave false: logs why; returns false. */
     bool report() const;
@@ -54,6 +54,7 @@ public:
 
 private:
     bool evaluateArguments() const;
+    void threw(const char* what) const;
     std::string whyNot() const;
 
     boost::shared_ptr<base::OperationCallerInterface> caller_;

@@ -35,6 +35,8 @@ public:
     bool connectedTo(base::PortInterface* port) const;
     /** The shared connection the port has joined, null if none. */
     boost::intrusive_ptr<SharedConnectionBase> getSharedConnection() const;
+    /** The storage that the port shares between its connections, or with the other ports of that connection; or null. */
+    base::ChannelElementBase::shared_ptr getSharedStorage() const;
 
     /** Registers a channel whose other end is no local port. Takes over `id`. */
     void addConnection(ConnID* id, base::ChannelElementBase::shared_ptr channel, const ConnPolicy& policy);

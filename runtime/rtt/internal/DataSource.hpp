@@ -7,8 +7,17 @@
 #include <rtt/types/ValueTraits.hpp>
 #include "DataSourceTypeInfo.hpp"
 
+#include <type_traits>
+
 namespace RTT {
 namespace internal {
+
+/**
+ * Lets a constructor take P as a pointer to a Source, plain or counted, or as nullptr, but neither the literal 0 nor {}: these
+ * are values, and would fit a parameter of type Source* as well.
+ */
+template <class P, class Source>
+using IfSource = std::enable_if_t<std::is_convertible<P, boost::intrusive_ptr<Source>>::value>;
 
 /**
  * A readable value of type T, which may be a reference type (the result of a function that returns one).

@@ -29,7 +29,8 @@ bool ActivityFollows::take(const std::string& component) {
 /** Has the runner of the deferred one, but is not the runner's activity. */
 class DeferredActivity::Own : public Activity {
 public:
-    Own(DeferredActivity& outer, const std::string& name) : Activity(outer.runner, name), outer_(outer) {}
+    Own(DeferredActivity& outer, const std::string& name, Seconds period)
+        : Activity(ORO_SCHED_OTHER, os::LowestPriority, period, outer.runner, name), outer_(outer) {}
     ~Own() override { stop(); }
 
     void follow(base::RunnableInterface* newRunner) { adopt(newRunner); }
@@ -50,11 +51,11 @@ DeferredActivity::~DeferredActivity() {
     own_.reset();
 }
 
-Activity* DeferredActivity::made() {
+Activity* DeferredActivity::made(Seconds period) {
     if (Activity* const activity = ifMade()) return activity;
     const std::lock_guard<std::mutex> lock(making_);
     if (!own_) {
-        own_ = std::make_unique<Own>(*this, name_);
+        own_ = std::make_unique<Own>(*this, name_, period);
         if (started_) own_->start();
         made_.store(own_.get(), std::memory_order_release);
     }
@@ -87,7 +88,7 @@ bool DeferredActivity::stop() {
 bool DeferredActivity::isRunning() const { return ifMade() ? ifMade()->isRunning() : started_.load(); }
 bool DeferredActivity::isActive() const { return ifMade() ? ifMade()->isActive() : started_.load(); }
 Seconds DeferredActivity::getPeriod() const { return ifMade() ? ifMade()->getPeriod() : 0.0; }
-bool DeferredActivity::setPeriod(Seconds period) { return made()->setPeriod(period); }
+bool DeferredActivity::setPeriod(Seconds period) { return made(period)->setPeriod(period); }
 unsigned DeferredActivity::getCpuAffinity() const {
     return const_cast<DeferredActivity*>(this)->made()->getCpuAffinity();
 }

@@ -45,8 +45,9 @@ public:
     explicit DeferredActivity(const std::string& name);
     ~DeferredActivity() override;
 
-    /** The activity that executes; made by the first call, started if this one is. Any thread; not real-time safe. */
-    Activity* made();
+    /** The activity that executes; made by the first call, with that period in seconds, and started if this one is. Any thread;
+        not real-time safe. */
+    Activity* made(Seconds period = 0.0);
     /** Null as long as there is none. Real-time safe. */
     Activity* ifMade() const { return made_.load(std::memory_order_acquire); }
 

@@ -42,11 +42,13 @@ EngineGate::Step::~Step() {
     if (first_ && gate_) EngineGate::leave(gate_->steppers_);
 }
 
-bool EngineGate::Stand::enter(const EngineGate& gate) {
+bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
     if (gate.isStepping()) return true;
     Visit* const visit = new (visit_) Visit(gate);
     base::ActivityInterface* const activity = visit->activity();
-    const auto answer = activity ? activity->beginDirect() : base::ActivityInterface::Direct::Refused;
+    const auto answer = !activity        ? base::ActivityInterface::Direct::Refused
+                        : as == Anybody ? activity->beginInStead()
+                                        : activity->beginDirect();
     if (answer == base::ActivityInterface::Direct::Entered)
         entered_ = activity;  // the visit keeps it
     else

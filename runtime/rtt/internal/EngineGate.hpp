@@ -76,8 +76,10 @@ public:
      */
     class RTT_API Stand {
     public:
+        /** Who: a thread that is the component's, or any one while nobody executes that, see ActivityInterface::beginInStead(). */
+        enum As { Self, Anybody };
         /** A null gate is that of a component which may be touched by any thread. */
-        explicit Stand(const EngineGate* gate) : granted_(!gate || enter(*gate)) {}
+        explicit Stand(const EngineGate* gate, As as = Self) : granted_(!gate || enter(*gate, as)) {}
         ~Stand() {
             if (entered_) leave();
         }
@@ -86,7 +88,7 @@ public:
         explicit operator bool() const { return granted_; }
 
     private:
-        bool enter(const EngineGate& gate);
+        bool enter(const EngineGate& gate, As as);
         void leave();
         base::ActivityInterface* entered_ = nullptr;
         alignas(Visit) unsigned char visit_[sizeof(Visit)];  // a Visit, if entered

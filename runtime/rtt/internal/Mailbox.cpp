@@ -21,6 +21,10 @@ std::uintptr_t Mailbox::pack(Item item) {
     return reinterpret_cast<std::uintptr_t>(item.what) | static_cast<std::uintptr_t>(item.kind);
 }
 
+Mailbox::Item Mailbox::unpack(std::uintptr_t packed) {
+    return {kindOf(packed), reinterpret_cast<void*>(packed & ~kKindBits)};
+}
+
 bool Mailbox::put(Item item) {
     std::uint32_t position = tail_.load(std::memory_order_relaxed);
     for (;;) {
@@ -55,7 +59,7 @@ bool Mailbox::take(Item& item) {
                 std::uintptr_t packed = cell.item.load(std::memory_order_relaxed);
                 // Either this or withdraw() has it.
                 if (kindOf(packed) >= Kind::AddFunction) packed = cell.item.exchange(packed & kKindBits);
-                item = {kindOf(packed), reinterpret_cast<void*>(packed & ~kKindBits)};
+                item = unpack(packed);
                 // Release: the producer of the next round overwrites the item after we have read it.
                 cell.sequence.store(position + kCapacity, std::memory_order_release);
                 return true;
@@ -80,6 +84,14 @@ bool Mailbox::withdraw(Item item) {
 bool Mailbox::empty() const {
     const std::uint32_t position = head_.load(std::memory_order_acquire);
     return cells_[position % kCapacity].sequence.load(std::memory_order_acquire) != position + 1;
+}
+
+bool Mailbox::peek(Item& item) const {
+    const std::uint32_t position = head_.load(std::memory_order_acquire);
+    const Cell& cell = cells_[position % kCapacity];
+    if (cell.sequence.load(std::memory_order_acquire) != position + 1) return false;
+    item = unpack(cell.item.load(std::memory_order_relaxed));
+    return true;
 }
 
 }  // namespace internal

@@ -44,6 +44,8 @@ public:
     bool withdraw(Item item);
     /** A momentary truth. */
     bool empty() const;
+    /** What take() would give; false if it would give nothing. For the thread that takes. */
+    bool peek(Item& item) const;
 
 private:
     struct Cell {
@@ -51,6 +53,7 @@ private:
         std::atomic<std::uintptr_t> item;  // the address, the kind in its two lowest bits
     };
     static std::uintptr_t pack(Item item);
+    static Item unpack(std::uintptr_t packed);
     std::unique_ptr<Cell[]> cells_;
     alignas(64) std::atomic<std::uint32_t> tail_{0};
     alignas(64) std::atomic<std::uint32_t> head_{0};

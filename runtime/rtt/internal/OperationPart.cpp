@@ -51,6 +51,22 @@ OperationPart::OperationPart(std::shared_ptr<const base::OperationDescription> d
                              const OperationTable& table, bool callOnly)
     : description_(std::move(description)), caller_(std::move(caller)), table_(&table), call_only_(callOnly) {}
 
+void OperationPart::overload(const std::type_info& signature, Caller other) {
+    other->setThread(caller_->getThread(), caller_->getOwner());
+    overloads_.push_back({&signature, std::move(other)});
+}
+
+const OperationPart::Caller& OperationPart::callerOf(const std::type_info& signature) const {
+    for (const Overload& other : overloads_)
+        if (*other.signature == signature) return other.caller;
+    return caller_;
+}
+
+void OperationPart::setThread(ExecutionThread et, ExecutionEngine* owner) const {
+    caller_->setThread(et, owner);
+    for (const Overload& other : overloads_) other.caller->setThread(et, owner);
+}
+
 std::string OperationPart::getName() const { return description_->name; }
 std::string OperationPart::description() const { return description_->texts.front(); }
 std::string OperationPart::resultType() const { return nameOf(table_->types[0]); }
@@ -105,8 +121,9 @@ OperationPart::Source OperationPart::produce(const Args& args, ExecutionEngine* 
 
 OperationPart::Source OperationPart::produceSend(const Args& args, ExecutionEngine* caller) const {
     checkSendable();
-    return new detail::SendSource(
-        GenericCall(Caller(caller_->cloneFor(caller)), *table_, checkedArguments(args), description_));
+    Caller sender(caller_->cloneFor(caller));
+    sender->setGeneric();
+    return new detail::SendSource(GenericCall(std::move(sender), *table_, checkedArguments(args), description_));
 }
 
 OperationPart::Source OperationPart::produceHandle() const {

@@ -6,6 +6,8 @@
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/base/OperationBase.hpp>
 
+#include <typeinfo>
+
 namespace RTT {
 namespace internal {
 
@@ -32,6 +34,13 @@ public:
     base::DisposableInterface::shared_ptr getLocalOperation() const override { return caller_; }
 
     const Caller& caller() const { return caller_; }
+    /** Callers in C++ that have this signature call `other`, in the thread of the operation; nobody else knows it. */
+    void overload(const std::type_info& signature, Caller other);
+    /** What callers of a signature call: an overload, or the operation itself. */
+    const Caller& callerOf(const std::type_info& signature) const;
+    /** The first overload, or the operation itself. */
+    const Caller& firstCaller() const { return overloads_.empty() ? caller_ : overloads_.front().caller; }
+    void setThread(ExecutionThread et, ExecutionEngine* owner) const;
 
     Source produce(const Args& args, ExecutionEngine* caller) const override;
     Source produceSend(const Args& args, ExecutionEngine* caller) const override;
@@ -48,10 +57,15 @@ private:
     void checkSendable() const;
     std::vector<const ValueType*> collected() const;
 
+    struct Overload {
+        const std::type_info* signature;
+        Caller caller;
+    };
     std::shared_ptr<const base::OperationDescription> description_;
     Caller caller_;
     const OperationTable* table_;
     bool call_only_;
+    std::vector<Overload> overloads_;
 };
 
 }  // namespace internal

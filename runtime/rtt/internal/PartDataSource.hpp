@@ -20,7 +20,7 @@ public:
         : PlacedDataSource<T>(new PartPlace(std::addressof(ref), parent.get(), types::typeOps<T>())) {}
 };
 
-/** An array inside the value of another source; its value is a view on the array. */
+/** An array inside the value of another source; its value is a view on the array. Read-only if that source is. */
 template <typename E>
 class ArrayPartDataSource : public AssignableDataSource<types::carray<E>> {
 public:
@@ -39,6 +39,7 @@ public:
     }
     T& set() override { return view(); }
     void updated() override { parent_->updated(); }
+    bool isAssignable() const override { return parent_->isAssignable(); }
     base::DataSourceBase::shared_ptr getParent() override { return parent_; }
 
     [[gnu::cold]] ArrayPartDataSource<E>* clone() const override {

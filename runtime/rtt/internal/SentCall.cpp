@@ -10,11 +10,16 @@
 #include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/Interruption.hpp>
+#include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/fosi.h>
 
+#include <unistd.h>
+
 #include <exception>
+#include <new>
 #include <optional>
+#include <stdexcept>
 
 namespace RTT {
 
@@ -38,7 +43,10 @@ void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
     waiting_ = own ? own : caller->gate().get();
 }
 
-void SentCall::setProvider(const boost::intrusive_ptr<const EngineGate>& provider) { provider_ = provider; }
+void SentCall::setProvider(const boost::intrusive_ptr<const EngineGate>& provider, bool blamed) {
+    provider_ = provider;
+    blamed_ = blamed;
+}
 
 void SentCall::finish(State state) {
     // After the state is stored the caller may be gone, with its engine; the gate, and this, are ours until deref().
@@ -70,16 +78,68 @@ void SentCall::threw(const char* what) {
             describe(callee()) + " threw in " +
             (task ? "component '" + task->base::TaskCore::getName() + "'" : std::string("the GlobalEngine")) + ": " +
             what);
-        log(Error) << *error_ << endlog();
+        if (!blamed_) log(Error) << *error_ << endlog();
     } catch (const std::exception&) {
         // No memory for the text. That it threw, the caller has to learn all the same.
     }
     // The component is in its new state before the caller learns of it.
     if (executor_) executor_->enterException();
+    if (blamed_ && provider_) blame(*provider_, callee(), what);
     finish(Threw);
 }
 
 void SentCall::dispose() { finish(Disposed); }
+
+namespace {
+
+constexpr std::int64_t kPatience = 100000000, kLook = 1000000;  // in ns
+
+/** What an operation threw elsewhere, for the engine of its component. */
+class Thrown final : public SentCall {
+public:
+    Thrown(CalleeBase* callee, const char* what) : SentCall(callee), what_(what) {}
+    const void* resultAddress() const override { return nullptr; }
+    void* argumentAddress(unsigned) override { return nullptr; }
+
+private:
+    void run() override { throw std::runtime_error(what_); }
+    const std::string what_;
+};
+
+/** False if the engine of the component has to do it. */
+bool executedHere(const EngineGate& owner, SentCall& thrown) {
+    const EngineGate::Visit visit(owner);
+    ExecutionEngine* const engine = visit.engine();
+    const base::TaskCore* const task = engine ? engine->getTaskCore() : nullptr;
+    if (!task || task->base::TaskCore::inException()) return true;
+    thrown.setEngines(nullptr, engine);
+    const EngineGate::Stand here(&owner);
+    const bool active = visit.activity() && visit.activity()->isActive();
+    thrown.ref();  // taken by the engine, or by this thread
+    if (!here && active && ExecutionEngine::process(owner, &thrown)) return false;
+    thrown.executeAndDispose();
+    return true;
+}
+
+}  // namespace
+
+void blame(const EngineGate& owner, CalleeBase* callee, const char* what) {
+    try {
+        const SentCall::shared_ptr thrown(new Thrown(callee, what));
+        if (executedHere(owner, *thrown)) return;
+        const std::int64_t end = rtos_get_time_ns() + kPatience;
+        const auto done = [&] { return thrown->state() != SentCall::Waiting; };
+        const EngineGate* const own = EngineGate::ofThisThread();
+        while (!done() && rtos_get_time_ns() < end) {
+            if (own)
+                own->engine()->waitForMessages(done, rtos_get_time_ns() + kLook);
+            else
+                usleep(kLook / 10000);
+        }
+    } catch (const std::bad_alloc&) {
+        // The caller learns what the operation threw, all the same.
+    }
+}
 
 SendStatus SentCall::status() const {
     switch (state()) {
@@ -121,12 +181,16 @@ SendStatus SentCall::collect() {
 // On the call itself: many threads that are no components may wait, each for its own, and none shall wake the others.
 void SentCall::park() {
     const Interruption* const interruption = Interruption::ofScript();
+    // The main thread may come to stand for a component that it calls in the name of that component, and nobody tells it.
+    const bool mayStand = waiting_->engine() == executor_ && os::MainThread::Instance()->isSelf();
     std::uint32_t seen = state_.load(std::memory_order_acquire);
     while ((seen & ~kParked) == Waiting) {
         if (!(seen & kParked) && !state_.compare_exchange_weak(seen, seen | kParked)) continue;
-        if (!interruption)
+        if (!interruption && !mayStand)
             os::detail::futexWait(state_, Waiting | kParked, os::detail::kForever);
-        else if (interruption->asked())
+        else if (mayStand && waiting_->isSelf())
+            return waiting_->engine()->waitForMessages([this] { return state() != Waiting; });
+        else if (interruption && interruption->asked())
             throw Interrupted("interrupted while waiting for " + describe(callee()) +
                               ", which goes on in its component");
         else
@@ -170,11 +234,15 @@ void OperationCallerInterface::setThread(ExecutionThread et, ExecutionEngine* ow
 
 bool OperationCallerInterface::isSend() const { return thread_ == OwnThread && owner_ && !owner_->isSelf(); }
 
+void OperationCallerInterface::ownerThrew(const char* what) const {
+    if (owner_ && callee_) internal::blame(*owner_, callee(), what);
+}
+
 bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
     const internal::EngineGate& gate =
         thread_ == OwnThread && owner_ ? *owner_ : *internal::GlobalEngine::Instance()->gate();
     call.setEngines(caller_, gate.engine());
-    if (owner_ && owner_.get() != &gate) call.setProvider(owner_);
+    if (owner_ && owner_.get() != &gate) call.setProvider(owner_, generic_);
     call.ref();  // the queue's
     if (ExecutionEngine::process(gate, &call)) return true;
     call.dispose();

@@ -53,8 +53,8 @@ public:
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
     /** The component whose function this is, if the engine of another executes it: not after it was destroyed. Such a call is
-        disposed, and while one is executed, the component is not destroyed. */
-    void setProvider(const boost::intrusive_ptr<const EngineGate>& provider);
+        disposed, and while one is executed, the component is not destroyed. `blamed`: it enters Exception if this throws. */
+    void setProvider(const boost::intrusive_ptr<const EngineGate>& provider, bool blamed);
 
     /** This call is executed by somebody else. */
     void collectFrom(std::unique_ptr<RemoteCollect> remote);
@@ -102,7 +102,15 @@ private:
     std::unique_ptr<RemoteCollect> remote_;
     boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
     boost::intrusive_ptr<const EngineGate> provider_;
+    bool blamed_ = false;
 };
+
+/**
+ * An operation of that component threw in another thread than the component's: logs it, and the component enters Exception,
+ * unless it is in that state. Its hooks are executed in its thread, as those of an operation which is executed there; this
+ * waits for that, but for a component that is busy no longer than 100 ms. Without an active thread they are executed here.
+ */
+RTT_API void blame(const EngineGate& owner, CalleeBase* callee, const char* what);
 
 inline void intrusive_ptr_add_ref(SentCall* call) { call->ref(); }
 inline void intrusive_ptr_release(SentCall* call) { call->deref(); }

@@ -31,7 +31,8 @@ public:
         }
         return taken;
     }
-    FlowStatus Pop(reference_t item) override { return store_->read(&item, false); }
+    // A connection that has been read empty says OldData; a loop over Pop() ends at 0, which is NoData.
+    FlowStatus Pop(reference_t item) override { return store_->read(&item, false) == NewData ? NewData : NoData; }
     size_type Pop(std::vector<value_t>& items) override {
         items.clear();
         for (value_t item = data_sample(); store_->read(&item, false) == NewData;) items.push_back(item);

@@ -23,6 +23,22 @@ private:
     std::atomic<bool>* const flag_;
 };
 
+/** Keeps an activity active within initialize() and finalize(), which may throw: not any more at the end of the scope. */
+class ActiveWhile {
+public:
+    explicit ActiveWhile(std::atomic<bool>& active) noexcept : active_(&active) { active = true; }
+    ~ActiveWhile() {
+        if (active_) *active_ = false;
+    }
+    ActiveWhile(const ActiveWhile&) = delete;
+    ActiveWhile& operator=(const ActiveWhile&) = delete;
+    /** It stays active. */
+    void stay() noexcept { active_ = nullptr; }
+
+private:
+    std::atomic<bool>* active_;
+};
+
 }  // namespace internal
 }  // namespace RTT
 #endif

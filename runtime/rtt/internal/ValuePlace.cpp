@@ -11,12 +11,19 @@ ValuePlace::ValuePlace(base::DataSourceBase* parent_) : parent(parent_) {}
 
 ValuePlace::~ValuePlace() = default;
 
-PartOffset::PartOffset(void* at, base::DataSourceBase& parent)
-    : at_(at), offset_(static_cast<const char*>(at) - static_cast<const char*>(parent.getRawPointer())) {}
+namespace {
 
-void* PartOffset::movedIn(base::DataSourceBase& copyOfParent) const {
-    return static_cast<char*>(copyOfParent.getRawPointer()) + offset_;
+char* beginOf(base::DataSourceBase& source) {
+    return static_cast<char*>(source.isAssignable() ? source.getRawPointer()
+                                                    : const_cast<void*>(source.getRawConstPointer()));
 }
+
+}  // namespace
+
+PartOffset::PartOffset(void* at, base::DataSourceBase& parent)
+    : at_(at), offset_(static_cast<const char*>(at) - beginOf(parent)) {}
+
+void* PartOffset::movedIn(base::DataSourceBase& copyOfParent) const { return beginOf(copyOfParent) + offset_; }
 
 PartPlace::PartPlace(void* at, base::DataSourceBase* parent, const types::TypeOps& ops)
     : ValuePlace(parent), offset_(at, *parent), ops_(ops) {}

@@ -51,6 +51,14 @@ ChannelElementBase* ConnectionManager::findShared(const ConnPolicy& policy, Conn
     return nullptr;
 }
 
+ChannelElementBase::shared_ptr ConnectionManager::getSharedStorage() const {
+    const detail::GraphLock lock;
+    const BufferPolicy own = isInput(*port_) ? PerInputPort : PerOutputPort;
+    for (const Connection& c : connections_)
+        if (c.shared || (c.id->peer() && c.policy.buffer_policy == own)) return c.channel;
+    return nullptr;
+}
+
 ChannelElementBase::shared_ptr ConnectionManager::sharedStorage(const ConnPolicy& policy, ConnPolicy* existing) const {
     const detail::GraphLock lock;
     return findShared(policy, existing);

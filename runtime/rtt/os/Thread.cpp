@@ -75,9 +75,13 @@ private:
 }  // namespace
 
 Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity, const std::string& name)
+    : Thread(scheduler, priority, cpuAffinity, name, period) {
+    state_->period = period > 0 ? Seconds_to_nsecs(period) : 0;
+}
+
+Thread::Thread(int scheduler, int priority, unsigned cpuAffinity, const std::string& name, Seconds nominalPeriod)
     : state_(new State) {
     state_->name = name.empty() ? "Thread" : name;
-    state_->period = period > 0 ? Seconds_to_nsecs(period) : 0;
     const std::string quoted = "'" + state_->name + "'";
     detail::log(detail::LogInfo, "Thread",
                 "creating thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
@@ -101,7 +105,7 @@ Thread::Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity
     detail::log(detail::LogInfo, "Thread",
                 "created thread " + quoted + ": " + detail::schedulerName(scheduler) + ", priority " +
                     std::to_string(priority) + ", CPU mask " + std::to_string(Thread::getCpuAffinity()) + ", period " +
-                    formatted("%g s", Thread::getPeriod()) + ", PID " + std::to_string(getPid()));
+                    formatted("%g s", nominalPeriod > 0 ? nominalPeriod : 0) + ", PID " + std::to_string(getPid()));
 }
 
 Thread::~Thread() {
@@ -123,8 +127,8 @@ void* Thread::entry(void* self) {
 
 void Thread::terminate() {
     if (!state_->joinable.exchange(false)) return;
-    state_->running = false;
     state_->exit = true;
+    state_->running = false;
     wake(kExitReason);
     if (ThreadInterface::isSelf()) {  // not a sub-class's: one that executes for this thread may join it
         detail::log(

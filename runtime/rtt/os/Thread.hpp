@@ -40,7 +40,8 @@ public:
     /**
      * Blocks until the thread has left loop() or step(), at most the stop timeout, then calls finalize() in the
      * caller. False if not active, if breakLoop() returned false or if the time is over; the thread stays active then
-     * in the last two cases. Called by the thread itself, it takes effect when the current loop() or step() returns.
+     * in the last two cases. Called by the thread itself, it asks breakLoop(), too, if not periodic, and takes effect when the
+     * current loop() or step() returns.
      */
     bool stop() override;
     bool isRunning() const override;
@@ -81,6 +82,9 @@ public:
     static void setLockTimeoutPeriodFactor(double periods);
 
 protected:
+    /** Not periodic. For a sub-class that waits for its period itself: the log names that one, in seconds. */
+    Thread(int scheduler, int priority, unsigned cpuAffinity, const std::string& name, Seconds nominalPeriod);
+
     virtual bool initialize();
     /** Periodic threads: called once per period. */
     virtual void step();
@@ -131,6 +135,7 @@ private:
     void runOneSession();
     bool startAgain();
     bool stopSelf();
+    bool goOn();
     bool mayBreakLoop();
     void finalizeToIdle();
     bool keepRunning();

@@ -55,13 +55,14 @@ bool Thread::stop() {
         return false;
     }
     state_->running = false;
-    if (isSelf()) return stopSelf();
-    wake(kStopReason);
+    const bool self = isSelf();
+    if (!self) wake(kStopReason);
     if (!isPeriodic() && state_->inUserCode != 0 && !mayBreakLoop()) {
         detail::log(detail::LogWarning, "Thread",
                     "cannot stop thread '" + state_->name + "': breakLoop() returned false while loop() is executing");
-        return keepRunning();
+        return self ? goOn() : keepRunning();
     }
+    if (self) return stopSelf();
     const Seconds timeout = getStopTimeout();
     if (!waitForSessionEnd(timeout)) {
         char seconds[32];
@@ -117,10 +118,17 @@ bool Thread::stopSelf() {
     return true;
 }
 
-// A stop() that failed. The session may have seen `running` false and be about to end: then the new one takes over.
-bool Thread::keepRunning() {
+// A stop() that failed. Who destroys the thread sets `exit` first and then clears `running`, so it stays false then.
+bool Thread::goOn() {
     state_->running = true;
+    if (state_->exit) state_->running = false;
     state_->life = State::kActive;
+    return false;
+}
+
+// The same in another thread. The session may have seen `running` false and be about to end: then the new one takes over.
+bool Thread::keepRunning() {
+    goOn();
     state_->session.fetch_or(State::kDue);
     wake(kStartReason);
     return false;

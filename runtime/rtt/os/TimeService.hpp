@@ -41,9 +41,13 @@ public:
     Seconds secondsGet() const { return getSeconds(); }
 
     /** Time that has passed since `since`, a value of getTicks(), getNSecs() or getSeconds(). */
-    ticks getTicks(ticks since) const { return getTicks() - since; }
-    nsecs getNSecs(nsecs since) const { return getNSecs() - since; }
-    Seconds getSeconds(Seconds since) const { return getSeconds() - since; }
+    ticks getTicks(const ticks& since) const { return getTicks() - since; }
+    nsecs getNSecs(const nsecs& since) const { return getNSecs() - since; }
+    Seconds getSeconds(const Seconds& since) const { return getSeconds() - since; }
+    /** The same for a variable. One that is 0 is set to the present time, which is returned. */
+    ticks getTicks(ticks& since) const { return since == 0 ? since = getTicks() : getTicks() - since; }
+    nsecs getNSecs(nsecs& since) const { return since == 0 ? since = getNSecs() : getNSecs() - since; }
+    Seconds getSeconds(Seconds& since) const { return since == 0 ? since = getSeconds() : getSeconds() - since; }
     ticks ticksSince(ticks since) const { return getTicks(since); }
     /** Seconds that have passed since the tick value `since`. */
     Seconds secondsSince(ticks since) const { return nsecs_to_Seconds(ticks2nsecs(getTicks(since))); }

@@ -2,28 +2,32 @@
 // Copyright Oroforge contributors
 #include <rtt/os/Timer.hpp>
 
+#include <rtt/Activity.hpp>
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/os/Thread.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
 namespace RTT {
 namespace os {
 
 /** Runs Timer::loop(). */
-class Timer::OwnThread : public Thread {
+class Timer::OwnActivity : public Activity {
 public:
-    OwnThread(Timer& timer, int scheduler, int priority, const std::string& name)
-        : Thread(scheduler, priority, 0.0, 0, name), timer_(timer) {}
-    ~OwnThread() override {
+    OwnActivity(Timer& timer, int scheduler, int priority, const std::string& name)
+        : Activity(scheduler, priority, 0.0, 0, &timer, name), timer_(timer) {}
+    ~OwnActivity() override {
+        closeGate();
         stop();
         terminate();
     }
 
 protected:
     // Not virtual: this runs while the sub-class is being constructed. Only timeout() is, and a timer must be set for it.
-    bool initialize() override { return timer_.Timer::initialize(); }
+    bool initialize() override { return claimRunner() && timer_.Timer::initialize(); }
+    void step() override { timer_.Timer::step(); }
     void loop() override { timer_.Timer::loop(); }
     bool breakLoop() override { return timer_.Timer::breakLoop(); }
+    void finalize() override {}
+    void work(base::RunnableInterface::WorkReason) override {}
 
 private:
     Timer& timer_;
@@ -32,13 +36,13 @@ private:
 Timer::Timer(TimerId maxTimers, int scheduler, int priority, const std::string& name)
     : timers_(maxTimers > 0 ? static_cast<std::size_t>(maxTimers) : 0) {
     if (scheduler == -1) return;
-    thread_.reset(new OwnThread(*this, scheduler, priority, name));
-    thread_->start();
+    own_.reset(new OwnActivity(*this, scheduler, priority, name));
+    own_->start();
 }
 
 Timer::~Timer() { stopThread(); }
 
-void Timer::stopThread() { thread_.reset(); }
+void Timer::stopThread() { own_.reset(); }
 
 void Timer::timeout(TimerId) {}
 

@@ -26,7 +26,8 @@ public:
 
     /**
      * @param maxTimers number of timers
-     * @param scheduler of the thread that calls timeout(); −1: no thread, run this object in an activity that is not periodic
+     * @param scheduler of the thread that calls timeout(), which is that of getActivity(); −1: no thread, run this object in
+     *     an activity that is not periodic
      */
     explicit Timer(TimerId maxTimers, int scheduler = -1, int priority = 0, const std::string& name = "Timer");
     /** Ends the thread. A class that overrides timeout() calls stopThread() in its own destructor. */
@@ -63,7 +64,7 @@ protected:
     void stopThread();
 
 private:
-    class OwnThread;
+    class OwnActivity;
     struct Entry {
         nsecs expires = 0;        // 0: not armed
         nsecs period = 0;         // 0: one shot
@@ -80,7 +81,7 @@ private:
     std::vector<Entry> timers_;
     unsigned changes_ = 0;  // the last generation
     bool quit_ = false;
-    std::unique_ptr<OwnThread> thread_;
+    std::unique_ptr<OwnActivity> own_;
 };
 
 }  // namespace os

@@ -9,8 +9,10 @@
  */
 #include <rtt/rtt-config.h>
 
+#include <errno.h>
 #include <pthread.h>
 #include <sched.h>
+#include <stdio.h>
 #include <sys/types.h>
 #include <time.h>
 #include <unistd.h>
@@ -25,6 +27,9 @@
  */
 #define ORO_WAIT_ABS 0
 #define ORO_WAIT_REL 1
+
+/** Writes to the standard output as printf() does; not real-time safe. */
+#define rtos_printf printf
 
 #ifdef __cplusplus
 extern "C" {
@@ -58,6 +63,14 @@ static inline TIME_SPEC ticks2timespec(TICK_TIME t) {
     result.tv_sec = (time_t)(t / 1000000000LL);
     result.tv_nsec = (long)(t % 1000000000LL);
     return result;
+}
+
+/** Blocks for that long, on the clock above. 0; or -1 if a signal came first, and what is left in `*remaining`, which may be
+    null. */
+static inline int rtos_nanosleep(const TIME_SPEC* duration, TIME_SPEC* remaining) {
+    const int error = clock_nanosleep(CLOCK_MONOTONIC, 0, duration, remaining);
+    if (error != 0) errno = error;
+    return error == 0 ? 0 : -1;
 }
 
 #ifdef __cplusplus

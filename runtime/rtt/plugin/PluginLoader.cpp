@@ -88,17 +88,36 @@ struct PluginLoader::Impl {
         return loaded;
     }
 
-    bool loadNamed(const std::string& name, const std::string& pathList, Kind kind) {
-        const Logger::In in("PluginLoader");
-        if (table.contains(name)) return true;
-        if (isFile(name)) return loadFile(name, kind);
+    /** The library of that name; empty if there is none. */
+    static std::string fileNamed(const std::string& name, const std::string& pathList, Kind kind) {
+        if (isFile(name)) return name;
         for (const std::string& path : splitPathList(pathList))
             for (const std::string& base : withTargetDirectory(path))
                 for (const std::string& file : fileNamesOf(name))
                     for (const std::string& found : {base + "/" + directoryOf(kind) + "/" + file, base + "/" + file})
-                        if (isFile(found)) return loadFile(found, kind);
-        log(Error) << "no " << (kind == Kind::Typekit ? "typekit" : "plugin") << " named '" << name << "' in "
-                   << pathList << endlog();
+                        if (isFile(found)) return found;
+        return {};
+    }
+
+    void scanBelow(const std::string& directory, Scan& sum) {
+        for (Kind kind : {Kind::Typekit, Kind::Plugin}) scan(directory + "/" + directoryOf(kind), kind, sum);
+    }
+
+    /** The library of that name, and all of the package of that name. */
+    bool loadNamed(const std::string& name, const std::string& pathList, Kind kind) {
+        const Logger::In in("PluginLoader");
+        bool found = table.contains(name), good = true;
+        if (const std::string file = found ? std::string() : fileNamed(name, pathList, kind); !file.empty()) {
+            found = true;
+            good = loadFile(file, kind);
+        }
+        Scan package;
+        for (const std::string& path : splitPathList(name.empty() ? std::string() : pathList))
+            for (const std::string& base : withTargetDirectory(path)) scanBelow(base + "/" + name, package);
+        for (const std::string& error : package.errors) log(Error) << "could not load " << error << endlog();
+        if (found || package.found > 0) return good && package.errors.empty();
+        log(Error) << "no " << (kind == Kind::Typekit ? "typekit" : "plugin") << " or package named '" << name
+                   << "' in " << pathList << endlog();
         return false;
     }
 };
@@ -149,7 +168,7 @@ bool PluginLoader::loadLibrary(const std::string& path, std::string& error) {
 PluginLoader::Scan PluginLoader::importDirectory(const std::string& directory) {
     const Logger::In in("PluginLoader");
     Scan sum;
-    for (Kind kind : {Kind::Typekit, Kind::Plugin}) impl_->scan(directory + "/" + directoryOf(kind), kind, sum);
+    impl_->scanBelow(directory, sum);
     return sum;
 }
 

@@ -49,11 +49,15 @@ public:
 
     /** Loads all typekits and transports below each directory. True if there were any and all could be loaded. */
     bool loadTypekits(const std::string& path_list);
-    /** Loads one typekit by name ("robot-typekit" for `librobot-typekit-<target>.so`); empty list: getPluginPath(). */
+    /**
+     * Loads one typekit by name ("robot-typekit" for `librobot-typekit-<target>.so`), and, if the name is that of a package,
+     * a directory in or below one of the list as plugins are, everything in its `types` and `plugins`. Empty list:
+     * getPluginPath(). False if there is neither, or something cannot be loaded.
+     */
     bool loadTypekit(const std::string& name, const std::string& path_list = std::string());
     /** Loads all plugins below each directory. True if there were any and all could be loaded. */
     bool loadPlugins(const std::string& path_list);
-    /** Loads one plugin by name; an empty list means getPluginPath(). */
+    /** The same for a plugin. */
     bool loadPlugin(const std::string& name, const std::string& path_list = std::string());
     /** Loads one library file; its directory must be named `types` or `plugins`. */
     bool loadLibrary(const std::string& path);

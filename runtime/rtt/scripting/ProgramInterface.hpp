@@ -15,7 +15,8 @@ namespace scripting {
 
 /**
  * A program that an engine executes, as scripts define them; users may write their own and give it to
- * ScriptingService::loadProgram(). The engine calls execute() once in every step that is due to time or input.
+ * ScriptingService::loadProgram(). The engine calls execute() once in every step that is due to time or input, but for
+ * programs that have nothing to do: isIdle() and wake().
  *
  * The commands may be called by any thread, also by the program itself. They never block and are real-time safe. They are
  * false, and do nothing, while no engine has the program. What they do, and what they return otherwise:
@@ -46,6 +47,8 @@ public:
     virtual bool pause() = 0;
     virtual bool step() = 0;
     virtual bool stop() = 0;
+    /** Back to the first statement: what stop() does. */
+    bool reset() { return stop(); }
     /** Any thread; real-time safe. */
     virtual ProgramStatus getStatus() const = 0;
     /** The line of the statement that comes next, or failed; 0 if there is none. Any thread; real-time safe. */

@@ -11,6 +11,8 @@
 #include <rtt/scripting/detail/script_runner.hpp>
 #include <rtt/scripting/detail/script_text.hpp>
 
+#include <diag/print.hpp>
+
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
@@ -24,20 +26,36 @@ using detail::Contents;
 
 namespace {
 
-bool runText(ScriptingService& service, const diag::FileName& name, const std::string& text, Contents contents) {
-    if (service.getOwner()) return detail::ScriptRunner(service, name, text).run(contents);
-    log(Error) << "a script cannot be run: service 'scripting' belongs to no component" << endlog();
+/** If that fails, `why` is its first error. */
+bool runText(ScriptingService& service, const diag::FileName& name, const std::string& text, Contents contents,
+             std::string* why = nullptr) {
+    if (service.getOwner()) {
+        detail::ScriptRunner runner(service, name, text);
+        const bool done = runner.run(contents);
+        if (why) *why = runner.firstError();
+        return done;
+    }
+    const char* const reason = "a script cannot be run: service 'scripting' belongs to no component";
+    log(Error) << reason << endlog();
+    if (why) *why = reason;
     return false;
 }
 
-bool runFile(ScriptingService& service, const std::string& file, Contents contents) {
+bool runFile(ScriptingService& service, const std::string& file, Contents contents, std::string* why = nullptr) {
     const std::string path = detail::ScriptRunner::locate(file);
     log(Info) << "running script " << path << endlog();
     diag::Sink sink;
-    if (const auto text = detail::readScript(path, sink)) return runText(service, path, *text, contents);
+    if (const auto text = detail::readScript(path, sink)) return runText(service, path, *text, contents, why);
     diag::SourceCache none;
     detail::logDiagnostics(sink, none);
+    if (why && !sink.empty()) *why = diag::toString(sink.all().front());
     return false;
+}
+
+/** `done`; throws if it is false and that is wanted. */
+bool orThrow(bool done, bool wanted, const std::string& why) {
+    if (wanted && !done) throw program_load_exception(why);
+    return done;
 }
 
 }  // namespace
@@ -116,15 +134,18 @@ bool ScriptingService::evalInternal(const std::string& name, const std::string& 
 bool ScriptingService::runScript(const std::string& file) { return runFile(*this, file, Contents::Everything); }
 int ScriptingService::execute(const std::string& code) { return eval(code) ? 0 : -1; }
 bool ScriptingService::doExecute(const std::string& code) { return eval(code); }
-bool ScriptingService::loadPrograms(const std::string& file) { return runFile(*this, file, Contents::Programs); }
-bool ScriptingService::loadProgramText(const std::string& code) {
-    return runText(*this, "string", code, Contents::Programs);
+
+bool ScriptingService::load(const std::string& file, Kind kind, bool do_throw) {
+    std::string why;
+    const bool done = runFile(*this, file, kind == Kind::Programs ? Contents::Programs : Contents::StateMachines, &why);
+    return orThrow(done, do_throw, why);
 }
-bool ScriptingService::loadStateMachines(const std::string& file) {
-    return runFile(*this, file, Contents::StateMachines);
-}
-bool ScriptingService::loadStateMachineText(const std::string& code) {
-    return runText(*this, "string", code, Contents::StateMachines);
+
+bool ScriptingService::load(const std::string& code, const std::string& name, Kind kind, bool do_throw) {
+    std::string why;
+    const Contents contents = kind == Kind::Programs ? Contents::Programs : Contents::StateMachines;
+    const bool done = runText(*this, name, code, contents, &why);
+    return orThrow(done, do_throw, why);
 }
 
 // -- Both kinds -----------------------------------------------------------------------------------------------------

@@ -7,11 +7,13 @@
 #include <rtt/scripting/ProgramInterface.hpp>
 #include <rtt/scripting/StateMachine.hpp>
 #include <rtt/scripting/rtt-scripting-fwd.hpp>
+#include <rtt/scripting/script_exceptions.hpp>
 
 #include <boost/shared_ptr.hpp>
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace RTT {
@@ -36,6 +38,10 @@ class ScriptRunner;
  * them at the same time, as long as none of the scripts changes the component's interface.
  */
 class RTT_API ScriptingService : public Service {
+    // Else two texts would be taken for a file and true.
+    template <class T>
+    using OnlyBool = std::enable_if_t<std::is_same_v<T, bool>, int>;
+
 public:
     typedef boost::shared_ptr<ScriptingService> shared_ptr;
     typedef ProgramInterface::Status::ProgramStatus ProgramStatus;
@@ -60,13 +66,24 @@ public:
 
     // -- Programs -----------------------------------------------------------------------------------------------
     /** For a file that defines functions and programs, and nothing else. */
-    bool loadPrograms(const std::string& file);
-    bool loadProgramText(const std::string& code);
+    bool loadPrograms(const std::string& file) { return load(file, Kind::Programs, false); }
+    /** With `do_throw` throws program_load_exception instead of returning false. */
+    template <class Bool, OnlyBool<Bool> = 0>
+    bool loadPrograms(const std::string& file, Bool do_throw) {
+        return load(file, Kind::Programs, do_throw);
+    }
+    /** Of a text; `name` stands for it in messages. */
+    bool loadPrograms(const std::string& code, const std::string& name, bool do_throw = false) {
+        return load(code, name, Kind::Programs, do_throw);
+    }
+    bool loadProgramText(const std::string& code) { return loadPrograms(code, "string"); }
     /** Has the engine execute the program, and gives the component a service of its name. False, with an error in the log, if
         there is a program or service of that name. */
     bool loadProgram(ProgramInterfacePtr program);
     /** Takes it out of the engine. False, with an error in the log, if there is none. */
     bool unloadProgram(const std::string& name);
+    /** With `do_throw` throws program_unload_exception instead of returning false. */
+    bool unloadProgram(const std::string& name, bool do_throw);
     std::vector<std::string> getProgramList() const;
     /** Null if there is none. */
     ProgramInterfacePtr getProgram(const std::string& name) const;
@@ -86,13 +103,22 @@ public:
 
     // -- State machines -----------------------------------------------------------------------------------------
     /** For a file that defines types of state machines and instantiates at least one, and nothing else. */
-    bool loadStateMachines(const std::string& file);
-    bool loadStateMachineText(const std::string& code);
+    bool loadStateMachines(const std::string& file) { return load(file, Kind::StateMachines, false); }
+    /** As for programs. */
+    template <class Bool, OnlyBool<Bool> = 0>
+    bool loadStateMachines(const std::string& file, Bool do_throw) {
+        return load(file, Kind::StateMachines, do_throw);
+    }
+    bool loadStateMachines(const std::string& code, const std::string& name, bool do_throw = false) {
+        return load(code, name, Kind::StateMachines, do_throw);
+    }
+    bool loadStateMachineText(const std::string& code) { return loadStateMachines(code, "string"); }
     /** Has the engine execute the state machine and its sub machines, and gives the component its service. False, with an
         error in the log, if there is a state machine or service of that name. */
     bool loadStateMachine(StateMachinePtr machine);
     /** Stops and deactivates it first. False, with an error in the log, if there is none or it does not stop. */
     bool unloadStateMachine(const std::string& name);
+    bool unloadStateMachine(const std::string& name, bool do_throw);
     /** Of the root machines, and those below them as "root.sub". */
     std::vector<std::string> getStateMachineList() const;
     /** By the names of that list; null if there is none. */
@@ -120,6 +146,9 @@ public:
 private:
     friend class detail::ScriptRunner;
     struct Loaded;
+    enum class Kind { Programs, StateMachines };
+    bool load(const std::string& file, Kind kind, bool do_throw);
+    bool load(const std::string& code, const std::string& name, Kind kind, bool do_throw);
     void addScriptOperations();
     void addProgramOperations();
     void addStateMachineOperations();

@@ -98,16 +98,14 @@ StateMachine::~StateMachine() {
     if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
 }
 
-namespace {
-
 // Without a period, nobody else would have the engine execute a cycle.
-void wake(ExecutionEngine* engine) {
+void StateMachine::askForCycle() {
+    wake();
+    ExecutionEngine* const engine = getEngine();
     if (!engine) return;
     const internal::EngineGate::Visit visit(*engine->gate());
     if (visit.activity()) visit.activity()->timeout();
 }
-
-}  // namespace
 
 template <class Command>
 bool StateMachine::command(const char* name, Command command) {
@@ -118,9 +116,10 @@ bool StateMachine::command(const char* name, Command command) {
         claimed = true;
     }
     if (claimed) {
+        wake();
         std::atomic_thread_fence(std::memory_order_seq_cst);  // see takeEvents()
         const auto& events = execution_->model->queue;
-        if (events && !events->empty()) wake(getEngine());
+        if (events && !events->empty()) askForCycle();
         return done;
     }
     log(Error) << "state machine '" << getName() << "': " << name << "() waited for " << kPatience / 1000000000
@@ -148,15 +147,21 @@ bool StateMachine::deactivate() {
     return command("deactivate", [](detail::MachineCore& core) { return core.deactivate(); });
 }
 
-bool StateMachine::pause() { return isLoaded() && execution_->core.pause(); }
-bool StateMachine::step() { return isLoaded() && execution_->core.step(); }
-bool StateMachine::stop() { return isLoaded() && execution_->core.stop(); }
+bool StateMachine::pause() { return request(&detail::MachineCore::pause); }
+bool StateMachine::step() { return request(&detail::MachineCore::step); }
+bool StateMachine::stop() { return request(&detail::MachineCore::stop); }
+
+bool StateMachine::request(bool (detail::MachineCore::*what)()) {
+    const bool accepted = isLoaded() && (execution_->core.*what)();
+    if (accepted) wake();
+    return accepted;
+}
 
 bool StateMachine::requestState(const std::string& state) {
     detail::MachineState* const target = execution_->find(state);
     const bool accepted =
         target && command("requestState", [&](detail::MachineCore& core) { return core.requestState(*target); });
-    if (accepted) wake(getEngine());
+    if (accepted) askForCycle();
     return accepted;
 }
 
@@ -166,7 +171,7 @@ bool StateMachine::react(detail::OperationEvent& event, void* const* arguments) 
     bool accepted = !claim.nested() && execution_->takeEvents();  // those before
     event.hold(arguments);
     accepted = (isLoaded() && execution_->core.happened(event)) || accepted;
-    if (accepted) wake(getEngine());
+    if (accepted) askForCycle();
     return true;
 }
 
@@ -174,7 +179,7 @@ void StateMachine::takeEvents() {
     // Either this finds the machine free, or who gives it back finds the events.
     std::atomic_thread_fence(std::memory_order_seq_cst);
     const auto claim = detail::MachineClaim::soon(execution_->owner);
-    if (claim && isLoaded() && execution_->takeEvents()) wake(getEngine());
+    if (claim && isLoaded() && execution_->takeEvents()) askForCycle();
 }
 
 bool StateMachine::Execution::takeEvents() {
@@ -211,6 +216,13 @@ std::vector<std::string> StateMachine::getStateList() const {
     for (const detail::MachineState& state : execution_->model->states) names.push_back(state.name);
     return names;
 }
+
+StateInterface::~StateInterface() = default;
+
+StateInterface* StateMachine::currentState() const { return execution_->core.state(); }
+StateInterface* StateMachine::getInitialState() const { return execution_->model->first; }
+StateInterface* StateMachine::getFinalState() const { return execution_->model->last; }
+StateInterface* StateMachine::getState(const std::string& name) const { return execution_->find(name); }
 
 bool StateMachine::inState(const std::string& name) const {
     const detail::MachineState* const state = execution_->core.state();
@@ -256,6 +268,25 @@ bool StateMachine::execute() {
     return true;
 }
 
+// Only who has the machine can tell. One that runs is asked in each step: its status is enough.
+bool StateMachine::isIdle() const {
+    switch (execution_->core.status()) {
+        case Status::inactive:
+        case Status::stopped:
+        case Status::paused:
+        case Status::error: break;
+        default: return false;
+    }
+    {
+        const auto claim = detail::MachineClaim::now(execution_->owner);
+        if (!claim || claim.nested() || !execution_->core.isIdle()) return false;
+    }
+    // An event may have come just when this had the machine, see takeEvents().
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    const auto& events = execution_->model->queue;
+    return !events || events->empty();
+}
+
 void StateMachine::outliveExecution() {
     if (execution_->executing) execution_->self = shared_from_this();
 }
@@ -290,7 +321,9 @@ bool StateMachine::bringDown() {
                    << endlog();
         return false;
     }
-    if (!claim || !execution_->goDown()) {
+    const bool down = claim && execution_->goDown();
+    wake();
+    if (!down) {
         log(Critical) << "state machine '" << getName() << "' cannot be unloaded: it does not leave state '"
                       << getCurrentStateName() << "', line " << getLineNumber() << endlog();
         return false;

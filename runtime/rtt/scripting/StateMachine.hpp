@@ -19,9 +19,18 @@ namespace scripting {
 
 namespace detail {
 class EventQueue;
+class MachineCore;
 class OperationEvent;
 struct MachineModel;
 }  // namespace detail
+
+/** A state of a machine. It lives as long as the machine. */
+class RTT_API StateInterface {
+public:
+    virtual ~StateInterface();
+    /** Real-time safe; any thread. */
+    virtual const std::string& getName() const = 0;
+};
 
 /**
  * A state machine that a script defined and a component's engine executes: execute() is one cycle. Each machine, sub machines
@@ -29,7 +38,8 @@ struct MachineModel;
  *
  *     command            accepted when                       does
  *     activate()         inactive                            assigns parameters and variables, enters the initial state; false if a
- *                                                            precondition of that, an initial value or its entry fails
+ *                                                            precondition of that does not hold or an initial value fails. True
+ *                                                            though its entry failed: then it is in error. `run` waits for start()
  *     automatic()        not inactive, error                 running: executes `run` and looks at the transitions in each cycle.
  *       = start()                                            Starts `run` from its beginning; continues after pause()
  *     reactive()         not inactive, error                 active: only events and requestState() change the state
@@ -39,11 +49,13 @@ struct MachineModel;
  *                        active                              looks at all transitions once, in the next cycle
  *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped.
  *                                                            Takes back a pause() or step() that has not taken effect
- *     reset()            stopped                             enters the initial state; then active
+ *     reset()            stopped                             enters the initial state, as activate() does; then active
  *     deactivate()       not inactive                        executes the exit program of the state; then inactive
  *     requestState(S)    no transition or `handle` is        S is the present state: executes `handle` and `run`. Else goes to S by the
  *                        being executed                      first transition that leads there and may be taken; to the final state,
- *                                                            and from there to the initial one, also without one
+ *                                                            and from there to the initial one, also without one. Exit and entry
+ *                                                            are executed at once, unless a program of the machine itself asks for
+ *                                                            that, or the machine is paused
  *
  * Programs that `yield` go on in the next cycle; the status is activating, stopping, resetting or deactivating meanwhile.
  *
@@ -105,6 +117,12 @@ public:
     /** Empty if not active. */
     std::string getCurrentStateName() const;
     std::vector<std::string> getStateList() const;
+    /** The state it is in; null if it is not active. */
+    StateInterface* currentState() const;
+    StateInterface* getInitialState() const;
+    StateInterface* getFinalState() const;
+    /** Null if there is none of that name. */
+    StateInterface* getState(const std::string& name) const;
     bool inState(const std::string& state) const;
     bool inInitialState() const;
     bool inFinalState() const;
@@ -127,6 +145,8 @@ public:
 
     /** One cycle. Always true. */
     bool execute() override;
+    /** Inactive, stopped, paused or in error, and nothing is asked for. */
+    bool isIdle() const override;
     /** Stops and deactivates the machine and its sub machines, executing them in this thread, each for at most a second. The
         engine skips them meanwhile. False, and told in the log, if one does not come to its end: it goes on stopping in the
         cycles that follow; or if a program of the machine calls this: then nothing is done. */
@@ -145,6 +165,9 @@ private:
     void takeEvents();
     template <class Command>
     bool command(const char* name, Command command);
+    bool request(bool (detail::MachineCore::*what)());
+    /** Has the engine execute one soon. */
+    void askForCycle();
 
     const std::unique_ptr<Execution> execution_;
 };

@@ -11,6 +11,7 @@ class Scripting;
 namespace scripting {
 class ProgramInterface;
 class ScriptingService;
+class StateInterface;
 class StateMachine;
 typedef boost::shared_ptr<ProgramInterface> ProgramInterfacePtr;
 typedef boost::shared_ptr<StateMachine> StateMachinePtr;

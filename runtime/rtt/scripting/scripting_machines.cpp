@@ -58,6 +58,12 @@ bool ScriptingService::unloadStateMachine(const std::string& name) {
     return false;
 }
 
+bool ScriptingService::unloadStateMachine(const std::string& name, bool do_throw) {
+    const bool done = unloadStateMachine(name);
+    if (do_throw && !done) throw program_unload_exception("state machine '" + name + "' cannot be unloaded");
+    return done;
+}
+
 // While it goes down the engine still has it, because its programs may command its sub machines.
 bool ScriptingService::takeOutMachine(StateMachinePtr machine) {
     if (!getOwner()) return removeMachine(machine);

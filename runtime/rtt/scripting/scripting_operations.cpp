@@ -6,6 +6,11 @@
 namespace RTT {
 namespace scripting {
 
+namespace {
+/** Of several functions of that name, the one that takes no more than a text. */
+constexpr auto ofName(bool (ScriptingService::*function)(const std::string&)) { return function; }
+}  // namespace
+
 void ScriptingService::addScriptOperations() {
     using S = ScriptingService;
     addOperation("eval", &S::eval, this)
@@ -18,13 +23,13 @@ void ScriptingService::addScriptOperations() {
     addOperation("doExecute", &S::doExecute, this)
         .doc("Deprecated, another name of eval")
         .arg("Code", "text of a script");
-    addOperation("loadPrograms", &S::loadPrograms, this)
+    addOperation("loadPrograms", ofName(&S::loadPrograms), this)
         .doc("Loads a file that has nothing but functions and programs")
         .arg("Filename", "path of the script");
     addOperation("loadProgramText", &S::loadProgramText, this)
         .doc("Loads a text that has nothing but functions and programs")
         .arg("Code", "text of the script");
-    addOperation("loadStateMachines", &S::loadStateMachines, this)
+    addOperation("loadStateMachines", ofName(&S::loadStateMachines), this)
         .doc("Loads a file that has nothing but state machines")
         .arg("Filename", "path of the script");
     addOperation("loadStateMachineText", &S::loadStateMachineText, this)
@@ -36,7 +41,7 @@ void ScriptingService::addProgramOperations() {
     using S = ScriptingService;
     const char* const name = "Name";
     const char* const which = "name of the program";
-    addOperation("unloadProgram", &S::unloadProgram, this).doc("Removes a program").arg(name, which);
+    addOperation("unloadProgram", ofName(&S::unloadProgram), this).doc("Removes a program").arg(name, which);
     addOperation("getProgramList", &S::getProgramList, this).doc("The names of all programs");
     addOperation("hasProgram", &S::hasProgram, this).doc("True if there is such a program").arg(name, which);
     addOperation("startProgram", &S::startProgram, this).doc("Starts a program, or goes on with it").arg(name, which);
@@ -64,7 +69,7 @@ void ScriptingService::addStateMachineOperations() {
     using S = ScriptingService;
     const char* const name = "Name";
     const char* const which = "name of the state machine, as in root.sub";
-    addOperation("unloadStateMachine", &S::unloadStateMachine, this)
+    addOperation("unloadStateMachine", ofName(&S::unloadStateMachine), this)
         .doc("Stops, deactivates and removes a root machine")
         .arg(name, which);
     addOperation("getStateMachineList", &S::getStateMachineList, this).doc("The names of all state machines");

@@ -38,6 +38,12 @@ bool ScriptingService::unloadProgram(const std::string& name) {
     return false;
 }
 
+bool ScriptingService::unloadProgram(const std::string& name, bool do_throw) {
+    const bool done = unloadProgram(name);
+    if (do_throw && !done) throw program_unload_exception("program '" + name + "' cannot be unloaded");
+    return done;
+}
+
 bool ScriptingService::takeOutProgram(const std::string& name) {
     ProgramInterfacePtr program = getProgram(name);
     if (!program) return false;

@@ -12,9 +12,14 @@
 namespace RTT {
 namespace types {
 
+namespace detail {
+/** False if the text is anything else than a whole number in the range of int. */
+RTT_API bool readNumber(const std::string& text, int& number);
+}  // namespace detail
+
 /**
  * Generator for an enum. Derive from it and fill `to_string` in the constructor: that text is what is printed, read,
- * and written to property files. Converts silently from and to int.
+ * and written to property files; for a value without text it is the number, as an int. Converts silently from and to int.
  */
 template <class T>
 class EnumTypeInfo : public TemplateTypeInfo<T, false>, public CompositionFactory, public StreamFactory {
@@ -35,32 +40,35 @@ public:
     }
 
     base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {
-        return new internal::ValueDataSource<std::string>(this->toString(source));
+        const void* value = detail::valueOfType(source, typeid(T));
+        if (!value) return nullptr;
+        if (const std::string* text = textOf(*static_cast<const T*>(value)))
+            return new internal::ValueDataSource<std::string>(*text);
+        return new internal::ValueDataSource<int>(toInt(*static_cast<const T*>(value)));
     }
     bool composeType(base::DataSourceBase::shared_ptr source, base::DataSourceBase::shared_ptr target) const override {
-        const void* text = detail::valueOfType(source, typeid(std::string));
-        return text && fromString(*static_cast<const std::string*>(text), target);
+        if (const void* text = detail::valueOfType(source, typeid(std::string)))
+            return fromString(*static_cast<const std::string*>(text), target);
+        const void* number = detail::valueOfType(source, typeid(int));
+        return number && set(target, fromInt(*static_cast<const int*>(number)));
     }
     std::ostream& write(std::ostream& os, base::DataSourceBase::shared_ptr source) const override {
         const void* value = detail::valueOfType(source, typeid(T));
         if (!value) return os;
-        const auto known = to_string.find(*static_cast<const T*>(value));
-        return known == to_string.end() ? os << toInt(*static_cast<const T*>(value)) : os << known->second;
+        const std::string* text = textOf(*static_cast<const T*>(value));
+        return text ? os << *text : os << toInt(*static_cast<const T*>(value));
     }
     std::istream& read(std::istream& is, base::DataSourceBase::shared_ptr target) const override {
         std::string text;
         if (is >> text && !fromString(text, target)) is.setstate(std::ios::failbit);
         return is;
     }
+    /** By its text, or its number. */
     bool fromString(const std::string& text, base::DataSourceBase::shared_ptr target) const override {
-        void* storage = detail::storageOfType(target, typeid(T));
-        for (auto it = to_string.begin(); storage && it != to_string.end(); ++it) {
-            if (it->second != text) continue;
-            *static_cast<T*>(storage) = it->first;
-            target->updated();
-            return true;
-        }
-        return false;
+        for (const auto& known : to_string)
+            if (known.second == text) return set(target, known.first);
+        int number = 0;
+        return detail::readNumber(text, number) && set(target, fromInt(number));
     }
     bool isStreamable() const override { return true; }
 
@@ -68,6 +76,18 @@ protected:
     MapType to_string;
 
 private:
+    /** Null if it has none. */
+    const std::string* textOf(T value) const {
+        const auto known = to_string.find(value);
+        return known == to_string.end() ? nullptr : &known->second;
+    }
+    static bool set(const base::DataSourceBase::shared_ptr& target, T value) {
+        void* storage = detail::storageOfType(target, typeid(T));
+        if (!storage) return false;
+        *static_cast<T*>(storage) = value;
+        target->updated();
+        return true;
+    }
     static T fromInt(int number) { return static_cast<T>(number); }
     static int toInt(T value) { return static_cast<int>(value); }
 };

@@ -83,4 +83,6 @@ RTT_API OperatorRepository::shared_ptr operators();
 }  // namespace types
 }  // namespace RTT
 
+#include <rtt/types/typekit_includes.hpp>
+
 #endif

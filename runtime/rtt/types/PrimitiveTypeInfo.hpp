@@ -72,6 +72,7 @@ private:
 }  // namespace RTT
 
 // Users rely on it for more than this header needs.
+#include <rtt/types/typekit_includes.hpp>
 #include <rtt/usual_includes.hpp>
 
 #endif

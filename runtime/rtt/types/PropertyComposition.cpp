@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "PropertyComposition.hpp"
 
+#include <rtt/Logger.hpp>
 #include <rtt/internal/detail/property_update.hpp>
 #include "PropertyDecomposition.hpp"
 #include "Types.hpp"
@@ -25,9 +26,9 @@ DataSourceBase::shared_ptr assignable(const DataSourceBase::shared_ptr& source) 
 DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
     const TypeInfo* type = source->getTypeInfo();
     if (auto decomposed = type->decomposeType(source)) return decomposed;
-    // A type that can be written as text and read back, such as string, is a leaf whatever members it has.
-    const auto names = type->isStreamable() ? std::vector<std::string>() : type->getMemberNames();
-    if (names.empty()) return nullptr;
+    const auto names = type->getMemberNames();
+    // The letters of a string are no parts of it.
+    if (names.empty() || detail::isText(source)) return nullptr;
     boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
     PropertyBag& bag = result->set();
     bag.setType(type->getTypeName());
@@ -41,9 +42,22 @@ DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
         if (member && member->isAssignable()) add(name, "Part", member);
     }
     const int count = bag.empty() ? detail::elementCount(whole) : 0;
+    // All that it has is computed: the text alone tells the value.
+    if (count < 0 && type->isStreamable()) return nullptr;
     for (int i = 0; i < count; ++i)
         if (!add("Element" + std::to_string(i), "Sequence Element", detail::elementOf(whole, i))) return nullptr;
     return result;
+}
+
+/** False, and errors in the log, if the target has properties of the names of `source`. */
+bool hasRoomFor(const PropertyBag& source, const PropertyBag& target) {
+    bool free = true;
+    for (const PropertyBase* item : source) {
+        if (item->getName().empty() || !target.find(item->getName())) continue;
+        log(Error) << "the bag has a property '" << item->getName() << "' already; nothing is added" << endlog();
+        free = false;
+    }
+    return free;
 }
 
 const PropertyBag* bagIn(const DataSourceBase::shared_ptr& source) {
@@ -82,6 +96,7 @@ bool propertyDecomposition(PropertyBase* source, PropertyBag& target, bool recur
 }
 
 bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target) {
+    if (!hasRoomFor(source, target)) return false;
     target.setType(source.getType());
     bool good = true;
     for (auto* item : source) {
@@ -98,6 +113,7 @@ bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target) {
 }
 
 bool composePropertyBag(const PropertyBag& source, PropertyBag& target) {
+    if (!hasRoomFor(source, target)) return false;
     internal::detail::BagUpdate how;
     how.report = internal::detail::logUpdateError;
     target.setType(source.getType());

@@ -15,10 +15,13 @@ namespace types {
 RTT_API bool typeDecomposition(base::DataSourceBase::shared_ptr source, PropertyBag& target, bool recurse = true);
 /** The same for the value of a property. */
 RTT_API bool propertyDecomposition(base::PropertyBase* source, PropertyBag& target, bool recurse = false);
-/** The same for each item of a bag: what has members becomes a bag, the others are copied. */
+/** The same for each item of a bag: what has members becomes a bag, the others are copied. False, and nothing is added, if
+    `target` has a property of one of these names. */
 RTT_API bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target);
 
 }  // namespace types
 }  // namespace RTT
+
+#include <rtt/types/PropertyComposition.hpp>  // users take both from here
 
 #endif

@@ -121,7 +121,8 @@ bool SequenceMembers::forEach(const SourcePtr& source, const std::function<void(
 bool SequenceMembers::insertAll(const PropertyBag& bag, void* container) const {
     const TypeThunks* const thunks = elementThunks();
     if (!thunks || !ops_.resize(container, 0)) return false;
-    for (const base::PropertyBase* item : bag) {
+    for (std::size_t i = detail::firstElement(bag); i != bag.size(); ++i) {
+        const base::PropertyBase* const item = bag.getItem(i);
         const SourcePtr element(thunks->value());
         if (!detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
         ops_.insert(container, element->getRawConstPointer());
@@ -143,14 +144,15 @@ bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
         target->updated();
         return true;
     }
+    const std::size_t first = detail::firstElement(*bag), count = bag->size() - first;
     if (ops_.resize) {
-        if (!resize(target, static_cast<int>(bag->size()))) return false;
-    } else if (sizeOf(target) != bag->size()) {
-        log(Error) << "an array of " << sizeOf(target) << " elements cannot take " << bag->size() << endlog();
+        if (!resize(target, static_cast<int>(count))) return false;
+    } else if (sizeOf(target) != count) {
+        log(Error) << "an array of " << sizeOf(target) << " elements cannot take " << count << endlog();
         return false;
     }
-    for (std::size_t i = 0; i != bag->size(); ++i) {
-        const base::PropertyBase* item = bag->getItem(i);
+    for (std::size_t i = 0; i != count; ++i) {
+        const base::PropertyBase* item = bag->getItem(first + i);
         const SourcePtr element = elementAt(target, i);
         if (!element || !detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
     }

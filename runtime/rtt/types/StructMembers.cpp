@@ -4,6 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/PropertyBag.hpp>
+#include <rtt/base/ActionInterface.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include "TypeOps.hpp"
 #include "TypeThunkTable.hpp"
@@ -54,9 +55,8 @@ SourcePtr elementOf(const SourcePtr& item, std::size_t index, const TypeThunks& 
     return thunks.element(item.get(), which, &ops);
 }
 
-SourcePtr partOf(const SourcePtr& item, const Member& member, const TypeThunks& thunks) {
-    char* at = static_cast<char*>(item->getRawPointer());
-    return at ? thunks.part(at + member.offset, member.count, item.get()) : nullptr;
+SourcePtr partOf(void* value, const SourcePtr& item, const Member& member, const TypeThunks& thunks) {
+    return value ? thunks.part(static_cast<char*>(value) + member.offset, member.count, item.get()) : nullptr;
 }
 
 }  // namespace
@@ -98,11 +98,18 @@ SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) c
     }
     const TypeThunks& thunks = *type->getThunks();
     if (member.access) return thunks.element ? elementOf(item, 0, thunks, *member.access) : nullptr;
-    if (item->isAssignable()) return partOf(item, member, thunks);
+    if (item->isAssignable()) return partOf(item->getRawPointer(), item, member, thunks);
     if (thunks.element) return elementOf(item, member.offset, thunks, byteOffsetOps());
-    // An array in a value that cannot be changed: a view on a copy.
+    // An array: a view on it, which cannot be changed either.
+    if (void* const value = const_cast<void*>(item->getRawConstPointer())) return partOf(value, item, member, thunks);
+    const SourcePtr copy = copyOf(item);
+    return copy ? partOf(const_cast<void*>(copy->getRawConstPointer()), copy, member, thunks) : nullptr;
+}
+
+/** Of a value that has no address before it is evaluated: a copy that is made each time this is evaluated. */
+SourcePtr StructMembers::copyOf(const SourcePtr& item) const {
     const SourcePtr copy = thunks_.value();
-    return copy->update(item.get()) ? partOf(copy, member, thunks) : nullptr;
+    return copy->isAssignable() ? thunks_.actionAlias(copy->updateAction(item.get()), copy.get()) : nullptr;
 }
 
 SourcePtr StructMembers::decomposeType(SourcePtr source) const {

@@ -40,6 +40,7 @@ public:
 private:
     const Member* find(const std::string& name) const;
     base::DataSourceBase::shared_ptr memberOf(const base::DataSourceBase::shared_ptr& item, const Member& member) const;
+    base::DataSourceBase::shared_ptr copyOf(const base::DataSourceBase::shared_ptr& item) const;
 
     const Member* members_;
     std::size_t count_;

@@ -47,4 +47,6 @@ TypeConstructor* newConstructor(F function, bool automatic = false) {
 }  // namespace types
 }  // namespace RTT
 
+#include <rtt/types/typekit_includes.hpp>
+
 #endif

@@ -26,11 +26,16 @@ std::vector<std::string> TypeInfo::getTypeNames() const {
 }
 
 bool TypeInfo::addAlias(const std::string& alias) {
-    return state_->locked([&] {
-        auto& known = state_->aliases;
+    auto& known = state_->aliases;
+    const bool isNew = state_->locked([&] {
         if (alias == state_->name || std::find(known.begin(), known.end(), alias) != known.end()) return false;
         known.push_back(alias);
         return true;
+    });
+    if (!isNew || Types()->aliasType(alias, this)) return isNew;
+    return state_->locked([&] {
+        known.erase(std::remove(known.begin(), known.end(), alias), known.end());
+        return false;
     });
 }
 

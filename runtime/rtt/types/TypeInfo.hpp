@@ -70,7 +70,7 @@ public:
     const std::string& getTypeName() const;
     /** All names. */
     std::vector<std::string> getTypeNames() const;
-    /** False if it has that name already. */
+    /** Also TypeInfoRepository::type() finds it then. False if it has that name already, or another type has it. */
     bool addAlias(const std::string& alias);
     bool isType(const std::string& name) const;
     bool setTypeId(TypeId id);
@@ -95,6 +95,7 @@ public:
     SourcePtr buildActionAlias(base::ActionInterface* action, SourcePtr source) const;
     base::AttributeBase* buildConstant(std::string name, SourcePtr value, int sizehint) const;
     base::AttributeBase* buildConstant(std::string name, SourcePtr value) const;
+    /** Containers and strings get `sizehint` elements, strings zero letters; other types have no use for it. */
     base::AttributeBase* buildVariable(std::string name, int sizehint) const;
     base::AttributeBase* buildVariable(std::string name) const;
     base::AttributeBase* buildAttribute(std::string name, SourcePtr source = nullptr) const;

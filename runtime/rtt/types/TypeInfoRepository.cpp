@@ -137,6 +137,10 @@ bool TypeInfoRepository::addType(TypeInfo* info) {
                        << endlog();
             return false;
         }
+        for (const auto& name : info->getTypeNames())
+            if (state_->byName.emplace(name, info).first->second != info)
+                log(Error) << "type " << info->getTypeName() << " is not called " << name
+                           << ": the name belongs to another type already" << endlog();
         if (*info->getTypeIdName()) state_->byId.emplace(info->getTypeIdName(), info);
         if (*info->getArrayElement()) state_->byArrayElement.emplace(info->getArrayElement(), info);
         state_->types.push_back(std::move(owned));
@@ -148,8 +152,15 @@ bool TypeInfoRepository::addType(TypeInfo* info) {
 
 bool TypeInfoRepository::aliasType(const std::string& alias, TypeInfo* info) {
     if (!info || !state_->isFree(alias, info)) return false;
-    std::lock_guard<std::mutex> lock(state_->mutex);
-    if (info->addAlias(alias)) state_->byName.emplace(alias, info);
+    {
+        std::lock_guard<std::mutex> lock(state_->mutex);
+        const auto own = state_->byName.find(info->getTypeName());
+        const bool isRegistered = own != state_->byName.end() && own->second == info;
+        if (isRegistered && state_->byName.emplace(alias, info).first->second != info) return false;
+    }
+    // A name that is new to the type comes back here once, when it is there already. If the type is not registered yet,
+    // addType() takes its names.
+    info->addAlias(alias);
     return true;
 }
 

@@ -119,12 +119,16 @@ struct Thunks<carray<E>> {
     }
     [[gnu::cold]] static base::AttributeBase* attribute(const std::string& name, Source* source) {
         auto* same = internal::AssignableDataSource<T>::narrow(source);
-        return same ? new Attribute<T>(name, same) : nullptr;
+        return same && same->isAssignable() ? new Attribute<T>(name, same) : nullptr;
     }
     [[gnu::cold]] static base::PropertyBase* property(const std::string& name, const std::string& description,
                                                       Source* source) {
         auto* same = internal::AssignableDataSource<T>::narrow(source);
-        return same ? new Property<T>(name, description, same) : nullptr;
+        if (!same) return nullptr;
+        if (same->isAssignable()) return new Property<T>(name, description, same);
+        // A view on what must not be changed: a copy of that.
+        same->evaluate();
+        return new Property<T>(name, description, new internal::ArrayDataSource<T>(same->rvalue()));
     }
     static constexpr TypeThunks table() {
         TypeThunks t{};

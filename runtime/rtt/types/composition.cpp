@@ -8,6 +8,7 @@
 #include "CompositionFactory.hpp"
 #include "Types.hpp"
 #include <rtt/types/detail/member_update.hpp>
+#include <algorithm>
 
 namespace RTT {
 namespace types {
@@ -20,6 +21,22 @@ CompositionHooks::~CompositionHooks() = default;
 namespace detail {
 
 namespace {
+
+/** False if the source is of none of these types, which must be whole numbers. */
+template <class... Number>
+bool readWhole(const SourcePtr& source, long long& number) {
+    const auto isOne = [&](auto zero) {
+        const void* const value = valueOfType(source, typeid(zero));
+        if (value) number = static_cast<long long>(*static_cast<const decltype(zero)*>(value));
+        return value != nullptr;
+    };
+    return (isOne(Number()) || ...);
+}
+
+bool readCount(const SourcePtr& source, long long& count) {
+    return readWhole<int, unsigned, long, unsigned long, long long, unsigned long long, short, unsigned short>(source,
+                                                                                                               count);
+}
 
 class HookedComposition : public CompositionFactory {
 public:
@@ -52,11 +69,12 @@ bool setPart(const SourcePtr& part, const base::PropertyBase& item) {
 /** By index, for types that have a size and elements instead of members. */
 bool composeElements(const PropertyBag& source, const SourcePtr& target) {
     const TypeInfo* type = target->getTypeInfo();
-    const int count = static_cast<int>(source.size());
+    const std::size_t first = firstElement(source);
+    const int count = static_cast<int>(source.size() - first);
     if (elementCount(target) != count && !type->resize(target, count)) return false;
     for (int i = 0; i != count; ++i) {
         const SourcePtr element = elementOf(target, i);
-        if (!element || !setPart(element, *source.getItem(i))) return false;
+        if (!element || !setPart(element, *source.getItem(first + static_cast<std::size_t>(i)))) return false;
     }
     target->updated();
     return true;
@@ -87,13 +105,31 @@ void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks
 }
 
 int elementCount(const SourcePtr& source) {
-    const SourcePtr member = source->getMember("size");  // holds the value that is looked at
-    const void* size = valueOfType(member, typeid(int));
-    return size ? *static_cast<const int*>(size) : -1;
+    long long count = 0;  // the member holds the value that is looked at
+    return readCount(source->getMember("size"), count) ? static_cast<int>(count) : -1;
 }
 
 SourcePtr elementOf(const SourcePtr& source, int index) {
-    return source->getMember(SourcePtr(new internal::ConstantDataSource<int>(index)));
+    const SourcePtr element = source->getMember(SourcePtr(new internal::ConstantDataSource<int>(index)));
+    return element ? element : source->getMember(std::to_string(index));
+}
+
+bool isText(const SourcePtr& source) {
+    const std::vector<std::string> names = source->getMemberNames();
+    if (!source->getTypeInfo()->isStreamable() || std::find(names.begin(), names.end(), "size") == names.end())
+        return false;
+    const SourcePtr letter = elementOf(source, 0);  // also of an empty one
+    return letter && letter->getTypeId() && *letter->getTypeId() == typeid(char);
+}
+
+std::size_t firstElement(const PropertyBag& bag) {
+    const base::PropertyBase* const first = bag.getItem(0);
+    long long said = 0;
+    if (!first || first->getName() != "Size" || !readCount(first->getDataSource(), said)) return 0;
+    if (static_cast<std::size_t>(said) != bag.size() - 1)
+        log(Warning) << "a sequence of type " << bag.getType() << " has " << bag.size() - 1
+                     << " elements, though its Size is " << said << endlog();
+    return 1;
 }
 
 bool composeMembers(const PropertyBag& source, const std::type_info& id, void* value,
@@ -114,7 +150,7 @@ bool composeMembers(const PropertyBag& source, const std::type_info& id, void* v
         if (item) complete = setPart(member, *item) && complete;
     }
     // A text has elements, too, but is not made of them.
-    if (!any) return !type->isStreamable() && elementCount(target) >= 0 && composeElements(source, target);
+    if (!any) return !isText(target) && elementCount(target) >= 0 && composeElements(source, target);
     target->updated();
     return complete;
 }

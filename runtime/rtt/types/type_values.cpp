@@ -90,8 +90,7 @@ base::AttributeBase* TypeInfo::buildVariable(std::string name, int sizehint) con
     auto factory = getValueFactory();
     base::AttributeBase* made =
         factory ? factory->buildVariable(name, sizehint) : callThunk(*this, &TypeThunks::variable, name, sizehint);
-    // Containers get their elements at once; strings are no containers to whoever declares a variable.
-    if (made && sizehint > 0 && !isStreamable()) resize(made->getDataSource(), sizehint);
+    if (made && sizehint > 0) resize(made->getDataSource(), sizehint);
     return made;
 }
 

@@ -9,3 +9,5 @@ faulty_value(sequential_relaxed_trigger ${file} [=[if (@{requests_.fetch_add(1)}
 faulty_value(sequential_not_woken ${file} [=[if (@{before & kWaiting}@)]=] [=[false]=])
 faulty_value(sequential_stop_does_not_wait ${file} [=[while (@{requests != 0}@) {
         // The mark]=] [=[false]=])
+faulty_value(sequential_direct_beside_execution ${file}
+  [=[if (@{!requests_.compare_exchange_strong(nobody, 1)}@) return Direct::Refused;]=] [=[(requests_.store(1), false)]=])

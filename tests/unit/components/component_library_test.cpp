@@ -11,6 +11,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/OutputPort.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/os/TimeService.hpp>
 
 #include <chrono>
 #include <future>
@@ -145,9 +146,39 @@ TEST_F(Timers, RepeatUntilTheyAreKilled) {
     EXPECT_GE(all(third).size(), 3u);
 }
 
+TEST_F(Timers, WaitLastsAsLongInAComponentThatDoesNotRun) {
+    const RTT::Seconds begin = RTT::os::TimeService::Instance()->getSeconds();
+    EXPECT_TRUE(operation<bool(int, double)>("wait")(3, 0.05));
+    EXPECT_GE(RTT::os::TimeService::Instance()->getSeconds() - begin, 0.05);
+    EXPECT_TRUE(operation<bool(int, double)>("wait")(3, 0.0));
+    EXPECT_TRUE(all(any).empty()) << "nothing expires";
+    EXPECT_FALSE(operation<bool(int, double)>("wait")(32, 0.0)) << "no such timer";
+    EXPECT_FALSE(operation<bool(int, double)>("wait")(3, -1.0));
+    EXPECT_FALSE(operation<bool(int, double)>("wait")(3, 1e300));
+}
+
+TEST_F(Timers, WaitForLastsAsLongInAComponentThatDoesNotRun) {
+    EXPECT_FALSE(operation<bool(int)>("waitFor")(3)) << "not armed";
+    const RTT::Seconds begin = RTT::os::TimeService::Instance()->getSeconds();
+    EXPECT_TRUE(operation<bool(int, double)>("arm")(3, 0.05));
+    EXPECT_TRUE(operation<bool(int)>("waitFor")(3));
+    EXPECT_GE(RTT::os::TimeService::Instance()->getSeconds() - begin, 0.05);
+    EXPECT_TRUE(operation<bool(int)>("waitFor")(3)) << "its time has come already";
+
+    ASSERT_TRUE(timer.configure());
+    EXPECT_TRUE(operation<bool(int, double)>("arm")(4, 1000.0));
+    auto killed = std::async(std::launch::async, [&] { return operation<bool(int)>("waitFor")(4); });
+    auto expired = std::async(std::launch::async, [&] { return operation<bool(int, double)>("wait")(5, 0.3); });
+    EXPECT_EQ(std::future_status::timeout, killed.wait_for(std::chrono::milliseconds(20)));
+    ASSERT_TRUE(timer.start());
+    EXPECT_TRUE(operation<bool(int)>("killTimer")(4));
+    EXPECT_TRUE(killed.get());
+    EXPECT_TRUE(expired.get());
+    EXPECT_FALSE(operation<bool(int, double)>("wait")(3, 1e300)) << "too long";
+}
+
 TEST_F(Timers, StopEndsWaits) {
     ASSERT_TRUE(timer.configure());
-    EXPECT_FALSE(operation<bool(int, double)>("wait")(3, 0.0)) << "nothing expires in a component that does not run";
     ASSERT_TRUE(timer.start());
     EXPECT_TRUE(operation<bool(int, double)>("arm")(4, 1000.0));
     std::future<bool> waits[] = {

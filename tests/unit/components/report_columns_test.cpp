@@ -4,12 +4,26 @@
 #include "reporter_fixture.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 namespace {
 
 using namespace components_test;
 
-class ReportColumns : public Reporting {};
+class ReportColumns : public Reporting {
+protected:
+    /** A header, and rows of as many words. */
+    void expectRowsLikeTheHeader(std::size_t lines) {
+        std::istringstream rows(report());
+        std::vector<std::size_t> columns;
+        for (std::string row; std::getline(rows, row);) {
+            std::istringstream words(row);
+            columns.push_back(std::distance(std::istream_iterator<std::string>(words), {}));
+        }
+        EXPECT_EQ(std::vector<std::size_t>(lines, columns.at(0)), columns) << text.str();
+    }
+};
 
 TEST_F(ReportColumns, HeaderThenOneRowPerCycle) {
     machine.speed.write(1.0 / 3);
@@ -114,7 +128,7 @@ TEST_F(ReportColumns, RowsFollowTheSizeOfASequence) {
     cycle();
     EXPECT_EQ(
         " TimeStamp Machine.levels[0]\n"
-        " 0  \n"
+        " 0  0 \n"
         " 0.5  1 2 \n"
         " 1  3 \n",
         report());
@@ -163,7 +177,7 @@ TEST_F(ReportColumns, RowsThatBecomeMuchLongerFindRoom) {
     for (int i = 0; i < kElements; ++i) image += "7 ";
     const std::string rows = report();
     EXPECT_TRUE(rows ==
-                " TimeStamp Machine.levels[0]\n 0  \n 0.5" + image + "\n 1" + image + "\n 1.5" + image + "\n 2  8 \n")
+                " TimeStamp Machine.levels[0]\n 0  0 \n 0.5" + image + "\n 1" + image + "\n 1.5" + image + "\n 2  8 \n")
         << rows.size() << " bytes: " << rows.substr(0, 100);
 }
 
@@ -173,6 +187,32 @@ TEST_F(ReportColumns, NumbersThatAreNoneAreWrittenAsStreamsDo) {
     property<bool>("WriteHeader") = false;
     ASSERT_TRUE(reporter->start());
     EXPECT_EQ(" 0  nan inf -inf -0 \n", report());
+}
+
+TEST_F(ReportColumns, AnEmptySequenceKeepsTheColumnsBehindItInTheirPlaces) {
+    machine.limits.ownProperty(new RTT::Property<RTT::PropertyBag>("none"));
+    machine.speed.write(5);
+    ASSERT_TRUE(reporter->reportPort("Machine", "levels"));
+    ASSERT_TRUE(reporter->reportPort("Machine", "tank"));
+    ASSERT_TRUE(reporter->reportData("Machine", "limits"));
+    ASSERT_TRUE(reporter->reportPort("Machine", "speed"));
+    sample::Tank tank;
+    tank.label = "left";
+    machine.tank.write(tank);
+    ASSERT_TRUE(reporter->start());
+    cycle();
+    expectRowsLikeTheHeader(3);
+}
+
+TEST_F(ReportColumns, WhatHasNothingToShowKeepsTheColumnsBehindItInTheirPlaces) {
+    machine.label = "";
+    machine.tank.write(sample::Tank());
+    ASSERT_TRUE(reporter->reportPort("Machine", "tank"));  // an empty string and empty sequences in a struct
+    for (const char* name : {"label", "limits", "gain"}) ASSERT_TRUE(reporter->reportData("Machine", name));
+    property<bool>("ComplexDecompose") = true;
+    ASSERT_TRUE(reporter->start());
+    cycle();
+    expectRowsLikeTheHeader(3);
 }
 
 TEST_F(ReportColumns, SequencesOfStructsGrowAndShrink) {

@@ -163,7 +163,9 @@ TEST_F(FileReporter, KilledLeavesOnlyWholeLinesButTheLast) {
             // Blanks: one before each of 201 numbers and an empty text, one at the end.
             ASSERT_EQ(203, std::count(lines[i].begin(), lines[i].end(), ' ')) << "line " << i << " of " << lines.size();
             ASSERT_EQ(' ', lines[i].back());
-            ASSERT_EQ(201u, numbersIn(lines[i]).size());
+            const std::size_t text = lines[i].find("\"\"");
+            ASSERT_NE(std::string::npos, text);
+            ASSERT_EQ(201u, numbersIn(lines[i].erase(text, 2)).size());
         }
     }
 }

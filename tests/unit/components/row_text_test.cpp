@@ -41,6 +41,13 @@ TEST(RowText, ALineIsWrittenAsItIs) {
     EXPECT_EQ(" TimeStamp a.b\n", textOf(record));
 }
 
+TEST(RowText, AnEmptyTextIsAValueToo) {
+    Record record;
+    record.text(Tag::Text, "");
+    record.value(Tag::Bool, true);
+    EXPECT_EQ(" \"\" 1 \n", textOf(record));
+}
+
 TEST(RowText, LineEndsInsideTextsAreEscaped) {
     Record record;
     record.text(Tag::Text, "\none\ntwo\n");

@@ -72,8 +72,8 @@ TEST_F(ListProgram, OfAFileTheNumbersAreThoseOfTheFile) {
     answer(".loadStateMachine " + (directory / "m.osd").string());
     answer("m.activate(); m.start()");
     step();
-    EXPECT_THAT(answer("list m"),
-                testing::AllOf(testing::StartsWith("   2 StateMachine M {\n"), HasSubstr("R> 4     run { yield }\n")));
+    EXPECT_THAT(answer("list m"), testing::AllOf(testing::StartsWith("   1 // A comment\n   2 StateMachine M {\n"),
+                                                 HasSubstr("R> 4     run { yield }\n")));
     answer(".unloadStateMachine m");
 }
 

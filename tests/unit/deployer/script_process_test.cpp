@@ -9,7 +9,6 @@ namespace {
 
 using namespace oroforge::test;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 const char* const kApplication = R"(# A producer with a thread of its own, and who listens to it.
@@ -73,7 +72,8 @@ TEST_F(DeployerScripts, AreCheckedWithoutBeingRun) {
     directory_.write("app.ops", kApplication);
     const Outcome good = run(command({"--check", "-s", "app.ops"}));
     EXPECT_EQ(0, good.status) << good.err;
-    EXPECT_THAT(good.out, IsEmpty());
+    EXPECT_EQ("producer: created\nconsumer: created\nconsumer: cleaned up\nconsumer: deleted\nproducer: deleted\n",
+              good.out);
     directory_.write("bad.ops", "import(ConnPolicy())\nloadComponent(\"c\")\nc.start()\nsetActivity(\"c\", 0.01, 0)\n");
     const Outcome bad = run(command({"--check", "-s", "bad.ops"}));
     EXPECT_EQ(255, bad.status);
@@ -130,6 +130,51 @@ TEST_F(DeployerScripts, AreRunByElementsOfXmlFiles) {
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("consumer: started"));
     EXPECT_THAT(outcome.out, HasSubstr("consumer: first number 7"));
+}
+
+TEST_F(DeployerScripts, MayConfigureAndStartTheComponentThatTheFileHasConfiguredAndStarted) {
+    for (const std::string script : {"configure()\n", "configure()\nstart()\n"}) {
+        directory_.write("up.ops", script);
+        directory_.write("app.xml", R"(<properties>
+  <simple name="Import" type="string"><value>deploytest</value></simple>
+  <struct name="producer" type="deploytest::Producer">
+    <simple name="RunScript" type="string"><value>up.ops</value></simple>
+    <simple name="AutoConf" type="boolean"><value>1</value></simple>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+</properties>
+)");
+        const Outcome outcome = run(command({"-s", "app.xml"}));
+        EXPECT_EQ(0, outcome.status) << script << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("producer: started")) << outcome.err;
+    }
+}
+
+TEST_F(DeployerScripts, MayConfigureAndStartAnotherComponentThatItsFileConfiguresAndStarts) {
+    const std::string options = R"(
+    <simple name="AutoConf" type="boolean"><value>1</value></simple>
+    <simple name="AutoStart" type="boolean"><value>1</value></simple>
+  </struct>
+)";
+    const std::string producer = R"(<struct name="producer" type="deploytest::Producer">)" + options;
+    const std::string consumer = R"(<struct name="consumer" type="deploytest::Consumer">
+    <struct name="Peers" type="PropertyBag"><simple type="string"><value>producer</value></simple></struct>
+    <simple name="RunScript" type="string"><value>up.ops</value></simple>)" +
+                                 options;
+    const auto file = [](const std::string& components) {
+        return R"(<properties><simple name="Import" type="string"><value>deploytest</value></simple>)" + components +
+               "</properties>\n";
+    };
+    directory_.write("again.xml", file(producer));
+    for (const std::string script : {"producer.configure()\n", "producer.configure()\nproducer.start()\n"})
+        for (const std::string& components : {consumer + producer, producer + consumer}) {
+            directory_.write("up.ops", script);
+            directory_.write("app.xml", file(components));
+            const Outcome outcome = run(command({"-s", "app.xml", "again.xml"}));
+            EXPECT_EQ(0, outcome.status) << script << components << outcome.err;
+            EXPECT_THAT(outcome.out, HasSubstr("producer: started")) << outcome.err;
+            EXPECT_THAT(outcome.out, HasSubstr("consumer: started")) << outcome.err;
+        }
 }
 
 TEST_F(DeployerScripts, TakeTheApplicationDownByItsProgram) {

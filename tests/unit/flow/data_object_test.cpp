@@ -119,11 +119,33 @@ TYPED_TEST(Buffers, QueueSamples) {
     std::vector<T> rest{number<T>(8)};
     EXPECT_EQ(buffer.Pop(rest), 1);
     EXPECT_EQ(rest, std::vector<T>{number<T>(3)});
-    EXPECT_NE(buffer.Pop(this->got), NewData);
+    EXPECT_EQ(buffer.Pop(this->got), NoData) << "not OldData, so while (buffer.Pop(x)) ends";
     EXPECT_EQ(buffer.PopWithoutRelease(), nullptr);
     buffer.Push(number<T>(6));
     buffer.clear();
     EXPECT_TRUE(buffer.empty());
+}
+
+TYPED_TEST(Buffers, AreDrainedByALoopOverPop) {
+    typedef typename TypeParam::value_t T;
+    TypeParam buffer(2, number<T>(0), base::BufferBase::Options(true));
+    for (int round = 0; round < 2; ++round) {
+        for (int i = 1; i <= 3; ++i) buffer.Push(number<T>(i));
+        int popped = 0;
+        while (popped < 3 && buffer.Pop(this->got)) ++popped;
+        EXPECT_EQ(popped, 2);
+    }
+    EXPECT_EQ(this->got, number<T>(3)) << "left as it was";
+    std::vector<T> items{number<T>(8)};
+    EXPECT_EQ(buffer.Pop(items), 0);
+    EXPECT_TRUE(items.empty());
+    buffer.Push(number<T>(4));
+    buffer.Release(buffer.PopWithoutRelease());
+    EXPECT_EQ(buffer.Pop(this->got), NoData) << "the last one was taken by PopWithoutRelease()";
+    buffer.Push(number<T>(5));
+    buffer.clear();
+    EXPECT_EQ(buffer.Pop(this->got), NoData);
+    EXPECT_EQ(this->got, number<T>(3));
 }
 
 TYPED_TEST(Buffers, LeaveAloneWhatIsHeld) {

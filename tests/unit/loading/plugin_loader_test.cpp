@@ -49,6 +49,38 @@ TEST_F(PluginLoading, PluginIsFoundByName) {
     EXPECT_FALSE(loader_->loadPlugin("no_such_plugin", kTarget + "/services"));
 }
 
+TEST_F(PluginLoading, PackageOfThatNameIsLoadedAsAWhole) {
+    EXPECT_TRUE(loader_->loadPlugin("services", loading_test::kPath)) << "in the directory of the target below it";
+    EXPECT_THAT(loader_->listServices(), testing::IsSupersetOf({"counting", "globalcounting"}));
+    EXPECT_TRUE(loader_->loadPlugin("services", kTarget)) << "all of it is loaded already";
+    EXPECT_FALSE(loader_->loadPlugin("", kTarget));
+    EXPECT_FALSE(loader_->loadPlugin("no_such_package", kTarget));
+    EXPECT_FALSE(loader_->loadPlugin("odd", kTarget)) << "some of it refuse";
+}
+
+TEST_F(PluginLoading, PackageHasTypekitsAndPlugins) {
+    const oroforge::test::TempDir directory;
+    const std::filesystem::path package = directory / "robot";
+    for (const char* kind : {"types", "plugins"}) std::filesystem::create_directories(package / kind);
+    std::filesystem::copy(plugin("services", "loading_service"), package / "plugins");
+    std::filesystem::copy(plugin("services", "loading_global_service"), package / "types");
+    EXPECT_TRUE(loader_->loadTypekit("robot", "/nowhere:" + directory.path().string()));
+    EXPECT_THAT(loader_->listTypekits(), Contains("globalcounting"));
+    EXPECT_THAT(loader_->listPlugins(), Contains("counting"));
+    loader_->setPluginPath(directory.path().string());
+    EXPECT_TRUE(loader_->loadPlugin("robot"));
+}
+
+TEST_F(PluginLoading, PackageIsLoadedThoughAPluginHasItsName) {
+    const oroforge::test::TempDir directory;
+    const std::filesystem::path types = directory / OROCOS_TARGET_NAME "/loading_service/types";
+    std::filesystem::create_directories(types);
+    std::filesystem::copy(plugin("services", "loading_global_service"), types);
+    ASSERT_TRUE(loader_->loadLibrary(plugin("services", "loading_service")));
+    EXPECT_TRUE(loader_->loadTypekit("loading_service", directory.path().string()));
+    EXPECT_THAT(loader_->listTypekits(), Contains("globalcounting"));
+}
+
 TEST_F(PluginLoading, ServiceIsAddedToEachComponentThatAsks) {
     ASSERT_TRUE(loader_->loadPlugins(kTarget + "/services"));
     RTT::TaskContext one("one");

@@ -41,6 +41,15 @@ TEST_F(ComponentLog, SaysNothingOfAnOrdinaryLife) {
     EXPECT_EQ(log.text(), "");
 }
 
+// As the manual shows it.
+TEST_F(ComponentLog, NamesTheComponentInWhatItsCodeLogs) {
+    {
+        Logger::In in(c.getName());
+        RTT::log(Error) << " failed, ...." << RTT::endlog();
+    }
+    expect({"[gripper]", " failed, ...."});
+}
+
 // The caller only gets "false".
 TEST_F(ComponentLog, TellsWhyAComponentDoesNotStart) {
     EXPECT_FALSE(c.start());
@@ -133,6 +142,10 @@ TEST_F(ComponentLog, NamesACallbackAndAFunction) {
     Steps function([]() -> bool { throw std::runtime_error("function planted"); });
     ASSERT_TRUE(c.engine()->runFunction(&function));
     c.update();
+    EXPECT_TRUE(function.isLoaded()) << "functions stand still in Exception";
+    ASSERT_TRUE(c.recover());
+    c.update();
+    EXPECT_FALSE(function.isLoaded());
     expect({"function planted"});
 }
 

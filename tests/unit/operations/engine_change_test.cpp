@@ -127,12 +127,12 @@ TEST(StopWhile, OthersSendToASequentialComponentLosesNothing) {
 }
 
 TEST(Storm, OfStartsAndStopsFromSeveralThreads) {
-    Probe c("c", TaskContext::PreOperational);
     std::atomic<int> inside{0}, most{0}, started{0}, stopped{0};
     const auto hook = [&] {
         most = std::max(most.load(), ++inside);
         --inside;
     };
+    Probe c("c", TaskContext::PreOperational);  // after what its hooks use: its destructor stops it
     c.onConfigure = [&] { return hook(), true; };
     c.onStart = [&] { return hook(), ++started, true; };
     c.onStop = [&] { hook(), ++stopped; };
@@ -161,7 +161,6 @@ TEST(Storm, OfStartsAndStopsFromSeveralThreads) {
 TEST(Storm, OfTriggersFromSeveralThreads) {
     Probe c;
     ASSERT_TRUE(c.start());
-    std::atomic<int> last{0};
     std::vector<std::thread> threads;
     for (int t = 0; t != 3; ++t)
         threads.emplace_back([&] {

@@ -142,11 +142,23 @@ TEST(GlobalEngine, DestroysAComponentFromItsFunction) {
 }
 
 #ifndef __SANITIZE_THREAD__  // the destructor of the sub-class races with the function until that of TaskContext waits for it
-TEST(GlobalEngineStress, SentAndForgotten) {
+TEST(GlobalEngineStress, ExecutesNothingForAComponentThatIsDestroyedBeforeItsCallIsCollected) {
+    std::atomic<int> late{0};
     for (int i = 0; i != 500; ++i) {
-        Probe c;
-        OperationCaller<bool()>(c.getOperation("isRunning"), GlobalEngine::Instance()).send();
+        const auto destroyed = std::make_shared<std::atomic<bool>>(false);
+        {
+            Probe c;
+            c.addOperation("op", [&late, destroyed] { late += *destroyed; });
+            OperationCaller<void()>(c.getOperation("op"), GlobalEngine::Instance()).send();
+            OperationCaller<bool()>(c.getOperation("isRunning"), GlobalEngine::Instance()).send();
+        }
+        *destroyed = true;
     }
+    Probe c;
+    c.addOperation("last", [] {});
+    OperationCaller<void()> last(c.getOperation("last"), GlobalEngine::Instance());
+    EXPECT_EQ(last.send().collect(), SendSuccess) << "all that was sent before is dealt with";
+    EXPECT_EQ(late, 0);
 }
 #endif
 

@@ -15,7 +15,7 @@ namespace {
 class MyComp : public RTT::TaskContext {
 public:
     MyComp(std::string const& name);
-    ~MyComp() override { stop(); }
+    ~MyComp() { stop(); }
     // bool configureHook(); // no configure phase needed here.
     bool startHook();
     void updateHook();
@@ -83,7 +83,7 @@ public:
                 .doc("Encoder Value of Motor " + std::to_string(i + 1));
         }
     }
-    ~base_interface() override { stop(); }
+    ~base_interface() { stop(); }
     std::atomic<int> complete{0};
 
 private:
@@ -121,7 +121,7 @@ TEST(ManualComponent, GetsAllEncodersBetweenItsPeriods) {
 class Caller : public RTT::TaskContext {
 public:
     Caller() : TaskContext("Caller") {}
-    ~Caller() override { stop(); }
+    ~Caller() { stop(); }
     std::atomic<int> result{-1};
     bool sends = false;
 
@@ -159,12 +159,6 @@ TEST(ManualComponent, IsResetByItsPeer) {
     caller.sends = true;
     ASSERT_TRUE(caller.start());
     EXPECT_TRUE(eventually([&] { return caller.result == 0; }));
-}
-
-TEST(ManualComponent, LogsUnderItsName) {
-    MyComp c("counter");
-    Logger::In in(c.getName());
-    RTT::log(Error) << " failed, ...." << RTT::endlog();
 }
 
 }  // namespace

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include "os_test.hpp"
+#include "together.hpp"
 
 #include <rtt/Activity.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/os/detail/wake_word.hpp>
 
 #include <thread>
-#include <vector>
 
 using namespace RTT;
 using oroforge::test::CountingRunner;
 using oroforge::test::eventually;
+using oroforge::test::kThreads;
+using oroforge::test::together;
 
 namespace {
-
-constexpr int kThreads = 4;
-
-void together(std::function<void(int)> f) {
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads; ++t) threads.emplace_back([&, t] { f(t); });
-    for (auto& t : threads) t.join();
-}
 
 /** Orders like a mailbox: plain numbers written before trigger() must be seen by the pass that it causes. */
 struct Mailbox : CountingRunner {
@@ -182,18 +176,36 @@ TEST(SequentialStorm, NoMessageIsForgottenAndCallersExclude) {
 
 TEST(SequentialStorm, StopWaitsForTheExecutingThread) {
     CountingRunner r;
-    int inside = 0;  // not atomic: finalize() comes after the execution
-    r.onStep = [&] { ++inside; };
-    r.onFinalize = [&] { inside = 0; };
+    std::atomic<bool> inside{false};
+    std::atomic<int> steps{0}, early{0};
+    int plain = 0;  // not atomic: ThreadSanitizer sees whether finalize() comes after the execution
+    r.onStep = [&] {
+        inside = true;
+        ++plain;
+        ++steps;
+        inside = false;
+    };
+    r.onFinalize = [&] {
+        if (inside) ++early;
+        plain = 0;
+    };
     extras::SequentialActivity a(&r);
+    std::atomic<bool> done{false};
     together([&](int t) {
-        for (int i = 0; i < 1000; ++i) {
-            if (t == 0) {
-                a.start();
-                a.stop();
-            } else {
-                a.trigger();
-            }
+        if (t != 0) {
+            while (!done) a.trigger();
+            return;
         }
+        for (int i = 0; i < 1000; ++i) {
+            EXPECT_TRUE(a.start());
+            EXPECT_TRUE(a.stop());
+            if (inside) ++early;
+        }
+        // At least one execution has to meet the storm.
+        EXPECT_TRUE(a.start());
+        EXPECT_TRUE(eventually([&] { return steps != 0; }));
+        EXPECT_TRUE(a.stop());
+        done = true;
     });
+    EXPECT_EQ(early, 0);
 }

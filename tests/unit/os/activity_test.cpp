@@ -64,6 +64,15 @@ TEST(Activity, StopsWithinASecondWhateverItsPeriod) {
     os::Thread::setLockTimeoutNoPeriod(1.0);
 }
 
+TEST(Activity, ReportsItsPeriodWhenItIsCreated) {
+    const oroforge::test::LogCapture log;
+    Activity periodic(ORO_SCHED_OTHER, 0, 0.02, nullptr, "periodic");
+    EXPECT_EQ(log.count(5, "created thread 'periodic'"), 1);
+    EXPECT_EQ(log.count(5, "period 0.02 s, PID " + std::to_string(periodic.getPid())), 1);
+    Activity triggered(ORO_SCHED_OTHER, 0, 0.0, nullptr, "triggered");
+    EXPECT_EQ(log.count(5, "period 0 s, PID " + std::to_string(triggered.getPid())), 1);
+}
+
 TEST(Activity, RunConnectsBothSides) {
     CountingRunner r;
     {
@@ -113,6 +122,21 @@ TEST(Activity, NonPeriodicExecutesLoopAndTriggerOnStartAndTrigger) {
     EXPECT_FALSE(a.trigger());
     EXPECT_EQ(r.initialized, 1);
     EXPECT_EQ(r.finalized, 1);
+}
+
+TEST(Activity, SubClassWithoutRunnerMayHaveAStepOnly) {
+    struct Stepping : Activity {
+        using Activity::Activity;
+        ~Stepping() override { stop(); }
+        void step() override { ++steps; }
+        std::atomic<int> steps{0};
+    } a;
+    ASSERT_TRUE(a.start());
+    EXPECT_TRUE(eventually([&] { return a.steps == 1; }));
+    EXPECT_TRUE(a.trigger());
+    EXPECT_TRUE(eventually([&] { return a.steps == 2; }));
+    EXPECT_TRUE(a.stop());
+    EXPECT_EQ(a.steps, 2);
 }
 
 TEST(Activity, TimeoutExecutesStepAndTimeOut) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <rtt/Logger.hpp>
+#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/located_log.hpp>
 
 #include <support/child_process.hpp>
 #include <support/temp_dir.hpp>
@@ -72,6 +74,30 @@ TEST_F(LoggerTest, LineBeginsWithTheSecondsSinceTheReferenceTime) {
     ASSERT_GT(stampSize(text), 0u) << text;
     EXPECT_EQ(text.substr(stampSize(text)), "[ ERROR  ][Logger] x\n");
     EXPECT_NEAR(std::stod(text), before, 30.0);
+}
+
+TEST_F(LoggerTest, TextsThatBeginWithTheirPlaceStandAlone) {
+    while (!logger.getLogLine().empty()) {
+    }
+    internal::logLocated(Error, "a.ops:1:2: error: x\n  x\n ^");
+    log(Error) << "between" << endlog();
+    internal::logLocated(Info, "hidden");
+    internal::logLocated(Warning, "a.ops:3: warning: y");
+    EXPECT_THAT(console.str(), testing::StartsWith("a.ops:1:2: error: x\n  x\n ^\n"));
+    EXPECT_THAT(console.str(), testing::EndsWith("[ ERROR  ][Logger] between\na.ops:3: warning: y\n"));
+    EXPECT_EQ(logger.getLogLine(), "a.ops:1:2: error: x\n  x\n ^");
+}
+
+TEST_F(LoggerTest, ErrorsThatSomebodyKeepsAreNotLogged) {
+    {
+        const internal::KeptErrors kept;
+        log(Error) << "one" << endlog();
+        log(Warning) << "shown" << endlog();
+        log(Error) << "two" << endlog();
+        EXPECT_EQ(kept.text(), "one; two");
+    }
+    log(Error) << "three" << endlog();
+    EXPECT_EQ(lines(), "[ Warning][Logger] shown\n[ ERROR  ][Logger] three\n");
 }
 
 TEST_F(LoggerTest, LevelSelectsWhatTheConsoleShows) {

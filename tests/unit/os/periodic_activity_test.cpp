@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include "os_test.hpp"
+#include "activity_stop.hpp"
 
 #include <rtt/extras/PeriodicActivity.hpp>
 
@@ -29,6 +29,42 @@ TEST(PeriodicActivity, EqualParametersShareAThread) {
     EXPECT_FALSE(a.trigger());
     EXPECT_FALSE(a.timeout());
     EXPECT_FALSE(a.execute());
+}
+
+TEST(TimerThread, IsSharedByWhatItIsNowNotByWhatItWas) {
+    const auto instance = [](int priority, double period) { return TimerThread::Instance(priority, period); };
+    const extras::TimerThreadPtr thread = instance(os::LowestPriority, 0.0123);
+    EXPECT_EQ(instance(os::LowestPriority, 0.0123), thread);
+    EXPECT_NE(instance(os::LowestPriority + 3, 0.0123), thread);
+    if (thread->getScheduler() != ORO_SCHED_OTHER) {  // there are priorities
+        ASSERT_TRUE(thread->setPriority(os::LowestPriority + 3));
+        EXPECT_EQ(instance(os::LowestPriority + 3, 0.0123), thread);
+        EXPECT_NE(instance(os::LowestPriority, 0.0123), thread);
+        ASSERT_TRUE(thread->setScheduler(ORO_SCHED_OTHER));
+        EXPECT_NE(instance(os::LowestPriority + 3, 0.0123), thread);
+        EXPECT_EQ(TimerThread::Instance(ORO_SCHED_OTHER, os::LowestPriority, 0.0123), thread);
+    }
+}
+
+TEST(TimerThread, IsSharedByThePeriodAndTheProcessorsThatWereSet) {
+    const auto instance = [](double period, unsigned cpus) {
+        return TimerThread::Instance(ORO_SCHED_OTHER, 0, period, cpus);
+    };
+    const extras::TimerThreadPtr thread = instance(0.0124, 0);
+    ASSERT_TRUE(thread->setPeriod(0.0125));
+    EXPECT_EQ(instance(0.0125, 0), thread);
+    EXPECT_NE(instance(0.0124, 0), thread);
+    const unsigned all = thread->getCpuAffinity(), one = all & ~(all - 1);
+    if (all == one) return;  // nothing to choose from
+    ASSERT_TRUE(thread->setCpuAffinity(one));
+    EXPECT_EQ(PeriodicActivity(ORO_SCHED_OTHER, 0, 0.0125, one).thread(), thread.get());
+    EXPECT_NE(instance(0.0125, 0), thread);
+}
+
+TEST(TimerThread, OfOrdinarySchedulingHasNoPriority) {
+    const extras::TimerThreadPtr thread = TimerThread::Instance(ORO_SCHED_OTHER, 15, 0.0126);
+    EXPECT_EQ(TimerThread::Instance(ORO_SCHED_OTHER, 0, 0.0126), thread);
+    EXPECT_EQ(thread->getPriority(), 0);
 }
 
 TEST(PeriodicActivity, ExecutesInOrderOfStart) {
@@ -91,10 +127,10 @@ TEST(PeriodicActivity, ThreadTakesALimitedNumber) {
     const extras::TimerThreadPtr thread(new TimerThread(ORO_SCHED_OTHER, 0, "limited", 0.01));
     std::vector<std::unique_ptr<CountingRunner>> runners;
     std::vector<std::unique_ptr<PeriodicActivity>> activities;
-    for (std::size_t i = 0; i <= TimerThread::MaxActivities; ++i) {
+    for (std::size_t i = 0; i <= TimerThread::MAX_ACTIVITIES; ++i) {
         runners.emplace_back(new CountingRunner);
         activities.emplace_back(new PeriodicActivity(thread, runners.back().get()));
-        EXPECT_EQ(activities.back()->start(), i < TimerThread::MaxActivities);
+        EXPECT_EQ(activities.back()->start(), i < TimerThread::MAX_ACTIVITIES);
     }
     EXPECT_FALSE(activities.back()->isActive());
     EXPECT_TRUE(activities.front()->stop());
@@ -197,7 +233,7 @@ TEST(PeriodicActivity, MayRestartItselfInAThreadThatIsFull) {
     std::vector<std::unique_ptr<CountingRunner>> runners;
     std::vector<std::unique_ptr<PeriodicActivity>> activities;
     std::atomic<int> restarts{0};
-    for (std::size_t i = 0; i < TimerThread::MaxActivities; ++i) {
+    for (std::size_t i = 0; i < TimerThread::MAX_ACTIVITIES; ++i) {
         runners.emplace_back(new CountingRunner);
         activities.emplace_back(new PeriodicActivity(thread, runners.back().get()));
     }
@@ -221,19 +257,8 @@ TEST(PeriodicActivity, IsExecutedByOneThreadOnly) {
     EXPECT_FALSE(a.isSelf());
 }
 
-// Who finds it inactive may touch what its runner uses.
 TEST(PeriodicActivity, IsActiveUntilStopHasWaited) {
     CountingRunner r;
     PeriodicActivity a(ORO_SCHED_OTHER, 0, 0.002, &r);
-    std::atomic<bool> inside{false}, active{false};
-    r.onStep = [&] {
-        inside = true;
-        EXPECT_TRUE(eventually([&] { return !a.isRunning(); }));  // stop() has begun
-        active = a.isActive();
-    };
-    ASSERT_TRUE(a.start());
-    ASSERT_TRUE(eventually([&] { return inside.load(); }));
-    EXPECT_TRUE(a.stop());
-    EXPECT_FALSE(a.isActive());
-    EXPECT_TRUE(active);
+    oroforge::test::expectActiveUntilStopHasWaited(a, r.onStep, [&] { return !a.isRunning(); });
 }

@@ -172,7 +172,7 @@ TEST(Cas, ReplacesOnlyWhatWasExpected) {
     int* volatile p = nullptr;
     EXPECT_TRUE(os::CAS(&p, static_cast<int*>(nullptr), &i));
     EXPECT_EQ(p, &i);
-    struct Pair {
+    struct alignas(4) Pair {
         short index, tag;
     } pair = {1, 2};
     EXPECT_TRUE(os::CAS(&pair, Pair{1, 2}, Pair{3, 4}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include "os_test.hpp"
+#include "activity_stop.hpp"
 
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/os/MainThread.hpp>
@@ -50,7 +50,9 @@ TEST(SequentialActivity, HasNoThreadAndNoPeriod) {
     EXPECT_EQ(a.getCpuAffinity(), ~0u);
     EXPECT_FALSE(a.setCpuAffinity(1));
     EXPECT_FALSE(a.execute());
-    EXPECT_FALSE(a.isSelf());  // the main thread is not this activity while nothing executes
+    EXPECT_TRUE(a.isSelf());  // in the main thread, because nobody else can execute it
+    ASSERT_TRUE(a.start());
+    EXPECT_FALSE(a.isSelf());
 }
 
 TEST(SequentialActivity, RecursionReturnsAtOnce) {
@@ -141,35 +143,12 @@ TEST(SequentialActivity, MessagesThatCameWhileItWasStoppedAreExecuted) {
 TEST(SequentialActivity, StopWaitsForOneThatStoppedItself) {
     CountingRunner r;
     SequentialActivity a(&r);
-    std::atomic<bool> stopped{false}, left{false};
-    r.onStep = [&] {
-        stopped = a.stop();
-        usleep(30000);
-        left = true;
-    };
-    ASSERT_TRUE(a.start());
-    std::thread user([&] { a.trigger(); });
-    ASSERT_TRUE(eventually([&] { return stopped.load(); }));
-    EXPECT_FALSE(a.stop());
-    EXPECT_TRUE(left);
-    user.join();
+    oroforge::test::expectStopWaitsForOneThatStoppedItself(a, r.onStep, [&] { a.trigger(); });
 }
 
-// Who finds it inactive may touch what its runner uses.
 TEST(SequentialActivity, IsActiveUntilStopHasWaited) {
     CountingRunner r;
     SequentialActivity a(&r);
-    std::atomic<bool> inside{false}, active{false};
-    r.onStep = [&] {
-        inside = true;
-        EXPECT_TRUE(eventually([&] { return !a.trigger(); }));  // stop() has begun
-        active = a.isActive();
-    };
-    ASSERT_TRUE(a.start());
-    std::thread user([&] { a.trigger(); });
-    ASSERT_TRUE(eventually([&] { return inside.load(); }));
-    EXPECT_TRUE(a.stop());
-    EXPECT_FALSE(a.isActive());
-    EXPECT_TRUE(active);
-    user.join();
+    oroforge::test::expectActiveUntilStopHasWaited(
+        a, r.onStep, [&] { return !a.trigger(); }, [&] { a.trigger(); });
 }

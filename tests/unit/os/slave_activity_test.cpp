@@ -155,12 +155,19 @@ TEST(SlaveActivity, WithoutMasterItBelongsToTheThreadThatExecutesIt) {
     SlaveActivity a(&r);
     EXPECT_TRUE(a.isSelf());  // nobody did: the main thread
     ASSERT_TRUE(a.start());
-    std::thread([&] {
+    std::atomic<bool> executed{false}, end{false};
+    std::thread other([&] {
         EXPECT_FALSE(a.isSelf());
         EXPECT_TRUE(a.execute());
         EXPECT_TRUE(a.isSelf());
-    }).join();
+        executed = true;
+        EXPECT_TRUE(eventually([&] { return end.load(); }));
+    });
+    EXPECT_TRUE(eventually([&] { return executed.load(); }));
     EXPECT_FALSE(a.isSelf());
+    end = true;
+    other.join();
+    EXPECT_TRUE(a.isSelf());  // a thread that has ended executes nothing any more
     EXPECT_TRUE(a.execute());
     EXPECT_TRUE(a.isSelf());
 }

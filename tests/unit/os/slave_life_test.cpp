@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include "activity_stop.hpp"
 #include "message_runner.hpp"
 
 #include <rtt/Activity.hpp>
@@ -56,7 +57,7 @@ TEST(SlaveActivity, OutlivesItsMaster) {
     EXPECT_EQ(a.getPeriod(), 0.25);  // what it was when the slave was made
     EXPECT_EQ(a.getCpuAffinity(), ~0u);
     EXPECT_EQ(a.thread(), os::MainThread::Instance());
-    EXPECT_FALSE(a.isSelf());
+    EXPECT_TRUE(a.isSelf());  // the main thread, which executed it last
     EXPECT_FALSE(slaveOfSlave.trigger());
     EXPECT_EQ(slaveOfSlave.getPeriod(), 0.25);
     EXPECT_TRUE(a.stop());
@@ -193,35 +194,12 @@ TEST(SlaveActivity, ATriggerThatThrowsFreesIt) {
 TEST(SlaveActivity, StopWaitsForOneThatStoppedItself) {
     CountingRunner r;
     SlaveActivity a(&r);
-    std::atomic<bool> stopped{false}, left{false};
-    r.onLoop = [&] {
-        stopped = a.stop();
-        usleep(30000);
-        left = true;
-    };
-    ASSERT_TRUE(a.start());
-    std::thread updates([&] { a.execute(); });
-    ASSERT_TRUE(eventually([&] { return stopped.load(); }));
-    EXPECT_FALSE(a.stop());
-    EXPECT_TRUE(left);
-    updates.join();
+    oroforge::test::expectStopWaitsForOneThatStoppedItself(a, r.onLoop, [&] { a.execute(); });
 }
 
-// Who finds it inactive may touch what its runner uses.
 TEST(SlaveActivity, IsActiveUntilStopHasWaited) {
     CountingRunner r;
     SlaveActivity a(&r);
-    std::atomic<bool> inside{false}, active{false};
-    r.onLoop = [&] {
-        inside = true;
-        EXPECT_TRUE(eventually([&] { return !a.isRunning(); }));  // stop() has begun
-        active = a.isActive();
-    };
-    ASSERT_TRUE(a.start());
-    std::thread user([&] { a.execute(); });
-    ASSERT_TRUE(eventually([&] { return inside.load(); }));
-    EXPECT_TRUE(a.stop());
-    EXPECT_FALSE(a.isActive());
-    EXPECT_TRUE(active);
-    user.join();
+    oroforge::test::expectActiveUntilStopHasWaited(
+        a, r.onLoop, [&] { return !a.isRunning(); }, [&] { a.execute(); });
 }

@@ -54,6 +54,26 @@ TEST_F(TimeServiceTest, NeverGoesBack) {
     EXPECT_GE(time.getNSecs(time.getNSecs()), 0);
 }
 
+TEST_F(TimeServiceTest, AVariableThatIsZeroIsSetToThePresentTime) {
+    os::TimeService::ticks ticks = 0;
+    os::TimeService::nsecs ns = 0;
+    os::TimeService::Seconds seconds = 0;
+    time.enableSystemClock(false);
+    EXPECT_EQ(time.getTicks(ticks), time.getTicks());
+    EXPECT_EQ(time.getNSecs(ns), time.getNSecs());
+    EXPECT_EQ(time.getSeconds(seconds), time.getSeconds());
+    EXPECT_EQ(ticks, time.getTicks());
+    EXPECT_EQ(ns, time.getNSecs());
+    EXPECT_EQ(seconds, time.getSeconds());
+    time.secondsChange(2.0);
+    EXPECT_EQ(time.getTicks(ticks), os::TimeService::nsecs2ticks(2000000000));
+    EXPECT_EQ(time.getNSecs(ns), 2000000000);
+    EXPECT_NEAR(time.getSeconds(seconds), 2.0, 1e-6);
+    const os::TimeService::ticks since = ticks;  // and what cannot be set
+    EXPECT_EQ(time.getTicks(since), time.getTicks() - since);
+    EXPECT_EQ(time.getTicks(0), time.getTicks());
+}
+
 TEST_F(TimeServiceTest, ChangeMovesTheTime) {
     const os::TimeService::ticks before = time.getTicks();
     EXPECT_GE(time.secondsChange(100.0), 100.0);

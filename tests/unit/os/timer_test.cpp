@@ -150,6 +150,45 @@ TEST(Timer, RunsInAnActivityOfYours) {
     EXPECT_TRUE(a.stop());
 }
 
+TEST(Timer, WithAThreadHasAnActivity) {
+    TestTimer t(1, ORO_SCHED_OTHER, 0, "Alarm");
+    base::ActivityInterface* const a = t.getActivity();
+    ASSERT_NE(a, nullptr);
+    EXPECT_EQ(a->getRunner(), &t);
+    EXPECT_EQ(t.getThread(), a->thread());
+    EXPECT_STREQ(a->thread()->getName(), "Alarm");
+    EXPECT_TRUE(a->isActive());
+    EXPECT_FALSE(a->isPeriodic());
+    EXPECT_FALSE(a->isSelf());
+    EXPECT_TRUE(a->stop());
+    ASSERT_TRUE(t.arm(0, 0.0));
+    usleep(2000);
+    EXPECT_EQ(t.expired[0], 0);
+    EXPECT_TRUE(a->start());
+    EXPECT_TRUE(eventually([&] { return t.expired[0] == 1; }));
+}
+
+TEST(Timer, WithoutAThreadHasTheActivityThatRunsIt) {
+    TestTimer t(1);
+    EXPECT_EQ(t.getActivity(), nullptr);
+    EXPECT_EQ(t.getThread(), nullptr);
+    {
+        Activity a(&t);
+        EXPECT_EQ(t.getActivity(), &a);
+    }
+    EXPECT_EQ(t.getActivity(), nullptr);
+}
+
+TEST(Timer, MayBeTakenOverByAnActivityOfYours) {
+    TestTimer t(1, ORO_SCHED_OTHER);
+    Activity a(&t);
+    ASSERT_TRUE(a.start());
+    EXPECT_EQ(t.getActivity(), &a);
+    ASSERT_TRUE(t.arm(0, 0.0));
+    EXPECT_TRUE(eventually([&] { return t.expired[0] == 1; }));
+    EXPECT_TRUE(a.stop());
+}
+
 TEST(Timer, MayBeSetFromTimeout) {
     struct Chain : TestTimer {
         using TestTimer::TestTimer;

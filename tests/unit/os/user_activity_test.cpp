@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // Activities as users write them: sub-classes that replace what the runtime's execute, used from several threads.
 #include "file_descriptor_test.hpp"
+#include "together.hpp"
 
 #include <rtt/RTT.hpp>
 #include <rtt/extras/Activities.hpp>
@@ -14,17 +15,11 @@
 using namespace RTT;
 using oroforge::test::CountingRunner;
 using oroforge::test::eventually;
+using oroforge::test::kThreads;
 using oroforge::test::Pipe;
+using oroforge::test::together;
 
 namespace {
-
-constexpr int kThreads = 4;
-
-void together(const std::function<void(int)>& f) {
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads; ++t) threads.emplace_back([&, t] { f(t); });
-    for (auto& t : threads) t.join();
-}
 
 /** What a transport does that publishes in a thread of its own: others hand it work and trigger it. */
 class PublishActivity : public RTT::Activity {

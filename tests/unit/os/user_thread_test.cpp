@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // Threads and timers as users write them.
 #include "os_test.hpp"
+#include "together.hpp"
 
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/Semaphore.hpp>
@@ -14,17 +15,11 @@
 
 using namespace RTT;
 using oroforge::test::eventually;
+using oroforge::test::kThreads;
 using oroforge::test::LogCapture;
+using oroforge::test::together;
 
 namespace {
-
-constexpr int kThreads = 4;
-
-void together(const std::function<void(int)>& f) {
-    std::vector<std::thread> threads;
-    for (int t = 0; t < kThreads; ++t) threads.emplace_back([&, t] { f(t); });
-    for (auto& t : threads) t.join();
-}
 
 /** Waits for a semaphore in its loop(), as dispatchers do. */
 class Dispatcher : public RTT::os::Thread {

@@ -3,12 +3,10 @@
 // Every code has an explanation, and what explanations show is true: the example gives the error, the advice does not.
 #include <report/explain.hpp>
 
-#include <sstream>
-
-#include <driver/typegen.hpp>
 #include <support/child_process.hpp>
 #include <support/explained.hpp>
 #include <support/golden.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 namespace fs = std::filesystem;
@@ -17,17 +15,10 @@ using namespace oroforge::test;
 
 namespace {
 
-struct Ran {
-    int status;
-    std::string err;
-};
-
 Ran typegen(const std::string& text) {
     const TempDir dir;
     const std::string header = dir.write("example.hpp", "#pragma once\n" + text).string();
-    std::ostringstream out, err;
-    const int status = typekit::run({"-o", (dir / "out").string(), "demo", header}, out, err);
-    return {status, err.str()};
+    return runTypegen({"-o", (dir / "out").string(), "demo", header});
 }
 
 Ran orocreatePkg(const std::string& manifest) {
@@ -37,7 +28,7 @@ Ran orocreatePkg(const std::string& manifest) {
     command.directory = dir.path();
     command.arguments = {"--generate", dir.write("tank.xml", manifest).string(), "--output", (dir / "out").string()};
     const Outcome outcome = run(command);
-    return {outcome.status, outcome.err};
+    return {outcome.status, outcome.out, outcome.err};
 }
 
 /// Examples are headers, or of the codes OM manifests.

@@ -3,9 +3,9 @@
 // Applies what --format=json proposes to the header; then typegen and the compiler have no complaint left.
 #include <sstream>
 
-#include <driver/typegen.hpp>
 #include <support/child_process.hpp>
 #include <support/golden.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 namespace fs = std::filesystem;
@@ -21,12 +21,10 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 /// typegen's JSON report about the header.
 std::string report(const fs::path& header, int expected) {
-    std::ostringstream out, err;
-    const auto words = {std::string("--format=json"), "-o" + header.string() + ".out", std::string("demo"),
-                        header.string()};
-    EXPECT_EQ(oroforge::typekit::run(words, out, err), expected) << out.str();
-    EXPECT_EQ(err.str(), "");
-    return out.str();
+    const Ran ran = runTypegen({"--format=json", "-o" + header.string() + ".out", "demo", header.string()});
+    EXPECT_EQ(ran.status, expected) << ran.out;
+    EXPECT_EQ(ran.err, "");
+    return ran.out;
 }
 
 Outcome applyFixes(const fs::path& report) {

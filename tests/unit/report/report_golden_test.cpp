@@ -2,12 +2,11 @@
 // Copyright Oroforge contributors
 // tests/golden/diagnostics_report: the JSON and the SARIF about headers. All SARIF that typegen writes about these and
 // about the headers of tests/golden/diagnostics_types is valid.
-#include <fstream>
 #include <sstream>
 
-#include <driver/typegen.hpp>
 #include <support/child_process.hpp>
 #include <support/golden.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 namespace fs = std::filesystem;
@@ -15,17 +14,12 @@ using namespace oroforge::test;
 
 namespace {
 
-std::string typegen(const fs::path& dir, std::vector<std::string> words) {
-    std::ifstream file(dir / "args");
-    for (std::string line; std::getline(file, line);) words.push_back(line);
-    const fs::path before = fs::current_path();
-    fs::current_path(dir);
-    std::ostringstream out, err;
-    const int status = oroforge::typekit::run(words, out, err);
-    fs::current_path(before);
-    EXPECT_EQ(status, 1);
-    EXPECT_EQ(err.str(), "");
-    return out.str();
+/// What typegen reports about a case, each of which has an error.
+std::string reportOf(const fs::path& dir, const std::string& format) {
+    const Ran ran = runTypegenIn(dir, {format});
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_EQ(ran.err, "");
+    return ran.out;
 }
 
 /// The version of this build taken out, and texts of explanations, which have a test of their own.
@@ -49,8 +43,8 @@ class Report : public testing::TestWithParam<std::string> {};
 
 TEST_P(Report, IsWrittenInBothFormats) {
     const fs::path dir = goldenDir("diagnostics_report", GetParam());
-    expectGolden(dir / "expected/report.json", comparable(typegen(dir, {"--format=json"})));
-    expectGolden(dir / "expected/report.sarif", comparable(typegen(dir, {"--format=sarif"})));
+    expectGolden(dir / "expected/report.json", comparable(reportOf(dir, "--format=json")));
+    expectGolden(dir / "expected/report.sarif", comparable(reportOf(dir, "--format=sarif")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, Report, testing::ValuesIn(goldenCases("diagnostics_report")), caseName);
@@ -87,7 +81,7 @@ TEST(Sarif, IsValidForAllCases) {
     check.arguments = {(sourceRoot() / "tests/support/check_sarif.py").string()};
     for (const char* kind : {"diagnostics_types", "diagnostics_report"}) {
         for (const std::string& name : goldenCases(kind)) {
-            const fs::path file = dir.write(name + ".sarif", typegen(goldenDir(kind, name), {"--format=sarif"}));
+            const fs::path file = dir.write(name + ".sarif", reportOf(goldenDir(kind, name), "--format=sarif"));
             check.arguments.push_back(file.string());
         }
     }

@@ -7,6 +7,7 @@
 
 #include <driver/typegen.hpp>
 #include <nlohmann/json.hpp>
+#include <support/run_typegen.hpp>
 #include <support/temp_dir.hpp>
 
 #include <gtest/gtest.h>
@@ -16,17 +17,6 @@ using nlohmann::json;
 
 namespace {
 
-struct Ran {
-    int status;
-    std::string out, err;
-};
-
-Ran typegen(const std::vector<std::string>& words) {
-    std::ostringstream out, err;
-    const int status = oroforge::typekit::run(words, out, err);
-    return {status, out.str(), err.str()};
-}
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -35,7 +25,7 @@ TEST(TypegenFormat, DocumentsStandAloneOnStandardOutput) {
     const TempDir dir;
     const std::string bad = dir.write("bad.hpp", "#pragma once\nstruct A { int* p; };\n").string();
     for (const char* format : {"--format=json", "--format=sarif"}) {
-        const Ran ran = typegen({format, "-v", "-o", (dir / "out").string(), "demo", bad});
+        const Ran ran = runTypegen({format, "-v", "-o", (dir / "out").string(), "demo", bad});
         EXPECT_EQ(ran.status, 1);
         EXPECT_EQ(ran.err, "");
         EXPECT_TRUE(contains(json::parse(ran.out).dump(), "TK010"));
@@ -46,17 +36,17 @@ TEST(TypegenFormat, DocumentsStandAloneOnStandardOutput) {
 TEST(TypegenFormat, SuccessIsADocumentTooAndVerboseTextGoesAside) {
     const TempDir dir;
     const std::string good = dir.write("good.hpp", "#pragma once\nstruct A { int x; };\n").string();
-    const Ran ran = typegen({"--format", "json", "-v", "-o", (dir / "out").string(), "demo", good});
+    const Ran ran = runTypegen({"--format", "json", "-v", "-o", (dir / "out").string(), "demo", good});
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(json::parse(ran.out)["diagnostics"], json::array());
     EXPECT_TRUE(contains(ran.err, "struct /A")) << ran.err;
 }
 
 TEST(TypegenFormat, AWrongCommandLineIsReportedInTheFormatItAsksFor) {
-    const Ran ran = typegen({"--format=json", "--nonsense", "demo", "x.hpp"});
+    const Ran ran = runTypegen({"--format=json", "--nonsense", "demo", "x.hpp"});
     EXPECT_EQ(ran.status, 1);
     EXPECT_EQ(json::parse(ran.out)["diagnostics"][0]["code"], "TK003");
-    const Ran unknown = typegen({"--format=xml", "demo", "x.hpp"});
+    const Ran unknown = runTypegen({"--format=xml", "demo", "x.hpp"});
     EXPECT_EQ(unknown.status, 1);
     EXPECT_EQ(unknown.err,
               "typegen: error: [TK003] unknown value 'xml' of --format, expected 'text', 'json' or 'sarif'\n");
@@ -64,20 +54,21 @@ TEST(TypegenFormat, AWrongCommandLineIsReportedInTheFormatItAsksFor) {
 
 TEST(TypegenFormat, ExcludesWhatElseWritesToStandardOutput) {
     for (const char* other : {"--dump=model", "--list-outputs"}) {
-        const Ran ran = typegen({"--format=sarif", other, "demo", "x.hpp"});
+        const Ran ran = runTypegen({"--format=sarif", other, "demo", "x.hpp"});
         EXPECT_EQ(ran.status, 1);
         EXPECT_TRUE(contains(json::parse(ran.out).dump(), "TK003"));
     }
 }
 
 TEST(TypegenFormat, HelpIsNoReport) {
-    EXPECT_EQ(typegen({"--format=json", "--help"}).out.compare(0, 14, "usage: typegen"), 0);
-    EXPECT_EQ(typegen({"--format=json", "--help"}).out.find("diagnostics\""), std::string::npos);
+    EXPECT_EQ(runTypegen({"--format=json", "--help"}).out.compare(0, 14, "usage: typegen"), 0);
+    EXPECT_EQ(runTypegen({"--format=json", "--help"}).out.find("diagnostics\""), std::string::npos);
 }
 
 TEST(TypegenFormat, AMissingValueIsOneError) {
-    EXPECT_EQ(typegen({"demo", "x.hpp", "--format"}).err, "typegen: error: [TK003] option '--format' needs a value\n");
-    EXPECT_EQ(typegen({"demo", "x.hpp", "-t"}).err.find("unknown transport"), std::string::npos);
+    EXPECT_EQ(runTypegen({"demo", "x.hpp", "--format"}).err,
+              "typegen: error: [TK003] option '--format' needs a value\n");
+    EXPECT_EQ(runTypegen({"demo", "x.hpp", "-t"}).err.find("unknown transport"), std::string::npos);
 }
 
 TEST(TypegenFormat, OutputThatCannotBeWrittenIsAFailure) {
@@ -92,7 +83,7 @@ TEST(TypegenFormat, OutputThatCannotBeWrittenIsAFailure) {
 
 TEST(TypegenFormat, TextIsTheDefault) {
     const TempDir dir;
-    const Ran ran = typegen({"--format=text", "demo", (dir / "absent.hpp").string()});
+    const Ran ran = runTypegen({"--format=text", "demo", (dir / "absent.hpp").string()});
     EXPECT_EQ(ran.status, 1);
     EXPECT_EQ(ran.out, "");
     EXPECT_TRUE(contains(ran.err, "[TK001]"));
@@ -101,22 +92,22 @@ TEST(TypegenFormat, TextIsTheDefault) {
 TEST(TypegenExplain, PrintsWhatACodeMeans) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"--explain", "TK014"}, {"--explain=TK014"}, {"--explain", "tk014"}}) {
-        const Ran ran = typegen(words);
+        const Ran ran = runTypegen(words);
         EXPECT_EQ(ran.status, 0);
         EXPECT_EQ(ran.err, "");
         EXPECT_EQ(ran.out.compare(0, 14, "TK014: a union"), 0) << ran.out;
     }
-    EXPECT_TRUE(contains(typegen({"--explain", "TK014", "TK010"}).out, "\n\nTK010: a raw pointer\n\n"));
+    EXPECT_TRUE(contains(runTypegen({"--explain", "TK014", "TK010"}).out, "\n\nTK010: a raw pointer\n\n"));
 }
 
 TEST(TypegenExplain, AloneListsAllCodes) {
-    const Ran ran = typegen({"--explain"});
+    const Ran ran = runTypegen({"--explain"});
     EXPECT_EQ(ran.status, 0);
     EXPECT_TRUE(contains(ran.out, "TK014  a union\n")) << ran.out;
 }
 
 TEST(TypegenExplain, UnknownCodesAreErrorsWithTheNearest) {
-    const Ran ran = typegen({"--explain", "TKO14"});
+    const Ran ran = runTypegen({"--explain", "TKO14"});
     EXPECT_EQ(ran.status, 1);
     EXPECT_EQ(ran.out, "");
     EXPECT_EQ(ran.err,

@@ -113,8 +113,8 @@ std::string selectionText(const ast::Selection& selection) {
     return text;
 }
 
-std::string transitionText(const ast::Transition& transition) {
-    std::string text = "transition ";
+std::string transitionText(const ast::Transition& transition, const char* word) {
+    std::string text = word;
     if (!transition.event.empty()) text += named(transition.event, ".") + "(" + listed(transition.arguments) + ") ";
     if (transition.condition) text += "if " + textOf(*transition.condition) + " then ";
     text += selectionText(transition.selection);
@@ -135,7 +135,10 @@ std::string stateText(const ast::State& state) {
     for (const auto& program : programs)
         if (*program.second) text += program.first + blockText(**program.second) + "; ";
     addAll(text, state.preconditions, [](const ast::ExpressionPtr& each) { return "precondition " + textOf(*each); });
-    addAll(text, state.transitions, transitionText);
+    addAll(text, state.detours, [](const ast::Transition& each) {
+        return "preconditions { " + transitionText(each, "") + " }";
+    });
+    addAll(text, state.transitions, [](const ast::Transition& each) { return transitionText(each, "transition "); });
     return text + "}";
 }
 
@@ -143,7 +146,7 @@ std::string machineText(const ast::StateMachine& machine) {
     std::string text = "StateMachine " + machine.type.text + " { ";
     addAll(text, machine.locals, [](const ast::StatementPtr& each) { return textOf(*each); });
     addAll(text, machine.subMachines, [](const ast::Instance& each) { return instanceText("SubMachine ", each); });
-    addAll(text, machine.transitions, transitionText);
+    addAll(text, machine.transitions, [](const ast::Transition& each) { return transitionText(each, "transition "); });
     addAll(text, machine.states, stateText);
     return text + "}";
 }

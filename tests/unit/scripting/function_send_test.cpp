@@ -3,6 +3,7 @@
 // Functions of scripts that are sent, and collected later.
 #include "script_bench.hpp"
 
+#include <gmock/gmock.h>
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/OperationCallerC.hpp>
@@ -110,14 +111,17 @@ TEST_F(SentFunctions, AFailureIsLoggedAndThrownByTheCollector) {
     auto handle = broken.send();
     ASSERT_TRUE(host.update());
     const std::string failure = "function 'broken' of component 'host' failed at bench.ops:11:3: the gripper is stuck";
-    EXPECT_TRUE(log.contains(failure)) << log.text();
+    EXPECT_THAT(log.text(), testing::HasSubstr("operation 'fail' threw in component 'host': the gripper is stuck\n"));
+    EXPECT_THAT(log.text(),
+                testing::EndsWith("\nbench.ops:11:3: error: [OPS400] function 'broken' of component 'host' failed: the "
+                                  "gripper is stuck\n"));
     try {
         handle.collect();
         FAIL();
     } catch (const std::runtime_error& e) {
         EXPECT_EQ(e.what(), failure);
     }
-    EXPECT_FALSE(host.inException());
+    EXPECT_TRUE(host.inException()) << "the operation that threw is its own";
 }
 
 TEST_F(SentFunctions, OneThatWaitsForItselfFails) {
@@ -126,9 +130,9 @@ TEST_F(SentFunctions, OneThatWaitsForItselfFails) {
     ASSERT_EQ(scripts.load("export void selfish() {\n  collectIt()\n}\n"), "");
     handle = OperationCaller<void()>(part("selfish"), host.engine()).send();
     ASSERT_TRUE(host.update());
-    EXPECT_TRUE(
-        log.contains("function 'selfish' of component 'host' failed at bench.ops:2:3: function 'selfish' of component "
-                     "'host' waits for the one who collects it, and cannot end before"))
+    EXPECT_TRUE(log.contains(
+        "bench.ops:2:3: error: [OPS400] function 'selfish' of component 'host' failed: function 'selfish' of "
+        "component 'host' waits for the one who collects it, and cannot end before"))
         << log.text();
     EXPECT_THROW(handle.collect(), std::runtime_error);
 }
@@ -209,13 +213,16 @@ TEST_F(SentFunctions, WrongVariablesForTheResultAreRefused) {
     EXPECT_EQ(types_test::valueOf<SendStatus>(collect), SendFailure) << "nothing was sent";
 }
 
-TEST_F(SentFunctions, HandlesOfAnotherFunctionAreRefused) {
+TEST_F(SentFunctions, HandlesOfAnotherFunctionAreRefusedByThoseThatWantTheResult) {
     const auto one = types_test::variable(1);
     const auto handle = part("slow")->produceHandle();
     const auto sending = part("slow")->produceSend({one}, client.engine());
     ASSERT_TRUE(handle->update(sending.get()));
-    const auto collect = part("add")->produceCollect({handle}, new internal::ConstantDataSource<bool>(false));
-    EXPECT_EQ(types_test::valueOf<SendStatus>(collect), SendFailure);
+    internal::DataSource<bool>::shared_ptr const poll(new internal::ConstantDataSource<bool>(false));
+    const auto result = part("add")->produceCollect({handle, types_test::variable(1)}, poll);
+    EXPECT_EQ(types_test::valueOf<SendStatus>(result), SendFailure);
+    const auto status = part("add")->produceCollect({handle}, poll);
+    EXPECT_NE(types_test::valueOf<SendStatus>(status), SendFailure) << "the status is known";
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST_F(ScriptFunctions, AFailureIsAnExceptionOfTheCaller) {
     EXPECT_EQ(thrownBy([&] { outer(1); }),
               "function 'outer' of component 'host' failed at bench.ops:5:3: the gripper is stuck (at "
               "bench.ops:2:3, in function 'inner')");
-    EXPECT_FALSE(host.inException());
+    EXPECT_TRUE(host.inException()) << "the operation that threw is its own";
     EXPECT_EQ(thrownBy([&] { outer(1); }).substr(0, 16), "function 'outer'") << "each time";
 }
 
@@ -144,6 +144,23 @@ TEST_F(ScriptFunctions, GoOnInAComponentThatNobodyTriggers) {
         log.contains("function 'f' of component 'host' yields, and the component has no period: it makes one step "
                      "after the other until the function is done (next is line 3)"))
         << log.text();
+}
+
+TEST_F(ScriptFunctions, WithNothingInThemComeToTheirEndForEachCaller) {
+    const char* const text =
+        "export int f(int n) {\n  if n > 1 then nothing else do nothing\n  return n\n}\n"
+        "export void empty() { nothing }";
+    ASSERT_EQ(scripts.load(text), "");
+    EXPECT_EQ(caller<int(int)>(host, "f")(1), 1) << "another thread";
+    EXPECT_EQ(caller<int(int)>(host, "f").send(2).collect(), SendSuccess);
+    caller<void()>(host, "empty")();
+    ASSERT_EQ(manualScripts.load(text), "");
+    auto f = caller<int(int)>(manual, "f", manual.engine());
+    int result = 0;
+    manual.onUpdate = [&] { result = f(3); };
+    ASSERT_TRUE(manual.start());
+    ASSERT_TRUE(manual.update());
+    EXPECT_EQ(result, 3) << "the component itself";
 }
 
 TEST_F(ScriptFunctions, YieldWithinACallOfTheirOwnComponent) {

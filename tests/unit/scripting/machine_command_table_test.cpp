@@ -63,6 +63,7 @@ void bring(FakeMachine& machine, Value status) {
         case Status::error:
             machine.program("A.run").fails = true;
             core.activate();
+            core.automatic();
             core.cycle();
             break;
         case Status::unloaded: break;

@@ -68,13 +68,31 @@ TEST(MachineCommand, ActivatingLastsAsLongAsTheEntryYields) {
     EXPECT_EQ(machine.cycle(), "A.entry/3");
     EXPECT_EQ(machine.core->status(), Status::active);
     EXPECT_FALSE(machine.core->inTransition());
-    EXPECT_EQ(machine.cycle(), "A.run");
+    EXPECT_EQ(machine.cycle(), "");
 }
 
-TEST(MachineCommand, EntryThatFailsWhileActivatingIsAnError) {
+TEST(MachineCommand, ActivateDoesNotExecuteRunBeforeStart) {
+    FakeMachine machine;
+    machine.core->activate();
+    machine.take();
+    EXPECT_EQ(machine.cycle() + machine.cycle(), "");
+    EXPECT_TRUE(machine.core->automatic());
+    EXPECT_EQ(machine.cycle(), "A.run A.handle A.run");
+}
+
+TEST(MachineCommand, StartWhileItIsActivatingIsFollowedByRun) {
+    FakeMachine machine;
+    machine.program("A.entry").slices = 2;
+    machine.core->activate();
+    EXPECT_TRUE(machine.core->automatic());
+    EXPECT_EQ(machine.cycle(), "A.entry/2");
+    EXPECT_EQ(machine.cycle(), "A.run A.handle A.run");
+}
+
+TEST(MachineCommand, ActivateIsTrueThoughTheEntryFailed) {
     FakeMachine machine;
     machine.program("A.entry").fails = true;
-    EXPECT_FALSE(machine.core->activate());
+    EXPECT_TRUE(machine.core->activate());
     EXPECT_EQ(machine.core->status(), Status::error);
     EXPECT_EQ(machine.failures, std::vector<std::string>{"101: A.entry failed"});
 }
@@ -83,6 +101,7 @@ TEST(MachineCommand, AutomaticStartsRunFromItsBeginning) {
     FakeMachine machine;
     machine.program("A.run").slices = 3;
     machine.core->activate();
+    machine.core->automatic();
     EXPECT_EQ(machine.cycle(), "A.run/1");
     EXPECT_EQ(machine.cycle(), "A.run/2");
     machine.core->automatic();
@@ -125,7 +144,6 @@ TEST(MachineCommand, ReactiveMachinesDoNotLookAtTransitions) {
     machine.add("A", machine.transition("go", {"B"}));
     machine.core->activate();
     machine.set("go", true);
-    EXPECT_EQ(machine.cycle(), "A.run");
     EXPECT_EQ(machine.cycle(), "");
     machine.core->automatic();
     machine.core->reactive();
@@ -202,7 +220,7 @@ TEST(MachineCommand, StopInTheFinalStateEntersNothing) {
     FakeMachine machine;
     machine.start();
     machine.core->requestState(machine.state("Z"));
-    EXPECT_EQ(machine.cycle(), "A.exit Z.entry");
+    EXPECT_EQ(machine.take(), "A.exit Z.entry");
     machine.core->stop();
     EXPECT_EQ(machine.cycle(), "");
     EXPECT_EQ(machine.core->status(), Status::stopped);
@@ -227,6 +245,7 @@ TEST(MachineCommand, StopInErrorGoesToTheFinalState) {
     FakeMachine machine;
     machine.program("A.run").fails = true;
     machine.core->activate();
+    machine.core->automatic();
     EXPECT_EQ(machine.cycle(), "A.run");
     EXPECT_EQ(machine.core->status(), Status::error);
     EXPECT_EQ(machine.cycle(), "");
@@ -256,7 +275,17 @@ TEST(MachineCommand, ResetLeavesTheFinalStateForTheInitialOne) {
     EXPECT_TRUE(machine.core->reset());
     EXPECT_EQ(machine.take(), "Z.exit A.entry");
     EXPECT_EQ(machine.core->status(), Status::active);
-    EXPECT_EQ(machine.cycle(), "A.run");
+    EXPECT_EQ(machine.cycle(), "") << "run begins with start()";
+}
+
+TEST(MachineCommand, ResetIsTrueThoughTheEntryFailed) {
+    FakeMachine machine;
+    machine.start();
+    machine.core->stop();
+    machine.core->cycle();
+    machine.program("A.entry").fails = true;
+    EXPECT_TRUE(machine.core->reset());
+    EXPECT_EQ(machine.core->status(), Status::error);
 }
 
 TEST(MachineCommand, DeactivateExecutesTheExitOfTheStateAndDropsTheRest) {
@@ -327,6 +356,7 @@ TEST(MachineCommand, LineIsThatOfAProgramBeforeItsEndToo) {
     unsigned inside = 0;
     machine.program("A.run").does = [&] { inside = machine.core->line(); };
     machine.core->activate();
+    machine.core->automatic();
     machine.cycle();
     EXPECT_EQ(inside, 100u);
 }

@@ -77,12 +77,39 @@ TEST_F(SubMachine, GoesOnWhenItsParentStops) {
     EXPECT_EQ(service->getStateMachineStatusStr("m.right"), "running");
 }
 
+TEST_F(SubMachine, IsInTheStateThatItsParentRequestsAtOnce) {
+    const StateMachinePtr m = load(R"(
+        StateMachine Valve {
+            initial state Closed { entry { note("closed") } exit { note("opens") } }
+            state Half { transition select Closed }
+            final state Open { entry { note("open") } }
+        }
+        StateMachine Pipe {
+            SubMachine Valve valve
+            initial state Idle {
+                entry { valve.activate(); note("" + valve.requestState("Open") + valve.getState()) }
+                run { note("" + valve.requestState("Closed") + valve.getState()) }
+                exit { note("" + valve.requestState("Open") + valve.getState()) }
+                transition if go then { note("" + valve.requestState("Half") + valve.getState()) } select End
+            }
+            final state End { }
+        }
+        RootMachine Pipe m
+    )");
+    EXPECT_TRUE(m->activate());
+    EXPECT_EQ(station.take(), "closed opens open trueOpen");
+    m->start();
+    EXPECT_EQ(station.step(), "closed trueClosed trueClosed");
+    station.go = true;
+    EXPECT_EQ(station.step(), "falseClosed opens open trueOpen");
+}
+
 TEST_F(SubMachine, ErrorDoesNotReachItsParent) {
     const StateMachinePtr m = load(R"(
-        StateMachine Part { initial state A { run { fail() } } final state Z { } }
+        StateMachine Part { initial state A { run { count = 1 / 0 } } final state Z { } }
         StateMachine Whole {
             SubMachine Part part
-            initial state A { entry { part.activate() } transition if part.inError then select B }
+            initial state A { entry { part.activate(); part.start() } transition if part.inError then select B }
             state B { entry { note("part failed in " + part.getState()) } }
             final state Z { }
         }
@@ -267,6 +294,7 @@ TEST_F(OperationEvent, MayComeFromAProgramOfTheMachine) {
         RootMachine T m
     )");
     m->activate();
+    m->start();
     EXPECT_EQ(station.step(), "pressed b4");
 }
 

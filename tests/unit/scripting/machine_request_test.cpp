@@ -32,9 +32,10 @@ TEST_F(Request, TakesTheFirstTransitionToTheStateWhoseConditionHolds) {
     EXPECT_EQ(machine.take(), "one? two?");
     machine.set("two", true);
     EXPECT_TRUE(request("B"));
-    EXPECT_EQ(machine.take(), "one? two?") << "scheduled, not executed";
-    EXPECT_TRUE(machine.core->inTransition());
-    EXPECT_EQ(machine.cycle(), "program2 A.exit B.entry");
+    EXPECT_EQ(machine.take(), "one? two? program2 A.exit B.entry") << "at once";
+    EXPECT_FALSE(machine.core->inTransition());
+    EXPECT_EQ(machine.stateName(), "B");
+    EXPECT_EQ(machine.cycle(), "B.run B.handle B.run");
 }
 
 TEST_F(Request, TakesTransitionsOfTheMachineAfterThoseOfTheState) {
@@ -43,7 +44,7 @@ TEST_F(Request, TakesTransitionsOfTheMachineAfterThoseOfTheState) {
     machine.start();
     machine.set("global", true);
     EXPECT_TRUE(request("B"));
-    EXPECT_EQ(machine.take(), "own? global?");
+    EXPECT_EQ(machine.take(), "own? global? A.exit B.entry");
 }
 
 TEST_F(Request, TakesAnElse) {
@@ -53,8 +54,7 @@ TEST_F(Request, TakesAnElse) {
     machine.add("A", std::move(transition));
     machine.core->activate();
     EXPECT_TRUE(request("B"));
-    EXPECT_EQ(machine.take(), "A.entry go?");
-    EXPECT_EQ(machine.cycle(), "A.exit B.entry");
+    EXPECT_EQ(machine.take(), "A.entry go? A.exit B.entry");
 }
 
 TEST_F(Request, NeedsThePreconditionsOfTheState) {
@@ -72,7 +72,7 @@ TEST_F(Request, OfTheFinalStateNeedsNoTransitionAndNoPrecondition) {
     machine.state("Z").preconditions.push_back(machine.guard("never"));
     machine.start();
     EXPECT_TRUE(request("Z"));
-    EXPECT_EQ(machine.cycle(), "A.exit Z.entry");
+    EXPECT_EQ(machine.take(), "A.exit Z.entry");
     EXPECT_EQ(machine.core->status(), Status::running);
 }
 
@@ -81,7 +81,7 @@ TEST_F(Request, OfTheFinalStateTakesAPossibleTransitionFirst) {
     machine.start();
     machine.set("go", true);
     EXPECT_TRUE(request("Z"));
-    EXPECT_EQ(machine.cycle(), "program A.exit Z.entry");
+    EXPECT_EQ(machine.take(), "go? program A.exit Z.entry");
 }
 
 TEST_F(Request, OfTheInitialStateIsPossibleInTheFinalOneOnly) {
@@ -93,27 +93,48 @@ TEST_F(Request, OfTheInitialStateIsPossibleInTheFinalOneOnly) {
     EXPECT_FALSE(request("A"));
     EXPECT_TRUE(request("Z"));
     machine.cycle();
+    machine.take();
     EXPECT_TRUE(request("A"));
-    EXPECT_EQ(machine.cycle(), "Z.exit A.entry");
+    EXPECT_EQ(machine.take(), "Z.exit A.entry");
 }
 
 TEST_F(Request, WakesAStoppedMachine) {
     machine.start();
     machine.core->stop();
     machine.cycle();
+    machine.program("A.entry").slices = 2;
     EXPECT_TRUE(request("A"));
+    EXPECT_EQ(machine.take(), "Z.exit A.entry/1");
     EXPECT_EQ(machine.core->status(), Status::resetting);
-    EXPECT_EQ(machine.cycle(), "Z.exit A.entry");
+    EXPECT_EQ(machine.cycle(), "A.entry/2");
     EXPECT_EQ(machine.core->status(), Status::active);
 }
 
 TEST_F(Request, InterruptsRunWhichIsDropped) {
     machine.program("A.run").slices = 3;
     machine.core->activate();
+    machine.core->automatic();
     EXPECT_EQ(machine.cycle(), "A.run/1");
     EXPECT_TRUE(request("Z"));
+    EXPECT_EQ(machine.take(), "A.exit Z.entry");
+    EXPECT_EQ(machine.cycle(), "Z.run Z.handle Z.run");
+}
+
+TEST_F(Request, OfAPausedMachineWaitsUntilItGoesOn) {
+    machine.start();
+    machine.core->pause();
+    machine.cycle();
+    EXPECT_TRUE(request("Z"));
+    EXPECT_EQ(machine.take() + machine.cycle(), "");
+    machine.core->automatic();
     EXPECT_EQ(machine.cycle(), "A.exit Z.entry");
-    EXPECT_EQ(machine.cycle(), "Z.run");
+}
+
+TEST_F(Request, IsAcceptedThoughTheEntryFails) {
+    machine.start();
+    machine.program("Z.entry").fails = true;
+    EXPECT_TRUE(request("Z"));
+    EXPECT_EQ(machine.core->status(), Status::error);
 }
 
 TEST_F(Request, DoesNotInterruptHandle) {
@@ -128,8 +149,8 @@ TEST_F(Request, IsRefusedInATransition) {
     machine.program("A.exit").slices = 2;
     machine.start();
     EXPECT_TRUE(request("Z"));
+    EXPECT_EQ(machine.take(), "A.exit/1");
     EXPECT_FALSE(request("Z"));
-    EXPECT_EQ(machine.cycle(), "A.exit/1");
     EXPECT_FALSE(request("A"));
     EXPECT_EQ(machine.cycle(), "A.exit/2 Z.entry");
     EXPECT_TRUE(request("A"));
@@ -213,8 +234,6 @@ TEST_F(Event, IsLostInATransition) {
     machine.start();
     machine.core->requestState(machine.state("Z"));
     EXPECT_FALSE(happens());
-    machine.cycle();
-    EXPECT_FALSE(happens());
     EXPECT_EQ(machine.cycle(), "A.exit/2 Z.entry");
 }
 
@@ -252,6 +271,7 @@ TEST_F(Event, ToSelfExecutesItsProgramWhileRunGoesOn) {
     event->transition.then.states.clear();
     machine.program("A.run").slices = 3;
     machine.core->activate();
+    machine.core->automatic();
     EXPECT_EQ(machine.cycle(), "A.run/1");
     ASSERT_TRUE(happens());
     EXPECT_EQ(machine.cycle(), "program A.run/2");

@@ -98,13 +98,16 @@ protected:
     std::string logged(const std::string& levels = "ERROR|CRITICAL") {
         const std::string text = log_.text().substr(seen_);
         seen_ += text.size();
-        const std::regex start("(?:^|\n)[0-9.]+ +\\[ *([A-Za-z]+) *\\]\\[[^\\]]*\\] ");
+        // Errors of scripts begin with their place, all else with the time and the level.
+        const std::regex start(
+            "(?:^|\n)(?:[0-9.]+ +\\[ *([A-Za-z]+) *\\]\\[[^\\]]*\\] "
+            "|(?=[^ \n][^\n]*:[0-9]+:[0-9]+: (error|warning): ))");
         std::string result;
         for (std::sregex_iterator line(text.begin(), text.end(), start), end; line != end;) {
             const std::smatch match = *line;
             const auto begin = match[0].second;
             const auto until = ++line == end ? text.end() : (*line)[0].first;
-            const std::string level = match[1];
+            const std::string level = match[1].matched ? match[1] : match[2];
             if (std::regex_match(level, std::regex(levels, std::regex::icase))) {
                 const std::string said(begin, until);
                 result += said + (said.back() == '\n' ? "" : "\n");

@@ -96,6 +96,7 @@ TEST_F(MachineThreads, CommandWaitsForTheEndOfASlice) {
         release.get_future().wait();
     };
     m->activate();
+    m->requestState("A");  // executes `run` once
     runIn(station);
     inside.get_future().wait();
     std::atomic<bool> done{false};
@@ -139,6 +140,7 @@ TEST_F(MachineThreads, CommandOfAComponentThatTheMachineCallsDoesNotDeadlock) {
     };
     runIn(other, 0);
     m->activate();
+    m->requestState("A");
     runIn(station);
     running.get_future().wait();
     RTT::OperationCaller<void()> command(other.getOperation("command"), RTT::internal::GlobalEngine::Instance());
@@ -164,6 +166,7 @@ struct BusyMachine : MachineThreads {
             RootMachine T m
         )");
         m->activate();
+        m->requestState("A");
         station.does = [this] {
             inside.set_value();
             released.get_future().wait();

@@ -53,13 +53,21 @@ TEST(ScriptMachine, APreconditionMayHaveTheNextItemBehindIt) {
               "                                          ^\n");
 }
 
-TEST(ScriptMachine, SelectionsOfPreconditionsAreIgnored) {
+TEST(ScriptMachine, PreconditionsThatSelectAnotherState) {
+    EXPECT_EQ(inState("preconditions {\n if a then select F else { b } select G\n if c { d }; e\n select H or I\n}"),
+              "precondition e; preconditions { if a then select F else { b } select G }; "
+              "preconditions { if c then { d } }; preconditions { select H or I }");
+    EXPECT_EQ(inState("precondition if a then select F"), "preconditions { if a then select F }");
+}
+
+TEST(ScriptMachine, PreconditionsThatSelectTheirOwnStateAreWarnedOf) {
     EXPECT_EQ(
-        complaints("StateMachine T { state S { preconditions {\n if a then select F else { b } select G\n} } }"),
-        "test.ops:2:12: warning: [OPS014] what a precondition selects is ignored: where it is false, the transition "
-        "is not made\n"
-        " if a then select F else { b } select G\n"
+        complaints("StateMachine T { state S { preconditions {\n if a then select S\n} } }"),
+        "test.ops:2:12: warning: [OPS014] this changes nothing: state 'S' is entered anyway; 'precondition c' says "
+        "that it is entered only if c is true\n"
+        " if a then select S\n"
         "           ^\n");
+    EXPECT_EQ(complaints("StateMachine T { state S { preconditions { if a then { b } select S } } }"), "");
 }
 
 TEST(ScriptMachine, TransitionsWithConditions) {

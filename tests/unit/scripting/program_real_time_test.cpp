@@ -61,6 +61,18 @@ TEST_F(RealTimePrograms, AreCommandedAndAskedForTheirState) {
     });
 }
 
+TEST_F(RealTimePrograms, AreStartedAnewAfterTheyHadNothingToDo) {
+    scripting::ProgramInterface& p = scripts["p"];
+    ASSERT_TRUE(host.update() && host.update());
+    expectRealTime([&] {
+        for (int round = 0; round != 3; ++round) {
+            EXPECT_TRUE(p.start());
+            for (int i = 0; i != 30; ++i) EXPECT_TRUE(host.update());
+            EXPECT_TRUE(p.isStopped());
+        }
+    });
+}
+
 TEST_F(RealTimePrograms, FunctionsAreCalledInPlace) {
     const auto value = types_test::variable(8);
     auto* const half = internal::DataSource<int>::narrow(

@@ -125,6 +125,24 @@ TEST_F(ProgramStress, CommandsOfManyThreads) {
     EXPECT_TRUE(eventually([&] { return p.isRunning() && p.getLineNumber() == 5; })) << p.getProgramStatusStr();
 }
 
+TEST_F(ProgramStress, ThoseThatWereStoppedAreStartedAgainAndAgainByOtherThreads) {
+    constexpr int kPrograms = 3;
+    std::string text;
+    for (int i = 0; i != kPrograms; ++i) text += "program p" + std::to_string(i) + " { total = total + 1 }\n";
+    ASSERT_EQ(a.scripts.load(text), "");
+    std::vector<std::thread> threads;
+    for (int i = 0; i != kPrograms; ++i)
+        threads.emplace_back([&p = a.scripts["p" + std::to_string(i)], i] {
+            for (int round = 0; round != kRounds; ++round) {
+                ASSERT_TRUE(round % 2 ? p.start() : p.pause() && p.start());
+                ASSERT_TRUE(eventually([&] { return p.isStopped(); })) << i << " in round " << round;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    a.component.getActivity()->stop();
+    EXPECT_EQ(a.total, kPrograms * kRounds);
+}
+
 TEST_F(ProgramStress, FunctionsAreRedefinedWhileTheyAreCalled) {
     std::atomic<bool> end{false};
     OperationCaller<int(int)> known(b.component.getOperation("slow"), internal::GlobalEngine::Instance());

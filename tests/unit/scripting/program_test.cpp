@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Programs: what a step executes, what the commands do in each state, failures.
-#include "script_bench.hpp"
-
-#include <rtt/scripting/detail/program.hpp>
-#include <unit/flow/log_capture.hpp>
-#include <unit/operations/probe.hpp>
-#include <unit/types/builtin_typekit.hpp>
-
-#include <stdexcept>
+// Programs: what a step executes, what the commands do in each state.
+#include "program_fixture.hpp"
 
 using namespace RTT;
 using oroforge::test::eventually;
 using oroforge::test::Probe;
+using script_test::Programs;
 using script_test::ScriptBench;
 
 namespace {
-
-/** A component whose steps are made by step(), with a variable and operations for the script. */
-struct Programs : types_test::WithBuiltinTypes {
-    Programs() {
-        oroforge::test::makeManual(host);
-        host.addAttribute("count", count);
-        host.addOperation("note", [this](const std::string& text) { notes += text; });
-        host.addOperation("fail", [this] {
-            if (broken) throw std::runtime_error("the gripper is stuck");
-        });
-    }
-    void step(int times = 1) {
-        for (int i = 0; i != times; ++i) ASSERT_TRUE(host.update());
-    }
-    void load(const std::string& text) { ASSERT_EQ(bench.load(text), ""); }
-    scripting::ProgramInterface& p() { return bench["p"]; }
-    std::string status() { return p().getProgramStatusStr(); }
-
-    Probe host{"host"};
-    int count = 0;
-    std::string notes;
-    bool broken = true;
-    ScriptBench bench{host};
-};
 
 TEST_F(Programs, RunUntilEachYieldInOneStep) {
     load("program p {\n  count = 1\n  count = 2\n  yield\n  count = 3\n}");
@@ -59,6 +29,28 @@ TEST_F(Programs, RunUntilEachYieldInOneStep) {
     EXPECT_EQ(p().getLineNumber(), 0);
     step();
     EXPECT_EQ(count, 3);
+}
+
+TEST_F(Programs, NothingEndsTheStepAsYieldDoes) {
+    load("program p {\n  while count == 0 do nothing\n  count = 2\n  if count == 2 then nothing\n  count = 3\n}");
+    EXPECT_TRUE(p().start());
+    step(3);
+    EXPECT_TRUE(p().isRunning());
+    count = 1;
+    step();
+    EXPECT_EQ(count, 2);
+    step();
+    EXPECT_EQ(count, 3);
+    EXPECT_TRUE(p().isStopped());
+}
+
+TEST_F(Programs, NothingInALoopLeavesTheStepBudget) {
+    load("program p {\n  while count < 50 { count = count + 1; nothing }\n}");
+    bench.budget->set(10);
+    EXPECT_TRUE(p().start());
+    step(51);
+    EXPECT_EQ(status(), "stopped");
+    EXPECT_EQ(count, 50);
 }
 
 TEST_F(Programs, BeginAnewWithTheirInitialisers) {
@@ -183,63 +175,66 @@ TEST_F(Programs, MayStopAndPauseThemselves) {
     EXPECT_EQ(count, 2);
 }
 
-TEST_F(Programs, AFailureIsReportedWithItsPlace) {
-    flow_test::LogCapture log;
-    load("// comment\nprogram p {\n  count = 1\n  fail()\n  count = 2\n}");
-    EXPECT_TRUE(p().start());
+TEST_F(Programs, ThatAreStartedWithinAStepRunInItIfTheirTurnIsToCome) {
+    load("program a { note(\"a\") }");
+    load("program b { note(\"b\") }");
+    load("program p { note(\"p\") }");
+    scripting::ProgramInterface &a = bench["a"], &b = bench["b"];
+    host.addOperation("startA", [&a] { return a.start(); });
+    host.addOperation("startP", [this] { return p().start(); });
+    load("program q { startA()\n startP() }");
+    load("program r { note(\"r\") }");
+    scripting::ProgramInterface& r = bench["r"];
+    step(3);
+    EXPECT_TRUE(r.start() && b.start() && p().start());
     step();
-    EXPECT_EQ(status(), "error");
-    EXPECT_TRUE(p().inError());
-    EXPECT_EQ(count, 1);
-    EXPECT_EQ(p().getLineNumber(), 4);
-    const std::string error =
-        "bench.ops:4:3: error: [OPS400] program 'p' of component 'host' failed: the gripper is stuck";
-    EXPECT_EQ(p().getError(), error);
-    EXPECT_TRUE(log.contains(error + "\n  fail()\n  ^")) << log.text();
-    EXPECT_FALSE(host.inException());
+    EXPECT_EQ(notes, "bpr") << "in the order in which they were loaded";
+    notes.clear();
+    EXPECT_TRUE(bench["q"].start());
+    step();
+    EXPECT_EQ(notes, "") << "those in front of it have had their turn";
+    step();
+    EXPECT_EQ(notes, "ap");
+    host.onUpdate = [&] { a.start(); };
+    ASSERT_TRUE(host.start());
+    step();
+    host.onUpdate = nullptr;
     step(2);
-    EXPECT_EQ(count, 1);
+    EXPECT_EQ(notes, "apa");
 }
 
-TEST_F(Programs, CommandsOfAFailedOne) {
-    load("program p {\n  count = count + 1\n  fail()\n  count = 10\n}");
-    EXPECT_TRUE(p().start());
-    step();
-    EXPECT_FALSE(p().start());
-    EXPECT_FALSE(p().step());
-    EXPECT_EQ(status(), "error");
-    EXPECT_TRUE(p().pause());
-    EXPECT_EQ(status(), "paused");
-    EXPECT_EQ(p().getError(), "");
-    EXPECT_EQ(p().getLineNumber(), 3);
-    EXPECT_TRUE(p().start()) << "tries the statement again";
-    step();
-    EXPECT_EQ(status(), "error");
-    EXPECT_TRUE(p().pause());
-    broken = false;
-    EXPECT_TRUE(p().start());
-    step();
-    EXPECT_EQ(status(), "stopped");
-    EXPECT_EQ(count, 10);
-    broken = true;
-    EXPECT_TRUE(p().start());
-    step();
-    EXPECT_TRUE(p().stop());
-    EXPECT_EQ(status(), "stopped");
-    EXPECT_EQ(p().getError(), "");
-}
-
-TEST_F(Programs, ABudgetEndsALoopWithoutYield) {
-    load("program p {\n  while true {\n    count = count + 1\n  }\n}");
-    bench.budget->set(1000);
-    EXPECT_TRUE(p().start());
-    step();
-    EXPECT_EQ(status(), "error");
-    EXPECT_EQ(count, 1000);
-    EXPECT_EQ(
-        p().getError(),
-        "bench.ops:3:5: error: [OPS400] program 'p' of component 'host' failed: the loop went round 1000 times in one "
-        "step of the component, which is the limit; add a 'yield' to it");
+TEST_F(Programs, ObeyEveryCommandAfterTheyHadNothingToDoForLong) {
+    load("program p {\n  count = count + 1\n  fail()\n  count = count + 10\n}");
+    for (int round = 0; round != 3; ++round) {
+        count = 0;
+        broken = true;
+        step(3);
+        EXPECT_TRUE(p().start());
+        step(3);
+        EXPECT_EQ(status(), "error");
+        EXPECT_TRUE(host.recover()) << "its own operation threw";
+        EXPECT_TRUE(p().pause());
+        step(3);
+        EXPECT_TRUE(p().isPaused());
+        broken = false;
+        EXPECT_TRUE(p().step());
+        EXPECT_FALSE(p().step()) << "the last one was not done yet";
+        step(3);
+        EXPECT_EQ(count, 1);
+        EXPECT_TRUE(p().step());
+        step(3);
+        EXPECT_EQ(count, 11);
+        EXPECT_TRUE(p().isStopped()) << "that was its last";
+        EXPECT_TRUE(p().start());
+        step(3);
+        EXPECT_TRUE(p().isStopped());
+        EXPECT_TRUE(p().pause());
+        step(3);
+        EXPECT_TRUE(p().isPaused()) << "before its first statement";
+        EXPECT_TRUE(p().start());
+        step();
+        EXPECT_EQ(count, 33);
+    }
 }
 
 TEST_F(Programs, AreDeafWhileNoEngineHasThem) {

@@ -19,12 +19,16 @@ protected:
             "square", [](double x) { return x * x; }, OwnThread);
         arm.addOperation(
             "halve", [](double& x) { x /= 2; }, OwnThread);
+        arm.addOperation(
+            "twice", [](double x) { return 2 * x; }, OwnThread);
+        arm.addOperation("note", [this](double x) { noted.push_back(x); });
         component.connectPeers(&arm);
         arm.start();
     }
     ~Sending() override { arm.stop(); }
 
     TaskContext arm;
+    std::vector<double> noted;
 };
 
 }  // namespace
@@ -55,6 +59,32 @@ TEST_F(Sending, CommandsYieldUntilTheyAreDone) {
 }
 
 TEST_F(Sending, CallsByThatName) { EXPECT_EQ(result<double>("double", "arm.square.call(5)"), 25.0); }
+
+TEST_F(Sending, AHandleMayBelongToAnotherOperationLater) {
+    ASSERT_TRUE(run(
+        "var SendHandle h\nvar double y\nh = arm.square.send(3)\nvar SendStatus one = h.collect(y)\nvar double a = y\n"
+        "h = arm.halve.send(a)\nvar SendStatus two = h.collect(y)\n"
+        "h = arm.square.send(5)\nvar double z\nvar SendStatus three = h.collect(z)"))
+        << messages();
+    EXPECT_EQ(value<double>("a"), 9.0);
+    EXPECT_EQ(value<double>("y"), 4.5);
+    EXPECT_EQ(value<double>("z"), 25.0);
+    for (const char* status : {"one", "two", "three"}) EXPECT_EQ(value<SendStatus>(status), SendSuccess) << status;
+}
+
+TEST_F(Sending, WhatCollectsAHandleTakesTheOperationThatWasSentLast) {
+    ASSERT_TRUE(
+        run("program p {\n  var SendHandle h\n  var double y\n  var int sent = 0\n  while sent < 2 {\n"
+            "    if sent == 1 then h = arm.square.send(3) else h = arm.twice.send(3)\n"
+            "    h.collect(y)\n    arm.note(y)\n    sent = sent + 1\n  }\n}"))
+        << messages();
+    EXPECT_EQ(noted, (std::vector<double>{6.0, 9.0})) << "of the same signature: with variables";
+    ASSERT_TRUE(
+        run("var SendStatus any\nvar SendHandle g\nvar double h1 = 1\n"
+            "if 1 == 1 then g = arm.square.send(3) else g = arm.halve.send(h1)\nany = g.collect()"))
+        << messages();
+    EXPECT_EQ(value<SendStatus>("any"), SendSuccess) << "of another one: without";
+}
 
 TEST_F(Sending, WrongUses) {
     EXPECT_FALSE(run("var SendHandle h\nh.collect()"));

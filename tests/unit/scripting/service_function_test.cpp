@@ -89,7 +89,7 @@ TEST_F(FunctionsOfService, OfALongChainAreCheckedWhereTheyAreDefined) {
 TEST_F(FunctionsOfService, CannotBeCalledBeforeTheyAreDefined) {
     EXPECT_FALSE(eval("count = 1\nvoid early() {\n  count = 2\n  late()\n}\nvoid late() { count = 3 }\n"));
     EXPECT_EQ(
-        "ERROR: eval():4:3: error: [OPS134] component 'host' has no operation 'late' yet: the function is defined "
+        "eval():4:3: error: [OPS134] component 'host' has no operation 'late' yet: the function is defined "
         "later, in line 6\n"
         "  late()\n"
         "  ^\n",

@@ -34,6 +34,13 @@ const char* const kLamp = R"(StateMachine Lamp {
 class MachinesOfService : public ServiceTest {
 protected:
     bool loadLamp() { return eval(std::string(kLamp) + "RootMachine Lamp lamp\n"); }
+    /** Steps in each of which the machine counts, or in none of which. */
+    void count(int each) {
+        host.step();
+        const int before = host.count;
+        host.step(3);
+        EXPECT_EQ(host.count, before + 3 * each);
+    }
 };
 
 TEST_F(MachinesOfService, AreExecutedByTheEngine) {
@@ -72,6 +79,47 @@ TEST_F(MachinesOfService, AreExecutedByTheEngine) {
     EXPECT_THAT(service->getStateMachineText("lamp"), StartsWith("StateMachine Lamp {"));
 }
 
+TEST_F(MachinesOfService, GiveTheTextOfTheirTypeWithTheCommentBeforeIt) {
+    ASSERT_TRUE(eval(std::string("count = 1\n\n// a lamp\n") + kLamp + "RootMachine Lamp lamp\n"));
+    EXPECT_THAT(service->getStateMachineText("lamp"), StartsWith("// a lamp\nStateMachine Lamp {"));
+    EXPECT_EQ(3, service->getStateMachine("lamp")->getFirstLine());
+}
+
+TEST_F(MachinesOfService, ObeyEveryCommandAfterTheyHadNothingToDoForLong) {
+    ASSERT_TRUE(
+        eval("StateMachine M {\n"
+             "  initial state A { run { count = count + 1 } transitions { if count > 1000 then select Z } }\n"
+             "  final state Z { entry { yield\n count = 0 } }\n"
+             "}\nRootMachine M m\n"));
+    for (int round = 0; round != 3; ++round) {
+        host.step(3);
+        EXPECT_TRUE(service->activateStateMachine("m"));
+        EXPECT_TRUE(service->startStateMachine("m"));
+        count(1);
+        EXPECT_TRUE(service->pauseStateMachine("m"));
+        count(0);
+        EXPECT_TRUE(service->getStateMachine("m")->step());
+        host.step(3);
+        EXPECT_TRUE(service->isStateMachinePaused("m"));
+        EXPECT_TRUE(service->startStateMachine("m"));
+        count(1);
+        EXPECT_TRUE(service->stopStateMachine("m"));
+        host.step(4);
+        EXPECT_EQ("stopped", service->getStateMachineStatusStr("m"));
+        EXPECT_EQ(0, host.count);
+        EXPECT_TRUE(service->pauseStateMachine("m"));
+        host.step(3);
+        EXPECT_TRUE(service->isStateMachinePaused("m"));
+        EXPECT_TRUE(service->stopStateMachine("m"));
+        host.step(4);
+        EXPECT_TRUE(service->resetStateMachine("m"));
+        host.step(3);
+        EXPECT_TRUE(service->inStateMachineState("m", "A"));
+        EXPECT_TRUE(service->deactivateStateMachine("m"));
+    }
+    EXPECT_TRUE(service->unloadStateMachine("m"));
+}
+
 TEST_F(MachinesOfService, ThatDoNotExistAreUnknown) {
     EXPECT_THAT(service->getStateMachineList(), IsEmpty());
     EXPECT_FALSE(service->hasStateMachine("m"));
@@ -105,7 +153,7 @@ TEST_F(MachinesOfService, ATypeIsDefinedOnceInAScript) {
         eval("StateMachine T { initial state a { } final state b { } }\n"
              "StateMachine T { initial state a { } final state b { } }\n"));
     EXPECT_EQ(
-        "ERROR: eval():2:14: error: [OPS301] state machine type 'T' is defined twice in this script\n"
+        "eval():2:14: error: [OPS301] state machine type 'T' is defined twice in this script\n"
         "StateMachine T { initial state a { } final state b { } }\n"
         "             ^\n"
         "eval():1:14: note: first defined here\n"
@@ -118,7 +166,7 @@ TEST_F(MachinesOfService, HaveNamesOfTheirOwn) {
     ASSERT_TRUE(loadLamp());
     EXPECT_FALSE(eval("RootMachine Lamp lamp\n"));
     EXPECT_EQ(
-        "ERROR: eval():1:18: error: [OPS303] state machine 'lamp' cannot be loaded: component 'host' has a state "
+        "eval():1:18: error: [OPS303] state machine 'lamp' cannot be loaded: component 'host' has a state "
         "machine of that name already\n"
         "RootMachine Lamp lamp\n"
         "                 ^\n",
@@ -248,7 +296,7 @@ TEST_F(MachinesOfService, ThatWereUnloadedWhileTheyAreExecutedStayUntilThen) {
     host.addOperation("leave", [this] { host.provides()->removeService("scripting"); });
     ASSERT_TRUE(
         eval("StateMachine T { initial state a { run { leave(); count = count + 1 } } final state b { } }\n"
-             "RootMachine T m\nm.activate()\n"));
+             "RootMachine T m\nm.activate()\nm.requestState(\"a\")\n"));
     boost::weak_ptr<StateMachine> machine = service->getStateMachine("m");
     service.reset();
     host.step();

@@ -4,8 +4,10 @@
 #include "service_host.hpp"
 
 #include <rtt/OperationCaller.hpp>
+#include <rtt/extras/SimulationActivity.hpp>
 
 #include <gmock/gmock.h>
+#include <thread>
 
 namespace {
 
@@ -66,12 +68,52 @@ TEST_F(ProgramsOfService, AreExecutedByTheEngine) {
     EXPECT_EQ(kCounting, service->getProgramText("counting") + "\n");
 }
 
+TEST_F(ProgramsOfService, GiveTheirWholeTextWithTheCommentBeforeIt) {
+    const std::string first =
+        "// counts\n/* and nothing\n   else */\nprogram first {\n  // one\n  count = 1\n  fail()\n}";
+    const std::string second = "# the second\n\nprogram second { count = 2 }";
+    ASSERT_TRUE(service->loadProgramText(first + " // ends here\n\n" + second + "\n"));
+    EXPECT_EQ(first, service->getProgramText("first"));
+    EXPECT_EQ(second, service->getProgramText("second"));
+    EXPECT_EQ(1, service->getProgram("first")->getFirstLine());
+    EXPECT_EQ(10, service->getProgram("second")->getFirstLine());
+    ASSERT_TRUE(eval("count = 3; program same { }  program line { }\n  // indented\n  program third { }\n"));
+    EXPECT_EQ("program same { }", service->getProgramText("same"));
+    EXPECT_EQ("program line { }", service->getProgramText("line"));
+    EXPECT_EQ("// indented\n  program third { }", service->getProgramText("third"));
+    logged();
+    ASSERT_TRUE(service->startProgram("first"));
+    host.step();
+    EXPECT_EQ(7, service->getProgramLine("first"));
+    EXPECT_THAT(logged(), testing::HasSubstr("string:7:3: error: [OPS400] program 'first' of component 'host' failed"));
+}
+
 TEST_F(ProgramsOfService, AreExecutedWhileTheComponentIsStopped) {
     ASSERT_TRUE(service->loadProgramText(kCounting));
     ASSERT_FALSE(host.isRunning());
     ASSERT_TRUE(service->startProgram("counting"));
     host.step(2);
     EXPECT_EQ(2, host.count);
+}
+
+TEST_F(ProgramsOfService, AreUnloadedAtOnceWhileTheSimulationMakesNoSteps) {
+    ASSERT_TRUE(host.setActivity(new RTT::extras::SimulationActivity(0.001)));
+    const auto thread = RTT::extras::SimulationThread::Instance();
+    for (const bool byAnotherThread : {false, true}) {
+        ASSERT_TRUE(service->loadProgramText(kCounting));
+        ASSERT_TRUE(service->startProgram("counting"));
+        const int before = host.count;
+        ASSERT_TRUE(thread->run(3));
+        EXPECT_EQ(before + 3, host.count);
+        EXPECT_TRUE(service->stopProgram("counting"));
+        bool unloaded = false;
+        const auto unload = [&] { unloaded = service->unloadProgram("counting"); };
+        byAnotherThread ? std::thread(unload).join() : unload();
+        EXPECT_TRUE(unloaded);
+        EXPECT_FALSE(service->hasProgram("counting"));
+    }
+    ASSERT_TRUE(host.setActivity(nullptr));
+    RTT::extras::SimulationThread::Release();
 }
 
 TEST_F(ProgramsOfService, TellWhereTheyAre) {
@@ -113,16 +155,15 @@ TEST_F(ProgramsOfService, HaveNamesOfTheirOwn) {
     ASSERT_TRUE(eval("program p { }\n"));
     EXPECT_FALSE(eval("program p { }\n"));
     EXPECT_EQ(
-        "ERROR: eval():1:9: error: [OPS203] program 'p' cannot be loaded: component 'host' has a program of that "
+        "eval():1:9: error: [OPS203] program 'p' cannot be loaded: component 'host' has a program of that "
         "name already\n"
         "program p { }\n"
         "        ^\n",
         logged());
     host.provides("arm");
     EXPECT_FALSE(eval("program arm { }\n"));
-    EXPECT_THAT(logged(),
-                StartsWith("ERROR: eval():1:9: error: [OPS203] program 'arm' cannot be loaded: component 'host' "
-                           "has a service of that name already\n"));
+    EXPECT_THAT(logged(), StartsWith("eval():1:9: error: [OPS203] program 'arm' cannot be loaded: component 'host' "
+                                     "has a service of that name already\n"));
 }
 
 TEST_F(ProgramsOfService, CanBeUnloadedAndLoadedAnew) {
@@ -202,7 +243,7 @@ TEST_F(ProgramsOfService, TheStepBudgetEndsALoopWithoutYield) {
     EXPECT_TRUE(service->inProgramError("endless"));
     EXPECT_GE(host.count, 999);
     EXPECT_LE(host.count, 1001);
-    EXPECT_THAT(logged(), StartsWith("ERROR: eval():3:5: error: [OPS400] program 'endless' of component 'host' failed: "
+    EXPECT_THAT(logged(), StartsWith("eval():3:5: error: [OPS400] program 'endless' of component 'host' failed: "
                                      "the loop went round 1000 times"));
 }
 

@@ -50,21 +50,22 @@ TEST_F(ScriptsOfService, OneSyntaxErrorKeepsAllFromBeingExecuted) {
     EXPECT_FALSE(eval("count = 1\ncount = = 2\ncount = 3\n)\n"));
     EXPECT_EQ(0, host.count);
     const std::string text = logged();
-    EXPECT_THAT(text, StartsWith("ERROR: eval():2:9: error: [OPS0"));
+    EXPECT_THAT(text, StartsWith("eval():2:9: error: [OPS0"));
     EXPECT_THAT(text, HasSubstr("eval():4:1: error: [OPS0"));
 }
 
 TEST_F(ScriptsOfService, AStatementThatCannotBeResolvedStopsTheScript) {
     EXPECT_FALSE(runMain("count = 1\ncuont = 2\ncount = 3\n"));
     EXPECT_EQ(1, host.count);
-    EXPECT_THAT(logged(), StartsWith("ERROR: main.ops:2:1: error: [OPS1"));
+    EXPECT_THAT(logged(), StartsWith("main.ops:2:1: error: [OPS1"));
 }
 
 TEST_F(ScriptsOfService, AStatementThatFailsStopsTheScript) {
     EXPECT_FALSE(runMain("count = 1\n  host.fail()\ncount = 3\n"));
     EXPECT_EQ(1, host.count);
     EXPECT_EQ(
-        "ERROR: main.ops:2:3: error: [OPS400] the arm is stuck\n"
+        "ERROR: operation 'fail' threw in component 'host': the arm is stuck\n"
+        "main.ops:2:3: error: [OPS400] the arm is stuck\n"
         "  host.fail()\n"
         "  ^\n",
         logged());
@@ -80,16 +81,15 @@ TEST_F(ScriptsOfService, YieldsAreCounted) {
     EXPECT_EQ(50, host.count);
     EXPECT_FALSE(eval("count = 1\nwhile (true) { yield }\ncount = 2"));
     EXPECT_EQ(1, host.count);
-    EXPECT_THAT(logged(),
-                StartsWith("ERROR: eval():2:16: error: [OPS410] the statement yielded 10000 times and did not "
-                           "end; what has to wait longer belongs into a program\n"));
+    EXPECT_THAT(logged(), StartsWith("eval():2:16: error: [OPS410] the statement yielded 10000 times and did not "
+                                     "end; what has to wait longer belongs into a program\n"));
 }
 
 TEST_F(ScriptsOfService, AMissingFileIsAnError) {
     EXPECT_FALSE(service->runScript("/nowhere/x.ops"));
-    EXPECT_EQ("ERROR: /nowhere/x.ops: error: [OPS411] cannot read the script: No such file or directory\n", logged());
+    EXPECT_EQ("/nowhere/x.ops: error: [OPS411] cannot read the script: No such file or directory\n", logged());
     EXPECT_FALSE(service->runScript("/tmp"));
-    EXPECT_EQ("ERROR: /tmp: error: [OPS411] cannot read the script: Is a directory\n", logged());
+    EXPECT_EQ("/tmp: error: [OPS411] cannot read the script: Is a directory\n", logged());
 }
 
 TEST_F(ScriptsOfService, AnEmptyFileIsAScript) { EXPECT_TRUE(runMain("")); }
@@ -110,7 +110,7 @@ TEST_F(ScriptsOfService, AScriptThatIsRunByAnotherSeesItsVariables) {
 TEST_F(ScriptsOfService, VariablesOfAScriptThatWasRunAreNotSeen) {
     directory.write("inner.ops", "var int b = 5\n");
     EXPECT_FALSE(runMain("scripting.runScript(\"inner.ops\")\ncount = b\n"));
-    EXPECT_THAT(logged(), StartsWith("ERROR: main.ops:2:"));
+    EXPECT_THAT(logged(), StartsWith("main.ops:2:"));
 }
 
 TEST_F(ScriptsOfService, AFileIsAlsoFoundBesideTheScriptThatRunsIt) {
@@ -127,14 +127,14 @@ TEST_F(ScriptsOfService, VariablesAreNotSeenByOtherComponents) {
     ASSERT_TRUE(host.addPeer(&other));
     EXPECT_TRUE(eval("var int a = 3\nother.scripting.eval(\"count = a\")\n"));
     EXPECT_EQ(0, other.count);
-    EXPECT_THAT(logged(), StartsWith("ERROR: eval():1:9: error: [OPS1"));
+    EXPECT_THAT(logged(), StartsWith("eval():1:9: error: [OPS1"));
 }
 
 TEST_F(ScriptsOfService, AScriptThatFailsDoesNotEndTheOneThatRunsIt) {
     directory.write("inner.ops", "fail()\n");
     EXPECT_TRUE(runMain("var bool good = scripting.runScript(\"inner.ops\")\nif (!good) then count = 9\n"));
     EXPECT_EQ(9, host.count);
-    EXPECT_THAT(logged(), StartsWith("ERROR: inner.ops:1:1: error: [OPS400] the arm is stuck\n"));
+    EXPECT_THAT(logged(), HasSubstr("inner.ops:1:1: error: [OPS400] the arm is stuck\n"));
 }
 
 TEST_F(ScriptsOfService, TheOldNamesOfEvalWork) {
@@ -145,13 +145,13 @@ TEST_F(ScriptsOfService, TheOldNamesOfEvalWork) {
     EXPECT_EQ(6, host.count);
     logged();
     EXPECT_FALSE(service->evalInternal("console", "fail()"));
-    EXPECT_THAT(logged(), StartsWith("ERROR: console:1:1: error: [OPS400] the arm is stuck\n"));
+    EXPECT_THAT(logged(), HasSubstr("console:1:1: error: [OPS400] the arm is stuck\n"));
 }
 
 TEST_F(ScriptsOfService, AFunctionIsDefinedOnceInAScript) {
     EXPECT_FALSE(eval("void f() { }\nvoid g() { }\nvoid f() { }\ncount = 1"));
     EXPECT_EQ(
-        "ERROR: eval():3:6: error: [OPS201] function 'f' is defined twice in this script\n"
+        "eval():3:6: error: [OPS201] function 'f' is defined twice in this script\n"
         "void f() { }\n"
         "     ^\n"
         "eval():1:6: note: first defined here\n"
@@ -166,7 +166,7 @@ TEST_F(ScriptsOfService, TextsForProgramsTakeNothingElse) {
         "program p { }\ncount = 1\nStateMachine T { initial state s { } final state e { } }\n"));
     EXPECT_FALSE(service->hasProgram("p"));
     EXPECT_EQ(
-        "ERROR: string:2:1: error: [OPS412] found a statement, expected functions and programs only; runScript "
+        "string:2:1: error: [OPS412] found a statement, expected functions and programs only; runScript "
         "takes everything\n"
         "count = 1\n"
         "^\n"
@@ -182,7 +182,7 @@ TEST_F(ScriptsOfService, TextsForStateMachinesTakeNothingElse) {
         service->loadStateMachineText("void f() { }\nprogram p { }\nStateMachine T { initial state a { } final "
                                       "state b { } }\n"));
     EXPECT_EQ(
-        "ERROR: string: error: [OPS413] found no RootMachine, expected at least one\n"
+        "string: error: [OPS413] found no RootMachine, expected at least one\n"
         "string:1:1: error: [OPS412] found a function, expected state machines only; runScript takes everything\n"
         "void f() { }\n"
         "^\n"
@@ -207,7 +207,7 @@ TEST_F(ScriptsOfService, AServiceWithoutComponentRunsNothing) {
 TEST_F(ScriptsOfService, CannotRunThemselves) {
     EXPECT_FALSE(runMain("count = count + 1\nscripting.runScript(\"main.ops\")\nscripting.runScript(\"main.ops\")\n"));
     EXPECT_EQ(50, host.count);
-    EXPECT_EQ("ERROR: main.ops: error: [OPS414] scripts run each other more than 50 deep\n", logged());
+    EXPECT_EQ("main.ops: error: [OPS414] scripts run each other more than 50 deep\n", logged());
     EXPECT_TRUE(runMain("count = 1\n"));
 }
 
@@ -247,10 +247,10 @@ TEST_F(ScriptsOfService, OfAnotherComponentsThreadReportTheirErrorsThere) {
                                        "count = y\n"));
     other.getActivity()->stop();
     EXPECT_EQ(
-        "ERROR: there.ops:2:9: error: [OPS133] component 'other' has no value or operation 'x'\n"
+        "there.ops:2:9: error: [OPS133] component 'other' has no value or operation 'x'\n"
         "count = x\n"
         "        ^\n"
-        "ERROR: here.ops:4:9: error: [OPS133] component 'host' has no value or operation 'y'\n"
+        "here.ops:4:9: error: [OPS133] component 'host' has no value or operation 'y'\n"
         "count = y\n"
         "        ^\n",
         logged());

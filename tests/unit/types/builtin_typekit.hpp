@@ -4,6 +4,7 @@
 #ifndef TESTS_UNIT_TYPES_BUILTIN_TYPEKIT_HPP
 #define TESTS_UNIT_TYPES_BUILTIN_TYPEKIT_HPP
 
+#include <rtt/TaskContext.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -23,7 +24,7 @@ protected:
     static void SetUpTestSuite() {
         void* library = dlopen(RTT_TYPEKIT_FILE, RTLD_NOW | RTLD_LOCAL);
         ASSERT_NE(nullptr, library) << dlerror();
-        using Load = bool (*)(void*);
+        using Load = bool (*)(RTT::TaskContext*);
         auto load = reinterpret_cast<Load>(dlsym(library, "loadRTTPlugin"));
         ASSERT_NE(nullptr, load);
         ASSERT_TRUE(load(nullptr));

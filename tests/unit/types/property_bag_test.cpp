@@ -4,6 +4,8 @@
 
 #include <rtt/Property.hpp>
 #include <rtt/PropertyBag.hpp>
+#include <rtt/types/PropertyComposition.hpp>
+#include <rtt/types/PropertyDecomposition.hpp>
 
 #include <memory>
 #include <sstream>
@@ -65,11 +67,49 @@ TEST_F(Bag, Paths) {
     EXPECT_EQ((Names{"first", "inner", "deep"}), listPropertyDescriptions(bag));
     EXPECT_EQ("c", findProperty(bag, "b.c")->getName());
     EXPECT_EQ(nullptr, findProperty(bag, "b.x"));
+    EXPECT_EQ(findProperty(bag, "b"), findProperty(bag, ".b"));
+    EXPECT_EQ(findProperty(bag, "b.c"), findProperty(bag, "..b..c"));
+    EXPECT_EQ(findProperty(bag, "b.c"), findProperty(bag, "//b//c", "/"));
+    EXPECT_EQ(nullptr, findProperty(bag, "."));
+    EXPECT_EQ(nullptr, findProperty(bag, ""));
     EXPECT_TRUE(storeProperty(bag, "d.e", new Property<int>("f", "", 1)));
     EXPECT_NE(nullptr, findProperty(bag, "d.e.f"));
     EXPECT_TRUE(removeProperty(bag, "d.e.f"));
     EXPECT_EQ(nullptr, findProperty(bag, "d.e.f"));
     EXPECT_FALSE(removeProperty(bag, "d.e.f"));
+}
+
+TEST_F(Bag, SeveralSeparatorsAreOneInAllPaths) {
+    EXPECT_TRUE(storeProperty(bag, "..d..e", new Property<int>("f", "", 1)));
+    EXPECT_EQ((Names{"a", "b", "b.c", "d", "d.e", "d.e.f"}), listProperties(bag));
+    PropertyBag source(bag), target;
+    EXPECT_TRUE(refreshProperty(bag, source, ".b..c"));
+    EXPECT_TRUE(updateProperty(target, source, ".d...e..f"));
+    EXPECT_EQ((Names{"d", "d.e", "d.e.f"}), listProperties(target));
+    EXPECT_TRUE(removeProperty(bag, "..d..e...f"));
+    EXPECT_EQ(nullptr, findProperty(bag, "d.e.f"));
+    EXPECT_TRUE(removeProperty(bag, ".a"));
+    EXPECT_TRUE(removeProperty(bag, "::b::::c", "::"));
+    EXPECT_EQ((Names{"b", "d", "d.e"}), listProperties(bag));
+    bag.ownProperty(new Property<int>(".hidden", "", 1));
+    EXPECT_NE(nullptr, findProperty(bag, ".hidden")) << "a name may begin so";
+}
+
+TEST_F(Bag, NothingIsTakenApartOrPutTogetherIntoABagThatHasTheName) {
+    for (auto* const step : {&types::decomposePropertyBag, &types::composePropertyBag}) {
+        PropertyBag target;
+        target.ownProperty(new Property<double>("b", "", 0.5));
+        EXPECT_FALSE(step(bag, target));
+        EXPECT_EQ((Names{"b"}), target.list());
+        PropertyBag other;
+        other.ownProperty(new Property<double>("c", "", 0.5));
+        EXPECT_TRUE(step(bag, other)) << "the names differ";
+        EXPECT_EQ((Names{"c", "a", "b"}), other.list());
+    }
+    bag.ownProperty(new Property<int>("a", "again", 3));
+    PropertyBag twice;
+    EXPECT_TRUE(types::decomposePropertyBag(bag, twice)) << "those of one bag may share a name";
+    EXPECT_EQ((Names{"a", "b", "a"}), twice.list());
 }
 
 TEST_F(Bag, RefreshTouchesWhatBothHave) {

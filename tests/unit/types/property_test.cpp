@@ -31,6 +31,24 @@ TEST(Property, DefaultConstructedIsNotReady) {
     EXPECT_FALSE(p.update(&p));
 }
 
+// 0 and {} are values, though they would do as a pointer to a data source.
+TEST(Property, ZeroIsAValue) {
+    EXPECT_EQ(Property<double>("n", "d", 0).get(), 0.0);
+    EXPECT_EQ(Property<bool>("n", "d", 0).get(), false);
+    EXPECT_EQ(Property<unsigned>("n", "d", 0).get(), 0u);
+    EXPECT_EQ(Property<long>("n", "d", 0).get(), 0L);
+    EXPECT_EQ(Property<char>("n", "d", 0).get(), '\0');
+    EXPECT_EQ(Attribute<double>("n", 0).get(), 0.0);
+    EXPECT_EQ(Attribute<bool>("n", 0).get(), false);
+    EXPECT_EQ(Constant<double>("n", 0).get(), 0.0);
+    EXPECT_EQ(Constant<unsigned long>("n", 0).get(), 0ul);
+    EXPECT_TRUE(Property<double>("n", "d", {}).ready());
+    EXPECT_TRUE(Property<std::string>("n", "d", {}).ready());
+    EXPECT_TRUE(Attribute<double>("n", {}).ready());
+    EXPECT_FALSE(Property<double>("n", "d", nullptr).ready());
+    EXPECT_FALSE(Attribute<double>("n", nullptr).ready());
+}
+
 TEST(Property, RefersToAVariable) {
     bool flag = false;
     Property<bool> p("flag", "", new internal::ReferenceDataSource<bool>(flag));

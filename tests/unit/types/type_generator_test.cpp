@@ -275,11 +275,15 @@ TEST_F(TypeGenerators, CompatibleTypes) {
     EXPECT_EQ(7, target->get());
 }
 
-TEST_F(TypeGenerators, VariablesOfContainersTakeASize) {
+TEST_F(TypeGenerators, VariablesOfContainersAndStringsTakeASize) {
     const std::unique_ptr<base::AttributeBase> array(type("array")->buildVariable("a", 3));
     EXPECT_EQ("{0, 0, 0}", array->getDataSource()->toString());
     const std::unique_ptr<base::AttributeBase> text(type("string")->buildVariable("s", 3));
-    EXPECT_EQ("", text->getDataSource()->toString());
+    EXPECT_EQ(std::string(3, '\0'), text->getDataSource()->toString());
+    const std::unique_ptr<base::AttributeBase> realTime(type("rt_string")->buildVariable("s", 3));
+    EXPECT_EQ(std::string(3, '\0'), realTime->getDataSource()->toString());
+    const std::unique_ptr<base::AttributeBase> number(type("int")->buildVariable("i", 3));
+    EXPECT_EQ("0", number->getDataSource()->toString()) << "no container";
 }
 
 TEST_F(TypeGenerators, VectorsOfOtherElements) {

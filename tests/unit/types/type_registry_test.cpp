@@ -75,6 +75,40 @@ TEST(TypeRegistry, AliasesAreAddedByHand) {
     EXPECT_EQ(info, find("registry_nickname"));
 }
 
+TEST(TypeRegistry, AliasesOfATypeAreFound) {
+    ASSERT_TRUE(Types()->addType(new TagInfo<22>("registry_formal")));
+    TypeInfo* info = find("registry_formal");
+    EXPECT_TRUE(info->addAlias("/registry/Informal"));
+    EXPECT_EQ(info, find("/registry/Informal"));
+    EXPECT_EQ(info, find("registry.Informal"));
+    EXPECT_TRUE(info->isType("/registry/Informal"));
+    EXPECT_FALSE(info->addAlias("/registry/Informal")) << "has it already";
+    EXPECT_FALSE(info->addAlias("registry_formal"));
+    EXPECT_EQ(2u, info->getTypeNames().size());
+    ASSERT_TRUE(Types()->addType(new TagInfo<23>("registry_stranger")));
+    EXPECT_FALSE(info->addAlias("registry_stranger")) << "belongs to another type";
+    EXPECT_FALSE(info->isType("registry_stranger"));
+    EXPECT_NE(info, find("registry_stranger"));
+}
+
+TEST(TypeRegistry, AliasesGivenBeforeTheTypeIsRegisteredAreFoundAfterwards) {
+    auto* info = new TypeInfo("registry_unregistered", &typeid(Tag<24>));
+    EXPECT_TRUE(info->addAlias("registry_early"));
+    EXPECT_EQ(nullptr, find("registry_early"));
+    ASSERT_TRUE(Types()->addType(info));
+    EXPECT_EQ(info, find("registry_early"));
+
+    struct Aliased : TagInfo<25> {
+        Aliased() : TagInfo<25>("registry_by_generator") {}
+        bool installTypeInfoObject(TypeInfo* type) override {
+            TagInfo<25>::installTypeInfoObject(type);
+            return type->addAlias("registry_by_generator_too") && false;
+        }
+    };
+    ASSERT_TRUE(Types()->addType(new Aliased()));
+    EXPECT_EQ(find("registry_by_generator"), find("registry_by_generator_too"));
+}
+
 TEST(TypeRegistry, SameNameForTheSameTypeIsNoError) {
     ASSERT_TRUE(Types()->addType(new TagInfo<4>("registry_again")));
     EXPECT_TRUE(Types()->addType(new TagInfo<4>("registry_again")));

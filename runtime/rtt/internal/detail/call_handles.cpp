@@ -15,7 +15,9 @@ CollectSource::CollectSource(const OperationTable& table, Handle handle, Variabl
 SendStatus CollectSource::get() const {
     const SentCall::shared_ptr call = handle_->get();
     // The handle of another operation has other results than those the variables were made for.
-    if (!call || typeid(*call) != *table_->sentType) return status_ = SendFailure;
+    const SentCall* const sent = call.get();
+    const bool fits = sent != nullptr && (variables_.empty() || typeid(*sent) == *table_->sentType);
+    if (!fits) return status_ = SendFailure;
     status_ = !blocking_ || blocking_->get() ? call->collect() : call->collectIfDone();
     if (status_ == SendSuccess && !variables_.empty() && !fill(*call)) status_ = CollectFailure;
     return status_;

@@ -37,9 +37,19 @@ void visitAll(const PropertyBag& bag, const std::string& prefix, const std::stri
     }
 }
 
+/** Separators at the beginning of a path name nothing. */
+std::string withoutSeparatorsInFront(std::string path, const std::string& separator) {
+    while (!separator.empty() && path.compare(0, separator.size(), separator) == 0) path.erase(0, separator.size());
+    return path;
+}
+
 std::string parentOf(const std::string& path, const std::string& separator) {
-    const auto at = path.rfind(separator);
-    return at == std::string::npos ? std::string() : path.substr(0, at);
+    auto at = path.rfind(separator);
+    if (at == std::string::npos || separator.empty()) return std::string();
+    // Several separators are one.
+    while (at >= separator.size() && path.compare(at - separator.size(), separator.size(), separator) == 0)
+        at -= separator.size();
+    return path.substr(0, at);
 }
 
 }  // namespace
@@ -59,6 +69,8 @@ std::vector<std::string> listPropertyDescriptions(const PropertyBag& bag, const 
 
 PropertyBase* findProperty(const PropertyBag& bag, const std::string& path, const std::string& separator) {
     if (PropertyBase* found = bag.find(path)) return found;
+    const std::string name = withoutSeparatorsInFront(path, separator);
+    if (name != path) return name.empty() ? nullptr : findProperty(bag, name, separator);
     for (auto at = path.find(separator); at != std::string::npos; at = path.find(separator, at + 1)) {
         const PropertyBase* outer = bag.find(path.substr(0, at));
         const PropertyBag* inner = outer ? bagOf(*outer) : nullptr;
@@ -68,7 +80,8 @@ PropertyBase* findProperty(const PropertyBag& bag, const std::string& path, cons
     return nullptr;
 }
 
-bool storeProperty(PropertyBag& bag, const std::string& path, PropertyBase* item, const std::string& separator) {
+bool storeProperty(PropertyBag& bag, const std::string& given, PropertyBase* item, const std::string& separator) {
+    const std::string path = withoutSeparatorsInFront(given, separator);
     if (path.empty()) return bag.ownProperty(item);
     const auto at = path.find(separator);
     const std::string name = path.substr(0, at);

@@ -5,6 +5,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/types/Types.hpp>
 #include <rtt/types/detail/member_update.hpp>
+#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -103,17 +104,24 @@ bool updateBagAt(PropertyBag& target, const PropertyBag& source, const BagUpdate
     return (!how.addMissing || addMissingItems(target, source, how)) && good;
 }
 
+/** True if its elements have no names. */
+bool isSequence(const types::TypeInfo& type) {
+    const auto names = type.getMemberNames();
+    return std::find(names.begin(), names.end(), "capacity") != names.end();
+}
+
 /** Finds those of the members given that do not fit `type`, and reports them; false if all of them fit. */
 bool reportMembers(const types::TypeInfo& type, const PropertyBag& members, const BagUpdate& how, const Trail& trail) {
     // On a value of its own, of which every member may be tried.
     const auto value = type.buildValue();
     if (!value) return false;
-    type.resize(value, static_cast<int>(members.size()));
+    const std::size_t first = isSequence(type) ? types::detail::firstElement(members) : 0;
+    type.resize(value, static_cast<int>(members.size() - first));
     bool reported = false;
-    for (std::size_t i = 0; i != members.size(); ++i) {
+    for (std::size_t i = first; i != members.size(); ++i) {
         const PropertyBase& item = *members.getItem(i);
         auto member = item.getName().empty() ? nullptr : value->getMember(item.getName());
-        if (!member) member = value->getMember(std::to_string(i));
+        if (!member) member = value->getMember(std::to_string(i - first));
         if (!member) continue;
         const Trail here = trail.within(item, i);
         const PropertyBag* bag = bagOf(item);

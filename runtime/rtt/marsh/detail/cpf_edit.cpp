@@ -12,6 +12,7 @@
 #include <xml/escape.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -45,6 +46,15 @@ bool isPlain(const std::string& type) { return type.empty() || type == "Property
 bool areElements(const PropertyBag& bag) {
     if (isPlain(bag.getType())) return false;
     return isSequenceType(bag.getType()) || (!bag.empty() && bag.getItem(0)->getName() == "Element0");
+}
+
+/** True for the number of elements that old files put in front of them. */
+bool isSize(const xml::Element& element) {
+    static constexpr const char* kWholeNumbers[] = {"long",  "ulong",  "int",   "uint",
+                                                    "short", "ushort", "llong", "ullong"};
+    if (element.name != "simple" || element.attributeOr("name", "") != "Size") return false;
+    const std::string type = element.attributeOr("type", "");
+    return std::find(std::begin(kWholeNumbers), std::end(kWholeNumbers), type) != std::end(kWholeNumbers);
 }
 
 /** True if elements and items have the same names in the same order, as far as there are both. */
@@ -81,6 +91,7 @@ public:
         Elements elements;
         findProperties(parent, elements);
         const bool isValue = valueDepth_ != 0;
+        if (areElements(bag)) dropSize(elements, bag);
         if (areElements(bag) || (isValue && namesAgree(elements, bag)))
             editInOrder(parent, elements, bag, indent);
         else if (!isValue || isReordered(elements, bag))
@@ -92,6 +103,14 @@ public:
     std::string result() const { return edit_.result(); }
 
 private:
+    /** The reader would take no notice of an element in its place. */
+    void dropSize(Elements& elements, const PropertyBag& bag) {
+        if (elements.empty() || !isSize(*elements.front())) return;
+        if (!bag.empty() && bag.getItem(0)->getName() == "Size") return;  // the type itself wants it
+        remove(*elements.front());
+        elements.erase(elements.begin());
+    }
+
     /** Afterwards there are as many elements as items. */
     void editInOrder(const xml::Element& parent, const Elements& elements, const PropertyBag& bag, std::size_t indent) {
         for (std::size_t i = 0; i != elements.size(); ++i) {

@@ -11,6 +11,7 @@
  * Functions that allocate and free are as real-time safe as those of <rtt/os/oro_malloc.h>. Making, extending and
  * destroying pools is not; it may be done by any thread, destroying only when nobody uses the pool.
  */
+#include <rtt/os/oro_malloc.h>
 #include <rtt/rtt-config.h>
 
 #include <stddef.h>

@@ -170,6 +170,7 @@ struct State {
     std::vector<StatementPtr> locals;                 ///< Declarations
     std::unique_ptr<Block> entry, run, handle, exit;  ///< or null
     Expressions preconditions;
+    std::vector<Transition> detours;  ///< of `preconditions { if c then select S }`; without events
     std::vector<Transition> transitions;
 };
 /** `SubMachine Type name(p = 1, q = 2)` and `RootMachine …`. */

@@ -7,9 +7,11 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/scripting/detail/arithmetic.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
+#include <rtt/scripting/detail/told_call.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -118,16 +120,20 @@ Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::
             return found;
         }
     }
-    if (count == 1 && where_.service) found.part = where_.service->getPart(name);
-    if (found.part) return found;
     for (const Node& node : nodes)
-        if (node.used == count - 1) found.part = node.service->getPart(name);
+        if (node.used == count - 1) {
+            found.part = node.service->getPart(name);
+            found.of = node.service->getOwner();
+        }
     if (found.part || count != 1) return found;
+    found.of = nullptr;
     found.part = internal::GlobalService::Instance()->getPart(name);
     if (found.part) return found;
     found.function = function;
     if (!function && where_.component->provides()->hasService("scripting"))
         found.part = where_.component->provides()->getService("scripting")->getPart(name);
+    // `stop()` in a state machine is the component's.
+    if (!function && !found.part && where_.service) found.part = where_.service->getPart(name);
     return found;
 }
 
@@ -141,7 +147,7 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
         return true;
     }
     if (whole.part) {
-        result = callOperation(*whole.part, name, at);
+        result = callOperation(whole, name, at);
         return true;
     }
     if (count == 1) return false;
@@ -151,7 +157,7 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
     if (called.function) {
         result = callFunction(called.function, name, at);
     } else if (called.part) {
-        result = last == "call"   ? callOperation(*called.part, name, at)
+        result = last == "call"   ? callOperation(called, name, at)
                  : last == "send" ? sent(*called.part, name, at)
                                   : command(*called.part, name, at);
     } else {
@@ -197,11 +203,20 @@ base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at
     }
 }
 
-Operand Unit::callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::Place at) {
+    OperationInterfacePart& part = *called.part;
     const auto sources = arguments(name, part);
     ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
-    return fromSource(made(name, at, part, [&] { return part.produce(sources, where_.caller); }), at);
+    const Source call = made(name, at, part, [&] { return part.produce(sources, where_.caller); });
+    return fromSource(told(call, called, name, at), at);
+}
+
+/** The call, or one that tells where it stands if it fails. */
+Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const {
+    if (!called.of || !internal::FailureReport::comesFrom(*called.of)) return call;
+    internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
+    return success ? new ToldCall(success, locate(at), ignored_.count(&name) != 0) : call;
 }
 
 Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
@@ -314,15 +329,12 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
         if (sends) expression(value);  // says what is unknown
         error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
     }
-    const auto operation = handle.operation();
-    if (operation && operation.get() != called.part)
-        error(at, "OPS150",
-              "the handle '" + name + "' belongs to operation '" + operation->getName() +
-                  "'; declare another one for '" + called.part->getName() + "'");
     const Operand call = sent(*called.part, *from, value.at);
     Source source = handle.source();
-    if (!source) {
-        source = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
+    if (handle.operation().get() != called.part) {
+        const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
+        // What was compiled before has the same variable, if it can: which operation was sent last shows at run time.
+        if (!source || !source->hasTypeOf(*own)) source = own;
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
     const Operand result = fromSource(source, at);

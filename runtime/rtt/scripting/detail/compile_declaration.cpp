@@ -12,14 +12,20 @@ namespace detail {
 
 void Unit::declare(const ast::Declaration& declaration, bool again) {
     for (const ast::Declarator& declarator : declaration.names) {
-        switch (declaration.kind) {
-            case ast::Declaration::Kind::Constant: declareConstant(declaration, declarator); break;
-            case ast::Declaration::Kind::Alias: declareAlias(declaration, declarator); break;
-            default:
-                if (declaration.type.text == "SendHandle")
-                    declareHandle(declarator);
-                else
-                    declareVariable(declaration, declarator, again);
+        try {
+            switch (declaration.kind) {
+                case ast::Declaration::Kind::Constant: declareConstant(declaration, declarator); break;
+                case ast::Declaration::Kind::Alias: declareAlias(declaration, declarator); break;
+                default:
+                    if (declaration.type.text == "SendHandle")
+                        declareHandle(declarator);
+                    else
+                        declareVariable(declaration, declarator, again);
+            }
+        } catch (const Unresolved&) {
+            if (where_.toCome)
+                for (const ast::Declarator& each : declaration.names) where_.toCome->miss(each.name.text);
+            throw;
         }
     }
 }
@@ -46,7 +52,7 @@ int Unit::sizeHint(const ast::Expression& size, const std::string& type, const a
     unit.end();
     if (where_.checkOnly) return 1;
     Process process(code);
-    if (process.run() != Process::Outcome::Finished)
+    if (process.runToEnd() != Process::Outcome::Finished)
         error(size.at, "OPS113",
               "the number of elements of '" + name.text + "' cannot be computed: " + process.message());
     const int count = *static_cast<const int*>(loaded.address);
@@ -67,10 +73,6 @@ base::DataSourceBase::shared_ptr Unit::newVariable(const ast::Identifier& typeNa
     if (!source) error(typeName.at, "OPS116", "there can be no variable of type '" + typeName.text + "'");
     if (!size) return source;
     const int count = sizeHint(*size, typeName.text, name);
-    if (auto* const text = internal::AssignableDataSource<std::string>::narrow(source.get())) {
-        text->set().reserve(static_cast<std::size_t>(count));
-        return source;
-    }
     try {
         const std::unique_ptr<base::AttributeBase> made(info.buildVariable(name.text, count));
         return made ? made->getDataSource() : source;
@@ -143,7 +145,7 @@ void Unit::declareConstant(const ast::Declaration& declaration, const ast::Decla
     unit.store(fromSource(source, declarator.name.at), unit.expression(*declarator.value), what);
     unit.end();
     Process process(code);
-    if (!where_.checkOnly && process.run() != Process::Outcome::Finished)
+    if (!where_.checkOnly && process.runToEnd() != Process::Outcome::Finished)
         error(declarator.value->at, "OPS117", "the value of " + what + " cannot be computed: " + process.message());
     const std::unique_ptr<base::AttributeBase> made(source->getTypeInfo()->buildConstant(declarator.name.text, source));
     Scope::Entry entry;

@@ -88,7 +88,7 @@ Operand Unit::name(const ast::Name& name, ast::Place at) {
     const auto nodes = walk(name.parts, name.parts.size());
     if (!name.called && valueNamed(nodes, name.parts, result)) return result;
     if (call(name, nodes, at, result)) return result;
-    if (name.called && construct(name, at, result)) return result;
+    if (name.called ? construct(name, at, result) : resultNamed(nodes, name.parts, result)) return result;
     unknownName(nodes, name);
 }
 
@@ -173,6 +173,21 @@ bool Unit::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operan
     return false;
 }
 
+/** What an operation or a function gives that is called without parentheses, or a member of that: `port.last.x`. */
+bool Unit::resultNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
+    for (std::size_t count = parts.size(); count != 0; --count) {
+        const Callable called = callable(parts, count, nodes, false);
+        if (!called.function && !called.part) continue;
+        ast::Name name;
+        name.parts.assign(parts.begin(), parts.begin() + static_cast<Parts::difference_type>(count));
+        const ast::Place at = parts[0].at;
+        found = called.function ? callFunction(called.function, name, at) : callOperation(called, name, at);
+        found = members(found, parts, count);
+        return true;
+    }
+    return false;
+}
+
 Operand Unit::members(Operand of, const Parts& parts, std::size_t from) {
     for (std::size_t i = from; i != parts.size(); ++i) of = member(of, parts[i]);
     return of;
@@ -187,9 +202,8 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
     if (!isLast) {
         add(last.service->getProviderNames());
         if (last.component) add(last.component->getPeerList());
-    } else {
-        add(last.service->getOperationNames());
     }
+    if (isLast || !called) add(last.service->getOperationNames());
     const bool first = last.used == 0;
     if (first && isLast) {
         add(internal::GlobalService::Instance()->getOperationNames());
@@ -214,9 +228,10 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
 void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name) {
     Operand of;
     const Parts owner(name.parts.begin(), name.parts.end() - 1);
-    if (owner.empty() || nodes.back().used >= owner.size() ||
-        !(variableNamed(owner, of) || valueNamed(nodes, owner, of)))
-        return;
+    if (owner.empty() || nodes.back().used >= owner.size()) return;
+    const OperationInterfacePart* const operation = callable(owner, owner.size(), nodes, false).part;
+    const bool gives = operation && operation->arity() == 0;
+    if (!variableNamed(owner, of) && !valueNamed(nodes, owner, of) && !(gives && resultNamed(nodes, owner, of))) return;
     const ast::Identifier& last = name.parts.back();
     const std::string value = "'" + text(owner, owner.size()) + "' is a value of type " + typeName(of);
     if (last.text == "collect" || last.text == "collectIfDone")
@@ -227,6 +242,8 @@ void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& nam
 void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const Parts& parts = name.parts;
     const Node& last = nodes.back();
+    const std::string& missing = parts[std::min(last.used, parts.size() - 1)].text;
+    if (where_.toCome && where_.toCome->mayHave(last.service->getOwner(), missing)) throw Unresolved();
     if (name.called) checkCallOfValue(nodes, name);
     const bool unquoted = text_ == &name && !name.called;
     const std::string hint = unquoted ? "texts stand in quotes: \"" + text(parts, parts.size()) + '"' : "";

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/unit.hpp>
 
+#include <rtt/scripting/detail/find_calls.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
 #include <rtt/scripting/detail/overloaded.hpp>
 
@@ -23,15 +24,21 @@ void Unit::statement(const ast::Statement& statement) {
     code_.beginStatement(statement.at);
     std::visit(
         Overloaded{[&](const ast::Declaration& s) { declare(s); }, [&](const ast::Do& s) { evaluate(*s.expression); },
-                   [&](const ast::Nothing&) {}, [&](const ast::Yield&) { emit(&instructions::yield); },
-                   [&](const ast::Try& s) { attempt(s); }, [&](const ast::Return& s) { giveBack(s); },
-                   [&](const ast::If& s) { choose(s); }, [&](const ast::While& s) { repeat(s); },
-                   [&](const ast::For& s) { repeat(s); }, [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
+                   // Loops of old scripts wait with it: `while !done nothing`.
+                   [&](const ast::Nothing&) { emit(&instructions::yield); },
+                   [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
+                   [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
+                   [&](const ast::While& s) { repeat(s); }, [&](const ast::For& s) { repeat(s); },
+                   [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
         statement.what);
 }
 
 /** For what it does. An assignment has done it. */
 void Unit::evaluate(const ast::Expression& expression) {
+    ignored_.clear();
+    forIgnored(expression, [this](const ast::Expression& each) {
+        if (const auto* const name = std::get_if<ast::Name>(&each.what)) ignored_.insert(name);
+    });
     const Operand value = this->expression(expression);
     if (!std::holds_alternative<ast::Assignment>(expression.what)) discard(value);
 }
@@ -81,7 +88,7 @@ void Unit::repeat(const ast::For& statement) {
     if (declaration) {
         declare(*declaration, true);
         mark(Scope::Entry::Loop::Entered);
-    } else if (statement.first) {
+    } else if (statement.first && !std::holds_alternative<ast::Nothing>(statement.first->what)) {
         this->statement(*statement.first);
     }
     loop(statement.condition.get(), statement.body, statement.next.get());

@@ -23,7 +23,7 @@ std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, 
         fill(unit);
         unit.end();
     } catch (const Unresolved&) {
-        // Reported.
+        return nullptr;  // reported, unless it is a name to come
     } catch (const std::exception& thrown) {
         where.sink->error({where.file, 0, 0}, "OPS119", std::string("cannot be compiled: ") + thrown.what());
     }

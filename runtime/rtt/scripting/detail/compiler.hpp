@@ -108,6 +108,18 @@ struct FunctionDefinition {
 };
 typedef std::map<std::string, std::shared_ptr<const FunctionDefinition>> Functions;
 
+/** What is not there while a script is checked, and may be when it runs. */
+class NamesToCome {
+public:
+    virtual ~NamesToCome() = default;
+    /** True if `owner`, or whatever belongs to it, may have that name then. */
+    virtual bool mayHave(const TaskContext* owner, const std::string& name) = 0;
+    /** That name was not declared, for a reason that is known. */
+    virtual void miss(const std::string& name) = 0;
+    /** How often mayHave() was true: as often something was not compiled, which is no error. */
+    unsigned gaps = 0;
+};
+
 /** Where a piece of script belongs. */
 struct Surroundings {
     TaskContext* component = nullptr;
@@ -120,7 +132,8 @@ struct Surroundings {
     /** How often loops of a program, function or state machine may go round in one step (0: no limit); read in each step.
         Null without limit. */
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit;
-    bool checkOnly = false;  ///< nothing is evaluated while it is compiled
+    bool checkOnly = false;         ///< nothing is evaluated while it is compiled
+    NamesToCome* toCome = nullptr;  ///< of a check; or null
     /** Gets those it refers to, for the process that executes it; or null. */
     std::shared_ptr<Peers> peers;
 };

@@ -4,7 +4,8 @@
 
 #include <rtt/types/TypeInfoRepository.hpp>
 
-#include <algorithm>
+#include <set>
+#include <string>
 
 namespace RTT {
 namespace scripting {
@@ -18,49 +19,117 @@ bool isType(const std::vector<ast::Identifier>& parts) {
     return types::TypeInfoRepository::Instance()->type(name) != nullptr;
 }
 
-struct Finder {
-    bool in(const ast::ExpressionPtr& expression) const { return expression && std::visit(*this, expression->what); }
-    bool in(const ast::StatementPtr& statement) const { return statement && std::visit(*this, statement->what); }
-    bool in(const std::unique_ptr<ast::Block>& block) const { return block && in(*block); }
-    bool in(const ast::Block& block) const { return any(block.statements); }
-    template <class List>
-    bool any(const List& list) const {
-        return std::any_of(list.begin(), list.end(), [this](const auto& each) { return in(each); });
-    }
-    bool in(const ast::Binary::Step& step) const { return in(step.right); }
-    bool in(const ast::Declarator& declarator) const { return in(declarator.size) || in(declarator.value); }
+class Finder {
+public:
+    explicit Finder(bool certain) : certain_(certain) {}
 
-    bool operator()(const ast::Literal&) const { return false; }
-    bool operator()(const ast::CurrentTime&) const { return false; }
-    bool operator()(const ast::Name& name) const { return (name.called && !isType(name.parts)) || any(name.arguments); }
-    bool operator()(const ast::Member& member) const { return in(member.of); }
-    bool operator()(const ast::Index& index) const { return in(index.of) || in(index.index); }
-    bool operator()(const ast::Unary& operation) const { return in(operation.operand); }
-    bool operator()(const ast::Binary& row) const { return in(row.first) || any(row.steps); }
-    bool operator()(const ast::Assignment& assignment) const { return in(assignment.to) || in(assignment.value); }
+    void in(const ast::ExpressionPtr& expression) {
+        if (!expression) return;
+        at_ = expression->at;
+        current_ = expression.get();
+        std::visit(*this, expression->what);
+    }
+    void in(const ast::StatementPtr& statement) {
+        if (statement) std::visit(*this, statement->what);
+    }
+    void in(const ast::Block& block) {
+        for (const ast::StatementPtr& each : block.statements) in(each);
+    }
+    void in(const std::unique_ptr<ast::Block>& block) {
+        if (block) in(*block);
+    }
+    void in(const ast::Statement& statement) { std::visit(*this, statement.what); }
 
-    bool operator()(const ast::Declaration& declaration) const { return any(declaration.names); }
-    bool operator()(const ast::Do& statement) const {
-        // `component.configure` is a call, too.
-        return std::holds_alternative<ast::Name>(statement.expression->what) || in(statement.expression);
+    void operator()(const ast::Literal&) {}
+    void operator()(const ast::CurrentTime&) {}
+    void operator()(const ast::Name& name) {
+        const FoundCall call{&name, at_, certain_, ignored_.count(current_) != 0};
+        for (const ast::ExpressionPtr& each : name.arguments) in(each);
+        if (!name.called || !isType(name.parts)) calls.push_back(call);
     }
-    bool operator()(const ast::Nothing&) const { return false; }
-    bool operator()(const ast::Yield&) const { return false; }
-    bool operator()(const ast::Break&) const { return false; }
-    bool operator()(const ast::Try&) const { return true; }
-    bool operator()(const ast::Return& statement) const { return in(statement.value); }
-    bool operator()(const ast::If& choice) const {
-        return in(choice.condition) || in(choice.then) || in(choice.otherwise);
+    void operator()(const ast::Member& member) { in(member.of); }
+    void operator()(const ast::Index& index) {
+        in(index.of);
+        in(index.index);
     }
-    bool operator()(const ast::While& loop) const { return in(loop.condition) || in(loop.body); }
-    bool operator()(const ast::For& loop) const {
-        return in(loop.first) || in(loop.condition) || in(loop.next) || in(loop.body);
+    void operator()(const ast::Unary& operation) { in(operation.operand); }
+    void operator()(const ast::Binary& row) {
+        in(row.first);
+        for (const ast::Binary::Step& step : row.steps) in(step.right);
     }
+    void operator()(const ast::Assignment& assignment) {
+        in(assignment.value);
+        // What is assigned to is no call, but there may be one in its index.
+        if (!std::holds_alternative<ast::Name>(assignment.to->what)) in(assignment.to);
+    }
+
+    void operator()(const ast::Declaration& declaration) {
+        for (const ast::Declarator& each : declaration.names) {
+            in(each.size);
+            in(each.value);
+        }
+    }
+    void operator()(const ast::Do& statement) {
+        forIgnored(*statement.expression, [this](const ast::Expression& each) { ignored_.insert(&each); });
+        in(statement.expression);
+    }
+    void operator()(const ast::Nothing&) {}
+    void operator()(const ast::Yield&) {}
+    void operator()(const ast::Break&) {}
+    /** Whoever tries expects that it fails. */
+    void operator()(const ast::Try& attempt) {
+        in(attempt.attempt);
+        perhaps([&] { in(attempt.handler); });
+    }
+    void operator()(const ast::Return& statement) { in(statement.value); }
+    void operator()(const ast::If& choice) {
+        in(choice.condition);
+        perhaps([&] {
+            in(choice.then);
+            in(choice.otherwise);
+        });
+    }
+    void operator()(const ast::While& loop) {
+        in(loop.condition);
+        perhaps([&] { in(loop.body); });
+    }
+    void operator()(const ast::For& loop) {
+        in(loop.first);
+        in(loop.condition);
+        perhaps([&] {
+            in(loop.body);
+            in(loop.next);
+        });
+    }
+
+    std::vector<FoundCall> calls;
+
+private:
+    template <class Search>
+    void perhaps(Search search) {
+        const bool before = certain_;
+        certain_ = false;
+        search();
+        certain_ = before;
+    }
+
+    bool certain_;
+    ast::Place at_;
+    const ast::Expression* current_ = nullptr;
+    std::set<const ast::Expression*> ignored_;
 };
+
+template <class Tree>
+std::vector<FoundCall> found(const Tree& tree, bool certain) {
+    Finder finder(certain);
+    finder.in(tree);
+    return std::move(finder.calls);
+}
 
 }  // namespace
 
-bool mayCall(const ast::Statement& statement) { return std::visit(Finder(), statement.what); }
+std::vector<FoundCall> callsIn(const ast::Statement& statement) { return found(statement, true); }
+std::vector<FoundCall> callsIn(const ast::Block& block) { return found(block, false); }
 
 }  // namespace detail
 }  // namespace scripting

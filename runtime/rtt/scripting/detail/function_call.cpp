@@ -10,6 +10,7 @@
 #include <rtt/internal/Interruption.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/scripting/detail/function_pool.hpp>
+#include <rtt/scripting/detail/log_diagnostics.hpp>
 
 #include <diag/print.hpp>
 
@@ -169,6 +170,16 @@ std::string FunctionCall::failure() const {
            process_.message();
 }
 
+void FunctionCall::reportFailure() const {
+    const ast::Place place = process_.place();
+    oroforge::diag::Sink sink;
+    sink.error({owner_->file, place.line, place.column}, "OPS400",
+               owner_->describe() + " failed: " + process_.message());
+    oroforge::diag::SourceCache lines;
+    lines.add(owner_->file, "");  // no thread of a component reads files for this
+    logDiagnostics(sink, lines);
+}
+
 void FunctionCall::checkFailure() const {
     if (state_.load() == Failed) throw std::runtime_error(failure());
 }
@@ -262,7 +273,7 @@ void FunctionCall::settle() {
 void FunctionCall::finish(State state) {
     // As soon as the state is seen, the other thread may begin anew.
     const boost::intrusive_ptr<const EngineGate> waiting = waiting_;
-    if (state == Failed && sent_) log(Error) << failure() << endlog();
+    if (state == Failed && sent_) reportFailure();
     State now = Waiting;
     state_.compare_exchange_strong(now, state);
     done_.notify();

@@ -94,6 +94,7 @@ private:
     void settle();
     void finish(State state);
     std::string failure() const;
+    void reportFailure() const;
     void checkFailure() const;
 
     const std::shared_ptr<FunctionOwner> owner_;

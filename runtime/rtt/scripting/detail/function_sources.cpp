@@ -114,7 +114,7 @@ public:
     SendStatus get() const override {
         const FunctionCall::shared_ptr call = handle_->get();
         // The handle of another function has another result than the variable was made for.
-        if (!call || &call->owner() != owner_.get()) return status_ = SendFailure;
+        if (!call || (variable_ && &call->owner() != owner_.get())) return status_ = SendFailure;
         status_ = call->collect(!blocking_ || blocking_->get());
         if (status_ == SendSuccess && variable_) {
             if (!variable_->assignValue(call->result()->getRawConstPointer())) return status_ = CollectFailure;

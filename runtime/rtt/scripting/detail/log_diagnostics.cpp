@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/log_diagnostics.hpp>
 
-#include <rtt/Logger.hpp>
+#include <rtt/internal/located_log.hpp>
 
 #include <diag/print.hpp>
 
@@ -22,7 +22,7 @@ void logDiagnostics(const diag::Sink& sink, diag::SourceCache& sources) {
     const auto write = [](LoggerLevel level, std::string text) {
         if (text.empty()) return;
         text.pop_back();  // its last end of line
-        log(level) << text << endlog();
+        internal::logLocated(level, text);
     };
     write(Warning, warnings.str());
     write(Error, errors.str());

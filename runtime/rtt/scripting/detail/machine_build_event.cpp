@@ -52,6 +52,7 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
         } else if (i == 0 && internal::GlobalService::Instance()->hasService(part)) {
             next.service = internal::GlobalService::Instance()->getService(part);
         } else {
+            if (where_.toCome && where_.toCome->mayHave(here.service->getOwner(), part)) return {};
             std::vector<std::string> names = here.service->getProviderNames();
             if (here.component)
                 for (const std::string& peer : here.component->getPeerList()) names.push_back(peer);
@@ -67,6 +68,7 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
 
 void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& source) {
     const ast::Identifier& name = tree.event.back();
+    if (where_.toCome && where_.toCome->mayHave(source.service->getOwner(), name.text)) return;
     std::vector<std::string> names = source.service->getNames();
     bool isOutput = false;
     for (base::PortInterface* port : source.service->getPorts()) {
@@ -84,9 +86,10 @@ void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& sou
 ActionPtr MachineBuilder::assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from,
                                      const Scope& scope) {
     const std::size_t errors = where_.sink->errorCount();
+    const unsigned gaps = where_.toCome ? where_.toCome->gaps : 0;
     const base::DataSourceBase::shared_ptr variable = Compiler(where_).variable(to, scope);
     if (!variable || !variable->isAssignable()) {
-        if (where_.sink->errorCount() == errors)
+        if (where_.sink->errorCount() == errors && (!where_.toCome || where_.toCome->gaps == gaps))
             error(to.at, "OPS314", "expected a variable of type " + from->getTypeName() + ", found something else");
     } else if (!variable->hasTypeOf(*from)) {
         error(to.at, "OPS314",

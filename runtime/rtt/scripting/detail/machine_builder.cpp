@@ -86,7 +86,7 @@ void MachineBuilder::declare() {
 
 void MachineBuilder::declare(const std::vector<const ast::Statement*>& statements, Scope& scope) {
     for (const ast::Statement* statement : statements)
-        if (RoutinePtr values = routine(Compiler(where_).statement(*statement, scope)))
+        if (RoutinePtr values = routine(Compiler(where_).statement(*statement, scope), CodeRoutine::Pace::AtOnce))
             model_->initial.push_back(std::move(values));
 }
 
@@ -112,7 +112,7 @@ void MachineBuilder::assignParameters() {
                         .assignment(parameter->source, *argument.value, "parameter '" + argument.name.text + "'",
                                     context_.scope);
         if (!code) continue;
-        RoutinePtr value = std::make_unique<CodeRoutine>(std::move(code), context_.where);
+        RoutinePtr value = std::make_unique<CodeRoutine>(std::move(code), context_.where, CodeRoutine::Pace::AtOnce);
         if (now && value->run() != Routine::Outcome::Finished)
             context_.where.sink->error(
                 {context_.where.file, argument.value->at.line, argument.value->at.column}, "OPS316",
@@ -145,27 +145,31 @@ void MachineBuilder::makeStates() {
 
 void MachineBuilder::fillState(const ast::State& tree, MachineState& state) {
     const std::string name = "state '" + state.name + "'";
-    state_scopes_.push_back(std::make_unique<Scope>(name, &scope_));
+    const Scope& before = state_scopes_.empty() ? scope_ : *state_scopes_.back();
+    state_scopes_.push_back(std::make_unique<Scope>(name, &before));
     Scope& scope = *state_scopes_.back();
-    if (!tree.locals.empty()) state.locals = routine(Compiler(where_).declarations(tree.locals, scope));
+    if (!tree.locals.empty())
+        state.locals = routine(Compiler(where_).declarations(tree.locals, scope), CodeRoutine::Pace::AtOnce);
     state.entry = program(tree.entry, "the entry of " + name, scope);
     state.run = program(tree.run, "the run program of " + name, scope);
     state.handle = program(tree.handle, "the handle program of " + name, scope);
     state.exit = program(tree.exit, "the exit of " + name, scope);
     for (const ast::ExpressionPtr& condition : tree.preconditions)
         if (GuardPtr made = guard(*condition, scope)) state.preconditions.push_back(std::move(made));
+    for (const ast::Transition& detour : tree.detours) state.detours.push_back(transition(detour, scope));
     for (const ast::Transition& transition : tree.transitions)
         addTransition(transition, scope, state.transitions, &state);
 }
 
-RoutinePtr MachineBuilder::routine(std::unique_ptr<Code> code) const {
+RoutinePtr MachineBuilder::routine(std::unique_ptr<Code> code, CodeRoutine::Pace pace) const {
     if (!code || code->statementCount() == 0) return nullptr;
-    return std::make_unique<CodeRoutine>(std::move(code), where_);
+    return std::make_unique<CodeRoutine>(std::move(code), where_, pace);
 }
 
 RoutinePtr MachineBuilder::program(const std::unique_ptr<ast::Block>& block, const std::string& name,
                                    const Scope& scope) const {
-    return block ? routine(Compiler(where_).program(*block, name, scope)) : nullptr;
+    if (!block) return nullptr;
+    return routine(Compiler(where_).program(*block, name, scope), CodeRoutine::Pace::StepByStep);
 }
 
 GuardPtr MachineBuilder::guard(const ast::Expression& condition, const Scope& scope) const {

@@ -56,7 +56,8 @@ private:
     void makeSubMachines();
     void makeStates();
     void fillState(const ast::State& tree, MachineState& state);
-    RoutinePtr routine(std::unique_ptr<Code> code) const;
+    /** Null if there is nothing to be executed. */
+    RoutinePtr routine(std::unique_ptr<Code> code, CodeRoutine::Pace pace) const;
     RoutinePtr program(const std::unique_ptr<ast::Block>& block, const std::string& name, const Scope& scope) const;
     GuardPtr guard(const ast::Expression& condition, const Scope& scope) const;
 
@@ -94,7 +95,7 @@ private:
     std::map<std::string, MachineState*> states_;
     std::map<base::InputPortInterface*, std::shared_ptr<PortReader>> readers_;
     std::vector<Listening> listening_;
-    std::vector<std::unique_ptr<Scope>> state_scopes_;  // aliases refer to them while others are compiled
+    std::vector<std::unique_ptr<Scope>> state_scopes_;  // each sees those of the states before
 };
 
 }  // namespace detail

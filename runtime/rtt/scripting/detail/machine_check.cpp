@@ -40,8 +40,10 @@ public:
         const std::size_t before = where_.sink->errorCount();
         states();
         for (const ast::Transition& transition : tree_.transitions) target(transition);
-        for (const ast::State& state : tree_.states)
+        for (const ast::State& state : tree_.states) {
+            for (const ast::Transition& detour : state.detours) target(detour);
             for (const ast::Transition& transition : state.transitions) target(transition);
+        }
         subMachines();
         return where_.sink->errorCount() == before;
     }
@@ -131,6 +133,7 @@ bool checkInstance(const ast::Instance& instance, const MachineTypes& known, con
     const auto at = [&](ast::Place place) { return diag::Location{file, place.line, place.column}; };
     const auto found = known.find(instance.type.text);
     if (found == known.end()) {
+        if (where.toCome && where.toCome->mayHave(where.component, instance.type.text)) return false;
         std::vector<std::string> names;
         for (const auto& each : known) names.push_back(each.first);
         where.sink->error(

@@ -6,14 +6,14 @@ namespace RTT {
 namespace scripting {
 namespace detail {
 
-CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where)
-    : code_(std::move(code)), file_(where.file), limit_(where.roundLimit), process_(*code_) {
+CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace)
+    : code_(std::move(code)), file_(where.file), limit_(where.roundLimit), pace_(pace), process_(*code_) {
     process_.watch(where.peers);
 }
 
 Routine::Outcome CodeRoutine::run() {
     limit();
-    return process_.run();
+    return pace_ == Pace::AtOnce ? process_.runToEnd() : process_.run();
 }
 
 Routine::Outcome CodeRoutine::runStatement() {
@@ -31,17 +31,13 @@ oroforge::diag::Location CodeRoutine::where() const {
 }
 
 CodeGuard::CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where)
-    : routine_(std::move(code), where), result_(result) {}
+    : routine_(std::move(code), where, CodeRoutine::Pace::AtOnce), result_(result) {}
 
 Guard::Truth CodeGuard::check(unsigned) {
-    const Routine::Outcome outcome = routine_.run();
-    if (outcome == Routine::Outcome::Finished) return *result_ ? Truth::Yes : Truth::No;
-    yielded_ = outcome != Routine::Outcome::Failed;
-    return Truth::Failed;
-}
-
-std::string CodeGuard::failure() const {
-    return yielded_ ? "a condition has to be decided at once, but a function in it yields" : routine_.failure();
+    if (failed_) routine_.restart();
+    failed_ = routine_.run() != Routine::Outcome::Finished;
+    if (failed_) return Truth::Failed;
+    return *result_ ? Truth::Yes : Truth::No;
 }
 
 PortReader::PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample)

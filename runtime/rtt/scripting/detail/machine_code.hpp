@@ -23,7 +23,9 @@ typedef decltype(Surroundings::roundLimit) RoundLimit;
 
 class CodeRoutine final : public Routine {
 public:
-    CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where);
+    /** At once: run() goes on where it yields, see Process::runToEnd(). */
+    enum class Pace { StepByStep, AtOnce };
+    CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace = Pace::StepByStep);
     void restart() override { process_.restart(); }
     Outcome run() override;
     Outcome runStatement() override;
@@ -38,6 +40,7 @@ private:
     const std::unique_ptr<const Code> code_;
     const oroforge::diag::FileName file_;
     const RoundLimit limit_;
+    const Pace pace_;
     Process process_;
 };
 
@@ -47,12 +50,12 @@ public:
     CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where);
     Truth check(unsigned round) override;
     oroforge::diag::Location where() const override { return routine_.where(); }
-    std::string failure() const override;
+    std::string failure() const override { return routine_.failure(); }
 
 private:
     CodeRoutine routine_;
     const bool* const result_;
-    bool yielded_ = false;
+    bool failed_ = false;
 };
 
 /** A port that transitions ask for new data; read once in a round. May outlive the port, which has no more data then. */

@@ -77,6 +77,17 @@ void MachineCore::cycle() {
     leaveIfAsked();
 }
 
+bool MachineCore::isIdle() const {
+    if (requests_.load(std::memory_order_relaxed) || leave_) return false;
+    switch (status_.load(std::memory_order_relaxed)) {
+        case Status::inactive:
+        case Status::error:
+        case Status::paused: return true;
+        case Status::stopped: return !isBusy();
+        default: return false;
+    }
+}
+
 void MachineCore::takeRequests() {
     const StatusValue now = status_.load(std::memory_order_relaxed);
     unsigned requests = requests_.load(std::memory_order_relaxed), later;
@@ -144,11 +155,14 @@ bool MachineCore::activate() {
         return false;
     }
     setStatus(Status::activating);
-    enter(*model_.first);
+    current_ = model_.first;
+    left_ = true;  // none was entered
+    aim(*model_.first, false);
+    updateInTransition();
     executePending();
     settle();
     leaveIfAsked();
-    return status_.load() != Status::error;
+    return true;
 }
 
 bool MachineCore::automatic() {
@@ -175,13 +189,13 @@ bool MachineCore::reset() {
     if (status_.load() != Status::stopped || within()) return false;
     drop();
     setStatus(Status::resetting);
-    next_ = model_.first;
+    aim(*model_.first, false);
     schedule(exit_, current_.load()->exit.get());
     updateInTransition();
     executePending();
     settle();
     leaveIfAsked();
-    return status_.load() != Status::error;
+    return true;
 }
 
 void MachineCore::beginStop() {
@@ -198,9 +212,8 @@ void MachineCore::continueStop() {
     for (;;) {
         if (!finishTransition()) return;
         if (current_.load() == model_.last) break;
-        go(nullptr, *model_.last);
-        if (exit_failed_) exit_ = nullptr;
-        exit_failed_ = false;
+        go(nullptr, *model_.last, true);
+        if (left_) exit_ = nullptr;
     }
     handle_ = run_ = nullptr;
     if (status_.load() == Status::stopping) setStatus(Status::stopped);
@@ -235,7 +248,7 @@ void MachineCore::beginDeactivation() {
     requests_ = 0;
     setStatus(Status::deactivating);
     tell("deactivates in", current_.load()->name);
-    if (!stalled && now != Status::error) schedule(exit_, current_.load()->exit.get());
+    if (!stalled && !left_ && now != Status::error) schedule(exit_, current_.load()->exit.get());
     updateInTransition();
     continueDeactivation();
 }
@@ -245,7 +258,7 @@ void MachineCore::continueDeactivation() {
     drop();
     current_ = nullptr;
     line_ = 0;
-    exit_failed_ = false;
+    left_ = false;
     setStatus(Status::inactive);
 }
 

@@ -38,6 +38,7 @@ public:
  *     entry                  if it was left by an earlier cycle; the work ends there
  *     transition program     `handle` first, if that has begun
  *     exit                   of the state that is left; its `handle` and `run` are dropped
+ *     preconditions          of the state to be entered: where they lead to another one, that takes its place
  *     entry                  of the state that is entered; the work ends there
  *     handle, run
  *
@@ -53,7 +54,7 @@ public:
 
     // -- Any thread -----------------------------------------------------------------------------------------
     StatusValue status() const;
-    const MachineState* state() const { return current_.load(std::memory_order_acquire); }
+    MachineState* state() const { return current_.load(std::memory_order_acquire); }
     bool inTransition() const { return in_transition_.load(std::memory_order_acquire); }
     unsigned line() const { return line_.load(std::memory_order_relaxed); }
     void setTraced(bool on) { traced_.store(on, std::memory_order_relaxed); }
@@ -64,6 +65,8 @@ public:
 
     // -- The thread that has the machine --------------------------------------------------------------------
     void cycle();
+    /** cycle() would do nothing. */
+    bool isIdle() const;
     bool activate();
     bool automatic();
     bool reactive();
@@ -107,7 +110,10 @@ private:
     void schedule(Routine*& slot, Routine* routine);
     void scheduleRest();
     void enter(MachineState& state);
-    void go(Routine* program, MachineState& to);
+    /** Next comes `program`, if there is one, and the way to that state. `always`: whatever its preconditions say. */
+    void go(Routine* program, MachineState& to, bool always = false);
+    void aim(MachineState& to, bool always);
+    bool decide();
     void drop();
     void updateInTransition();
     bool finish(Routine*& slot);
@@ -119,7 +125,8 @@ private:
     // machine_transitions.cpp: where to go
     void look();
     bool lookAtNext();
-    Choice choose(const MachineTransition& transition);
+    /** `present`: where it stays if nothing is selected. */
+    Choice choose(const MachineTransition& transition, MachineState& present);
     bool holds(Guard& guard);
     bool preconditionsHold(const MachineState& state);
     const MachineSelection* selected(const MachineTransition& transition);
@@ -141,6 +148,8 @@ private:
     Routine* entry_ = nullptr;
     Routine* program_ = nullptr;
     MachineState* next_ = nullptr;
+    bool decided_ = false;     // the preconditions of next_ do not lead elsewhere
+    std::size_t detours_ = 0;  // on the way to next_
     Routine* exit_ = nullptr;  // of the present state, on the way to next_
     Routine* handle_ = nullptr;
     Routine* run_ = nullptr;
@@ -149,7 +158,7 @@ private:
     bool looking_ = false;      // within a condition
     bool entered_ = false;      // within this pending work
     bool leave_ = false;        // deactivate() was called within a program
-    bool exit_failed_ = false;  // which is why it is in error
+    bool left_ = false;         // the exit of the present state was executed, or failed
     bool single_ = false, stepped_ = false;
     unsigned round_ = 0;
     std::size_t looked_at_ = 0;  // transitions, in this round

@@ -79,11 +79,15 @@ public:
     const MachineState* state = nullptr;  ///< null: any
 };
 
-struct MachineState {
+struct MachineState final : StateInterface {
+    const std::string& getName() const override { return name; }
+
     std::string name;
     RoutinePtr locals;  ///< assigns its variables when it is entered
     RoutinePtr entry, run, handle, exit;
-    std::vector<GuardPtr> preconditions;
+    std::vector<GuardPtr> preconditions;  ///< hold where a transition leads here
+    /** Looked at after the exit of the state before: the first one that may be taken leads to another state instead. */
+    std::vector<MachineTransition> detours;
     std::vector<MachineTransition> transitions;
 };
 

@@ -19,12 +19,18 @@ void MachineCore::scheduleRest() {
     if (!run_ || !run_->started()) schedule(run_, state.run.get());
 }
 
-void MachineCore::go(Routine* program, MachineState& to) {
+void MachineCore::aim(MachineState& to, bool always) {
+    next_ = &to;
+    decided_ = always;
+    detours_ = 0;
+}
+
+void MachineCore::go(Routine* program, MachineState& to, bool always) {
     MachineState& from = *current_.load(std::memory_order_relaxed);
     looked_at_ = 0;
     schedule(program_, program);
     if (&to != &from) {
-        next_ = &to;
+        aim(to, always);
         schedule(exit_, from.exit.get());
     } else if (!program) {
         scheduleRest();
@@ -41,6 +47,7 @@ void MachineCore::enter(MachineState& state) {
     looked_at_ = 0;
     ++round_;
     entering_ = true;
+    left_ = false;
     schedule(locals_, state.locals.get());
     schedule(entry_, state.entry.get());
     updateInTransition();
@@ -72,7 +79,7 @@ bool MachineCore::finish(Routine*& slot) {
     stepped_ = single_;
     if (outcome != Routine::Outcome::Finished) line_.store(routine->line(), std::memory_order_relaxed);
     if (outcome == Routine::Outcome::Failed) {
-        exit_failed_ = &slot == &exit_;
+        left_ = left_ || &slot == &exit_;
         slot = nullptr;
         fail(routine->where(), routine->failure());
         return false;
@@ -82,6 +89,27 @@ bool MachineCore::finish(Routine*& slot) {
     return !leave_;
 }
 
+/** Whether the state to be entered has preconditions that lead to another one. False if that cannot be told. */
+bool MachineCore::decide() {
+    decided_ = true;
+    ++round_;
+    for (const MachineTransition& detour : next_->detours) {
+        const Choice choice = choose(detour, *next_);
+        if (leave_ || status_.load(std::memory_order_relaxed) == Status::error) return false;
+        if (!choice.selection) continue;
+        if (choice.state != next_ && ++detours_ > model_.states.size()) {
+            fail({model_.source ? model_.source->name : oroforge::diag::FileName(), detour.at.line, detour.at.column},
+                 "preconditions lead from one state to the other without end");
+            return false;
+        }
+        schedule(program_, choice.selection->program.get());
+        decided_ = choice.state == next_;
+        next_ = choice.state;
+        break;
+    }
+    return true;
+}
+
 bool MachineCore::finishTransition() {
     while (inTransition()) {
         if (leave_) return false;
@@ -89,13 +117,19 @@ bool MachineCore::finishTransition() {
             if (!finish(locals_) || !finish(entry_)) return false;
             entering_ = false;
             entered_ = true;
-            schedule(run_, current_.load(std::memory_order_relaxed)->run.get());
+            // Otherwise it begins with start().
+            const StatusValue now = status_.load(std::memory_order_relaxed);
+            if (now != Status::activating && now != Status::resetting)
+                schedule(run_, current_.load(std::memory_order_relaxed)->run.get());
         } else {
             if (program_ && handle_ && handle_->started() && !finish(handle_)) return false;
             if (!finish(program_)) return false;
             if (next_) {
                 if (!finish(exit_)) return false;
-                enter(*next_);
+                left_ = true;
+                handle_ = run_ = nullptr;
+                if (!decided_ && !decide()) return false;
+                if (decided_ && !program_) enter(*next_);
             }
         }
         updateInTransition();

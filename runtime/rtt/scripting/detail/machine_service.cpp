@@ -87,10 +87,15 @@ const Question kQuestions[] = {
 }  // namespace
 
 void addMachineOperations(Service& service, const MachineSlot& slot) {
-    for (const Command& command : kCommands)
+    // C++ may call all of them with the machine as first argument.
+    for (const Command& command : kCommands) {
         service.addOperation(command.name, Call<bool>{slot, command.function}).doc(command.doc);
-    for (const Question& question : kQuestions)
+        service.addMemberOverloads<StateMachine>(command.name, command.function);
+    }
+    for (const Question& question : kQuestions) {
         service.addOperation(question.name, Query<bool>{slot, question.function}).doc(question.doc);
+        service.addMemberOverloads<StateMachine>(question.name, question.function);
+    }
     service.addOperation("requestState", CallWith<bool, const std::string&>{slot, &StateMachine::requestState})
         .doc("Goes to a state if a transition to it may be taken now, or if it is the final one")
         .arg("StateName", "Where to go");
@@ -100,6 +105,10 @@ void addMachineOperations(Service& service, const MachineSlot& slot) {
     service.addOperation("trace", CallWith<void, bool>{slot, &StateMachine::trace})
         .doc("Tells in the log, at level Info, what it does")
         .arg("Trace", "On or off");
+    service.addMemberOverloads<StateMachine>("requestState", &StateMachine::requestState);
+    service.addMemberOverloads<StateMachine>("inState", &StateMachine::inState);
+    service.addMemberOverloads<StateMachine>("getState", &StateMachine::getCurrentStateName);
+    service.addMemberOverloads<StateMachine>("trace", &StateMachine::trace);
 }
 
 void addMachineValues(Service& service, const Scope& scope) {

@@ -43,15 +43,14 @@ const MachineSelection* MachineCore::selected(const MachineTransition& transitio
     return status_.load(std::memory_order_relaxed) == Status::error ? nullptr : transition.otherwise.get();
 }
 
-MachineCore::Choice MachineCore::choose(const MachineTransition& transition) {
+MachineCore::Choice MachineCore::choose(const MachineTransition& transition, MachineState& present) {
     line_.store(transition.at.line, std::memory_order_relaxed);
     const MachineSelection* const selection = selected(transition);
     if (!selection) return {};
-    MachineState* const present = current_.load(std::memory_order_relaxed);
-    if (selection->states.empty()) return {selection, present};
+    if (selection->states.empty()) return {selection, &present};
     for (MachineState* state : selection->states) {
-        // Who stays does not enter.
-        if (state == present || preconditionsHold(*state)) return {selection, state};
+        // A machine that stays does not enter.
+        if (state == &present || preconditionsHold(*state)) return {selection, state};
         if (status_.load(std::memory_order_relaxed) == Status::error) break;
     }
     return {};
@@ -75,7 +74,7 @@ bool MachineCore::lookAtNext() {
     const MachineTransition& transition =
         looked_at_ < own.size() ? own[looked_at_] : model_.transitions[looked_at_ - own.size()];
     ++looked_at_;
-    const Choice choice = choose(transition);
+    const Choice choice = choose(transition, *current_.load(std::memory_order_relaxed));
     if (leave_ || status_.load(std::memory_order_relaxed) == Status::error) return true;
     if (choice.selection) go(choice.selection->program.get(), *choice.state);
     return choice.selection != nullptr;
@@ -116,8 +115,14 @@ bool MachineCore::requestState(MachineState& target) {
         if (!always || leave_ || status_.load() == Status::error) return leaveIfAsked(), false;
         go(nullptr, target);
     }
+    if (&target == model_.last) decided_ = true;
     if (now == Status::stopped) setStatus(Status::resetting);
     tell("was asked to go to", target.name);
+    // Within its own programs it cannot, and a machine that is paused stands still.
+    if (within() || now == Status::paused) return true;
+    executePending();
+    settle();
+    leaveIfAsked();
     return true;
 }
 
@@ -129,7 +134,7 @@ bool MachineCore::happened(MachineEvent& event) {
     if (!ready || inTransition() || looking_ || (event.state && event.state != present)) return false;
     event.receive();
     ++round_;
-    const Choice choice = choose(event.transition);
+    const Choice choice = choose(event.transition, *present);
     if (!choice.selection || leave_) return leaveIfAsked(), false;
     go(choice.selection->program.get(), *choice.state);
     tell("leaves by an event", present->name);

@@ -125,7 +125,7 @@ void Parser::stateProgram(ast::State& state) {
              "const", "alias"});
 }
 
-/** `precondition a`, `preconditions { a; b }`. The first one may have the next item of the state behind it. */
+/** `precondition a`, `preconditions { a; if b then select S }`. The first one may have the next item of the state behind it. */
 void Parser::preconditions(ast::State& state) {
     const bool list = atWord("preconditions");
     advance();
@@ -140,17 +140,26 @@ void Parser::preconditions(ast::State& state) {
     }
 }
 
-/** `a`, `if a then`, `if a then select S`: the state is entered only if a is true. */
+/** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered instead. */
 void Parser::precondition(ast::State& state) {
-    const bool condition = acceptWord("if");
-    state.preconditions.push_back(expression());
-    if (condition) acceptWord("then");
-    if (condition && atSelection()) {
-        warn(place(), "OPS014",
-             "what a precondition selects is ignored: where it is false, the transition is not made");
-        selection();
-        if (acceptContinuation("else")) selection();
+    ast::Transition detour;
+    detour.at = place();
+    const bool conditional = acceptWord("if");
+    if (conditional || !atSelection()) detour.condition = expression();
+    if (conditional) acceptWord("then");
+    if (detour.condition && !(conditional && atSelection())) {
+        state.preconditions.push_back(std::move(detour.condition));
+        return;
     }
+    detour.selection = selection();
+    if (conditional && acceptContinuation("else"))
+        detour.otherwise = std::make_unique<ast::Selection>(selection());
+    else if (!detour.selection.program && detour.selection.states.size() == 1 &&
+             detour.selection.states[0].text == state.name.text)
+        warn(detour.selection.at, "OPS014",
+             "this changes nothing: state '" + state.name.text +
+                 "' is entered anyway; 'precondition c' says that it is entered only if c is true");
+    state.detours.push_back(std::move(detour));
 }
 
 }  // namespace detail

@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/process.hpp>
 
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/base/TaskCore.hpp>
+#include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/Interruption.hpp>
 
 #include <diag/print.hpp>
@@ -12,6 +15,12 @@
 namespace RTT {
 namespace scripting {
 namespace detail {
+
+namespace {
+
+constexpr unsigned kMostYields = 10000;  // of runToEnd()
+
+}  // namespace
 
 Process::Process(const Code& code) : code_(code), next_(code.begin()) {}
 
@@ -56,6 +65,16 @@ Process::Outcome Process::run() {
     execute([this](const Instruction* next) { return codeOf(function_).beginsStatement(next); });
     if (outcome_ == Outcome::Yielded) outcome_ = Outcome::Paused;
     return outcome_;
+}
+
+Process::Outcome Process::runToEnd() {
+    for (unsigned yields = 0; yields != kMostYields; ++yields) {
+        const Outcome outcome = run();
+        if (outcome != Outcome::Yielded) return outcome;
+    }
+    message_ = "yielded " + std::to_string(kMostYields) + " times, but has to be decided at once";
+    failed_ = true;
+    return Outcome::Failed;
 }
 
 Process::Outcome Process::runStatement() {
@@ -127,6 +146,18 @@ const Instruction* Process::fail(std::string message) {
     return catchFailure();
 }
 
+namespace {
+
+/** The one that this thread executes is in Exception: what it called of itself threw. Its programs stand still. */
+bool componentFailed() {
+    const internal::EngineGate::Step* const step = internal::EngineGate::Step::innermost();
+    const ExecutionEngine* const engine = step ? step->engine() : nullptr;
+    const base::TaskCore* const task = engine ? engine->getTaskCore() : nullptr;
+    return task && task->base::TaskCore::inException();
+}
+
+}  // namespace
+
 const Instruction* Process::catchFailure() {
     Activation* const innermost = function_;
     const Instruction* at = at_;
@@ -134,7 +165,7 @@ const Instruction* Process::catchFailure() {
         const Code& code = codeOf(function_);
         if (const Instruction* const handler = code.handlerOf(at)) {
             message_.clear();
-            return handler;
+            return componentFailed() ? yieldTo(handler) : handler;
         }
         if (!function_) break;
         const ast::Place place = code.placeOf(at);

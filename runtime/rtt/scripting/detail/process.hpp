@@ -38,6 +38,8 @@ public:
 
     /** Executes statements until one of the outcomes above. */
     Outcome run();
+    /** As run(), for what has to be there at once: goes on where it yields; Failed if there is no end to that. */
+    Outcome runToEnd();
     /** Executes one statement. Yielded if there are more. */
     Outcome runStatement();
     /** Back to the beginning; clears a failure. Variables keep their values. */

@@ -26,6 +26,8 @@ constexpr unsigned kPause = 8;    // become Paused
 constexpr unsigned kStep = 16;    // execute a statement, and stay Paused
 
 State stateOf(unsigned word) { return static_cast<State>(word & kState); }
+/** There is nothing to do, and nothing is asked for. */
+bool isAtRest(unsigned word) { return word == Stopped || word == Paused || word == Failed; }
 
 }  // namespace
 
@@ -54,8 +56,11 @@ bool Program::change(Rule rule) {
         next = now;
         if (!rule(now, next)) return false;
     } while (!state_.compare_exchange_weak(now, next));
+    if (!isAtRest(next)) wake();
     return true;
 }
+
+bool Program::isIdle() const { return isAtRest(state_.load()); }
 
 bool Program::start() {
     return change([](unsigned now, unsigned& next) {
@@ -217,7 +222,10 @@ Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskC
     const auto service = boost::make_shared<Service>(program->getName(), &owner);
     service->doc("The program '" + program->getName() + "' of a script.");
     const auto add = [&](const char* name, auto function) -> auto& {
-        return service->addOperation(name, OfProgram<decltype(function)>{program, function});
+        auto& operation = service->addOperation(name, OfProgram<decltype(function)>{program, function});
+        // C++ may call it with the program as first argument.
+        service->addMemberOverloads<ProgramInterface>(name, function);
+        return operation;
     };
     add("start", &ProgramInterface::start)
         .doc("Has it run from its first statement, or go on if it is paused. False if it runs or failed.");

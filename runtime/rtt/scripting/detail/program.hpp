@@ -35,6 +35,7 @@ public:
     ~Program() override;
 
     bool execute() override;
+    bool isIdle() const override;
 
     const std::string& getName() const override { return name_; }
     bool start() override;

@@ -25,18 +25,21 @@ namespace {
 const char* const kProgram = "program";
 const char* const kMachine = "state machine";
 
-/** Of errors that are none if somebody adds a name in time. */
+/** Of errors that are none if somebody adds a name, or a type, in time. */
 const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146",
                                      "OPS148", "OPS305", "OPS311", "OPS312", "OPS317"};
+const char* const kUnknownTypes[] = {"OPS110", "OPS123", "OPS146", "OPS317"};
 
-bool isAboutNames(const diag::Diagnostic& error) {
-    return std::find(std::begin(kUnknownNames), std::end(kUnknownNames), error.code) != std::end(kUnknownNames);
+template <std::size_t N>
+bool isOneOf(const char* const (&codes)[N], const diag::Diagnostic& error) {
+    return std::find(std::begin(codes), std::end(codes), error.code) != std::end(codes);
 }
 
 }  // namespace
 
-ScriptChecker::ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file)
-    : ScriptReader(component, std::move(file)) {}
+ScriptChecker::ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
+                             Expectations& expected)
+    : ScriptReader(component, std::move(file)), forecast_(forecast), expected_(expected) {}
 
 ScriptChecker::~ScriptChecker() {
     for (const std::string& name : services_) component_.provides()->removeService(name);
@@ -50,22 +53,46 @@ diag::Sink ScriptChecker::check() {
     for (const ast::Item& item : file_->tree.items) {
         const bool good = take(item);
         keepWhatIsCertain(found);
-        const auto* const statement = std::get_if<ast::StatementPtr>(&item.what);
-        // What could not be made is missed by what follows, which is no error of its own.
-        if (!good || (statement && mayCall(**statement))) names_are_known_ = false;
+        if (!good) missWhatIsDefinedBy(item);
+        if (const auto* const statement = std::get_if<ast::StatementPtr>(&item.what))
+            foresee(callsIn(**statement), good, found);
     }
     return found;
 }
 
+void ScriptChecker::missWhatIsDefinedBy(const ast::Item& item) {
+    incomplete_ = true;
+    if (const auto* const function = std::get_if<ast::Function>(&item.what)) miss(function->name.text);
+    if (const auto* const program = std::get_if<ast::Program>(&item.what)) miss(program->name.text);
+    if (const auto* const type = std::get_if<ast::StateMachine>(&item.what)) miss(type->type.text);
+    if (const auto* const machine = std::get_if<ast::Instance>(&item.what)) miss(machine->name.text);
+}
+
+bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name) {
+    const bool isOwn = owner == &component_ && (missed_.count(name) || expected_.components.count(name));
+    if (!isOwn && !expected_.names && !expected_.more.count(owner)) return false;
+    ++gaps;
+    incomplete_ = true;
+    return true;
+}
+
+bool ScriptChecker::isCertain(const diag::Diagnostic& error) const {
+    if (expected_.names && isOneOf(kUnknownNames, error)) return false;
+    if (expected_.types && isOneOf(kUnknownTypes, error)) return false;
+    // A handle may belong to an operation that is not there yet.
+    return !(incomplete_ && error.code == "OPS148");
+}
+
 void ScriptChecker::keepWhatIsCertain(diag::Sink& found) {
     for (const diag::Diagnostic& each : sink_.all())
-        if (names_are_known_ || !isAboutNames(each)) found.add(each);
+        if (isCertain(each)) found.add(each);
     sink_ = {};
 }
 
 Surroundings ScriptChecker::unevaluated(const Functions& functions) {
     Surroundings where = inEngine(functions);
     where.checkOnly = true;
+    where.toCome = this;
     return where;
 }
 
@@ -85,7 +112,7 @@ bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identi
     const auto scripting =
         boost::dynamic_pointer_cast<ScriptingService>(component_.provides()->getService("scripting"));
     const bool scripted = scripting && (scripting->hasProgram(name.text) || scripting->hasStateMachine(name.text));
-    if (scripted || !names_are_known_ || !component_.provides()->hasService(name.text)) return true;
+    if (scripted || expected_.names || !component_.provides()->hasService(name.text)) return true;
     refuse(kind, code, name, nameTaken(component_, "service"));
     return false;
 }
@@ -97,15 +124,17 @@ bool ScriptChecker::take(const ast::Item& item, const ast::Function& function) {
     const Surroundings where = unevaluated(*functions);
     Service* const scripting = component_.provides()->getService("scripting").get();
     // Unless a statement before may have removed the other one.
-    if (names_are_known_ && !hasFreeName(*definition, function.scope, scripting, where)) return false;
+    if (!expected_.names && !hasFreeName(*definition, function.scope, scripting, where)) return false;
     if (!Compiler(where).check(*definition)) return false;
     functions.reset();  // else it is copied
+    bodies_[function.name.text] = &function.body;
     definitions_.define(std::move(definition));
     return true;
 }
 
 bool ScriptChecker::take(const ast::Item& item, const ast::Program& program) {
     if (!isFree(kProgram, "OPS203", program.name)) return false;
+    bodies_[program.name.text] = &program.body;
     const auto functions = definitions_.functions();
     const ProgramInterfacePtr made = makeProgram(program, *file_, file_->textOf(item), unevaluated(*functions));
     if (!made || component_.provides()->hasService(made->getName())) return made != nullptr;

@@ -4,9 +4,13 @@
 #ifndef ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
 #define ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
 
+#include <rtt/scripting/check.hpp>
+#include <rtt/scripting/detail/find_calls.hpp>
 #include <rtt/scripting/detail/script_reader.hpp>
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,9 +19,10 @@ namespace scripting {
 namespace detail {
 
 /** See check.hpp. */
-class ScriptChecker final : private ScriptReader {
+class ScriptChecker final : private ScriptReader, private NamesToCome {
 public:
-    ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file);
+    ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
+                  Expectations& expected);
     /** Removes the services of programs and state machines. */
     ~ScriptChecker() override;
 
@@ -31,14 +36,28 @@ private:
     bool take(const ast::Item& item, const ast::Program& program) override;
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
+    bool mayHave(const TaskContext* owner, const std::string& name) override;
+    void miss(const std::string& name) override { missed_.insert(name); }
+    /** What an item that could not be made would have defined. */
+    void missWhatIsDefinedBy(const ast::Item& item);
     /** For a program or a state machine. */
     bool isFree(const char* kind, const char* code, const ast::Identifier& name);
     Surroundings unevaluated(const Functions& functions);
     void keepWhatIsCertain(oroforge::diag::Sink& found);
+    bool isCertain(const oroforge::diag::Diagnostic& error) const;
+    // What calls lead to.
+    void foresee(const std::vector<FoundCall>& calls, bool canBeMade, oroforge::diag::Sink& found);
+    void foresee(const FoundCall& call, oroforge::diag::Sink& found);
+    bool isCallOfOperation(const FoundCall& call) const;
 
+    CallForecast& forecast_;
+    Expectations& expected_;
     Definitions definitions_;
     std::vector<std::string> services_;
-    bool names_are_known_ = true;  // no statement has called anything so far
+    std::map<std::string, const ast::Block*> bodies_;  // of functions and programs of this script
+    std::set<const ast::Block*> entered_;              // of these
+    std::set<std::string> missed_;                     // names that the script would have declared
+    bool incomplete_ = false;                          // something was not compiled
 };
 
 }  // namespace detail

@@ -126,8 +126,9 @@ std::shared_ptr<const MachineType> ScriptReader::typeOf(const ast::Item& item, c
     auto made = std::make_shared<MachineType>();
     made->tree = partOf(file_, type);
     made->file = file_;
-    made->text = file_->textOf(item);
-    made->at = item.at;
+    const SourceFile::Excerpt excerpt = file_->withComment(item);
+    made->text = excerpt.letters;
+    made->at = excerpt.at;
     return made;
 }
 

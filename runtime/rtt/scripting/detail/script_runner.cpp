@@ -10,6 +10,8 @@
 #include <rtt/scripting/detail/machine_build.hpp>
 #include <rtt/scripting/detail/program.hpp>
 
+#include <diag/print.hpp>
+
 #include <filesystem>
 #include <utility>
 
@@ -106,7 +108,8 @@ bool ScriptRunner::take(const ast::Item& item, const ast::Function& function) {
 bool ScriptRunner::take(const ast::Item& item, const ast::Program& program) {
     if (!isFree("program", "OPS203", program.name)) return false;
     const auto functions = service_.loaded_->definitions.functions();
-    const ProgramInterfacePtr made = makeProgram(program, *file_, file_->textOf(item), limited(*functions));
+    const ProgramInterfacePtr made =
+        makeProgram(program, *file_, file_->withComment(item).letters, limited(*functions));
     if (!made || !service_.loadProgram(made)) return false;
     programs_.push_back(made->getName());
     return true;
@@ -168,6 +171,7 @@ void ScriptRunner::report() {
     diag::SourceCache sources;
     for (const SourceFile* file = file_.get(); file; file = file->caller.get()) sources.add(file->name, file->text);
     logDiagnostics(sink_, sources);
+    if (first_error_.empty() && sink_.hadErrors()) first_error_ = diag::toString(sink_.all().front());
     sink_ = {};
 }
 

@@ -28,6 +28,8 @@ public:
 
     /** True if all of it was executed; otherwise the log says why it was not. */
     bool run(Contents contents);
+    /** Of those in the log, with its place; empty if there was none. */
+    const std::string& firstError() const { return first_error_; }
 
     /** Where that file is: as it is called or, if there is none, beside the script that this thread is running. */
     static std::string locate(const std::string& file);
@@ -55,6 +57,7 @@ private:
     const ScriptRunner* const outer_;               // the one that this thread is in the midst of
     const unsigned depth_;                          // how many of those there are
     std::vector<std::string> programs_, machines_;  // loaded so far
+    std::string first_error_;
 };
 
 }  // namespace detail

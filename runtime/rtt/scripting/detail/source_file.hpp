@@ -36,6 +36,13 @@ struct SourceFile {
 
     /** The letters of an item. */
     std::string textOf(const ast::Item& item) const { return text.substr(item.begin, item.size); }
+
+    struct Excerpt {
+        std::string letters;
+        ast::Place at;  ///< of the first of them
+    };
+    /** The letters of an item of `tree`, with the comment before it. */
+    Excerpt withComment(const ast::Item& item) const;
 };
 typedef std::shared_ptr<const SourceFile> SourceFilePtr;
 

@@ -98,6 +98,7 @@ private:
     };
     struct Callable {
         OperationInterfacePart* part = nullptr;
+        const TaskContext* of = nullptr;  ///< the component whose operation it is, if that was found along a path
         std::shared_ptr<const FunctionDefinition> function;
     };
 
@@ -144,6 +145,7 @@ private:
     Operand name(const ast::Name& name, ast::Place at);
     bool variableNamed(const Parts& parts, Operand& found);
     bool valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
+    bool resultNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
     Operand members(Operand of, const Parts& parts, std::size_t from);
     /** What the name was declared as; where an alias is used, before that. Null if there is none. */
     const Scope::Entry* declared(const std::string& name) const;
@@ -159,7 +161,8 @@ private:
     bool call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result);
     bool construct(const ast::Name& name, ast::Place at, Operand& result);
     bool handleCall(const ast::Name& name, ast::Place at, Operand& result);
-    Operand callOperation(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    Operand callOperation(const Callable& called, const ast::Name& name, ast::Place at);
+    Source told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const;
     [[noreturn]] void failRecursive(const std::string& function, ast::Place at);
     [[noreturn]] void failUnsent(const ast::Identifier& handle);
     Operand callFunction(const std::shared_ptr<const FunctionDefinition>& function, const ast::Name& name,
@@ -205,6 +208,7 @@ private:
     unsigned executions_ = 0;              // operations and functions called, variables assigned to by expressions
     unsigned aliases_ = 0;                 // being looked up
     const ast::Name* text_ = nullptr;      // an argument that has to be a text
+    std::set<const ast::Name*> ignored_;   // calls whose value nobody looks at
     const Scope::Entry* alias_ = nullptr;  // the innermost of them
     const ast::Identifier* used_alias_ = nullptr;  // the outermost of them
     unsigned alias_uses_ = 0;                      // in that one

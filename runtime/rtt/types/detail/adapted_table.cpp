@@ -54,11 +54,12 @@ private:
             valueOfType(bag.getItem(static_cast<int>(index))->getDataSource(), typeid(PropertyBag)));
     }
     static bool isRectangle(const PropertyBag& bag) {
-        for (std::size_t i = 1; i < bag.size(); ++i) {
-            const PropertyBag* const first = rowOf(bag, 0);
+        const std::size_t begin = firstElement(bag);
+        for (std::size_t i = begin + 1; i < bag.size(); ++i) {
+            const PropertyBag* const first = rowOf(bag, begin);
             const PropertyBag* const row = rowOf(bag, i);
             if (!first || !row || first->size() == row->size()) continue;
-            reportRow(i, row->size(), first->size());
+            reportRow(i - begin, row->size(), first->size());
             return false;
         }
         return true;

@@ -6,6 +6,7 @@
 #include <rtt/types/TemplateConstructor.hpp>
 #include "type_info_state.hpp"
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -87,11 +88,23 @@ bool EnumNames::set(const std::string& text, void* value) const {
     return true;
 }
 
-std::string EnumNames::textOf(const void* value) const {
+const char* EnumNames::nameOf(const void* value) const {
     const long long number = ops.get(value);
     for (std::size_t i = 0; i != count; ++i)
         if (values[i].value == number) return values[i].name;
+    return nullptr;
+}
+
+std::string EnumNames::textOf(const void* value) const {
+    if (const char* name = nameOf(value)) return name;
+    const long long number = ops.get(value);
     return ops.isUnsigned ? std::to_string(static_cast<unsigned long long>(number)) : std::to_string(number);
+}
+
+bool readNumber(const std::string& text, int& number) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    return read.ec == std::errc() && read.ptr == end;
 }
 
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names) {

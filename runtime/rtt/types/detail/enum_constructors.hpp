@@ -21,9 +21,14 @@ struct EnumNames {
 
     /** By a name, or a number; false, and nothing changed, if it is neither. Real-time safe. */
     bool set(const std::string& text, void* value) const;
-    /** The first name of that value, else its number. */
+    /** The first name of that value, or null. */
+    const char* nameOf(const void* value) const;
+    /** That name, else its number. */
     std::string textOf(const void* value) const;
 };
+
+/** False if the text is anything else than a whole number in the range of int. */
+RTT_API bool readNumber(const std::string& text, int& number);
 
 /** Adds the silent conversions from int and from a name to the enum and back, and the operators == and !=. */
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names);

@@ -35,10 +35,14 @@ public:
         return false;
     }
 
-    /** On disk an enum is its enumerator's name; a value without one is its number. */
+    /** On disk an enum is its enumerator's name; a value without one is its number, as text if that is none of int. */
     DataSourceBase::shared_ptr decomposeType(DataSourceBase::shared_ptr source) const override {
         const void* value = valueOfType(source, *ops().id);
-        return value ? new internal::ValueDataSource<std::string>(names_.textOf(value)) : nullptr;
+        if (!value) return nullptr;
+        const std::string text = names_.textOf(value);
+        int number = 0;
+        if (names_.nameOf(value) || !readNumber(text, number)) return new internal::ValueDataSource<std::string>(text);
+        return new internal::ValueDataSource<int>(number);
     }
     bool composeType(DataSourceBase::shared_ptr source, DataSourceBase::shared_ptr target) const override {
         if (const void* text = valueOfType(source, typeid(std::string)))

@@ -6,6 +6,7 @@
 #include <rtt/base/DataSourceBase.hpp>
 
 namespace RTT {
+class PropertyBag;
 namespace types {
 
 class TypeInfo;
@@ -22,6 +23,11 @@ RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::Dat
 int elementCount(const base::DataSourceBase::shared_ptr& source);
 /** The member of that index, or null. */
 base::DataSourceBase::shared_ptr elementOf(const base::DataSourceBase::shared_ptr& source, int index);
+/** True for a string: it can be written and read back as text, and is made of letters. */
+bool isText(const base::DataSourceBase::shared_ptr& source);
+/** Where the elements of a sequence begin in its bag: behind their number, called "Size", that old property files put in
+    front of them. */
+std::size_t firstElement(const PropertyBag& bag);
 
 }  // namespace detail
 }  // namespace types

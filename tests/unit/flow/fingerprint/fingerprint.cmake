@@ -25,7 +25,11 @@ function(fingerprint_library version)
   target_compile_options(${name} PRIVATE -O0 -g0)  # each for one short run
   target_include_directories(${name} PRIVATE ${generated}/types ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint)
   target_link_libraries(${name} PRIVATE orocos-rtt)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0
+  # Clang refuses what one file declares extern after another has made an instance of it.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
+  set_target_properties(${name} PROPERTIES
     OUTPUT_NAME ${name}-${OROCOS_TARGET} LIBRARY_OUTPUT_DIRECTORY ${fingerprint_dir})
   set(fingerprint_libraries ${fingerprint_libraries} ${name} PARENT_SCOPE)
 endfunction()

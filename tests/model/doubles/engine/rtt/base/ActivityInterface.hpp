@@ -31,6 +31,7 @@ public:
     bool isSelf() const { return model::self() == executor.load(std::memory_order_relaxed); }
     enum class Direct { Refused, Granted, Entered };
     Direct beginDirect() { return isSelf() ? Direct::Granted : Direct::Refused; }
+    Direct beginInStead() { return beginDirect(); }
     void endDirect() {}
     bool trigger() {
         if (!isActive()) return false;

@@ -14,8 +14,9 @@ class PortInterface;
 
 class TaskCore {
 public:
-    enum TaskState { Running, RunTimeError, FatalError };
+    enum TaskState { Running, RunTimeError, Exception, FatalError };
     bool inFatalError() const { return fatal.load(); }
+    bool inException() const { return false; }
     const std::string& getName() const { return name; }
     TaskState getTaskState() const { return Running; }
     TaskState getTargetState() const { return Running; }

@@ -31,6 +31,7 @@ inline bool futexWaitAny(const FutexWord*, unsigned, NANO_TIME) noexcept {
 inline void futexWakeOne(const std::atomic<std::uint32_t>& word) noexcept { model::futexWake(word, 1); }
 inline void futexWakeAll(const std::atomic<std::uint32_t>& word) noexcept { model::futexWake(word, ~0u); }
 inline pid_t currentTid() noexcept { return static_cast<pid_t>(model::self()) + 1; }
+inline bool threadExists(pid_t) noexcept { return true; }
 
 }  // namespace detail
 }  // namespace os

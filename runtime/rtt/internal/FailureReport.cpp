@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/FailureReport.hpp>
+
+#include <atomic>
+#include <mutex>
+#include <set>
+
+namespace RTT {
+namespace internal {
+
+namespace {
+
+// Initial-exec: a real-time thread asks for the second one with each error, and must not allocate then.
+thread_local FailureReport* innermostReport __attribute__((tls_model("initial-exec"))) = nullptr;
+thread_local KeptErrors* innermostErrors __attribute__((tls_model("initial-exec"))) = nullptr;
+std::atomic<bool> strict{false};
+
+struct Components {
+    std::mutex mutex;
+    std::set<const TaskContext*> all;
+};
+
+/** Never destroyed: components may outlive static objects. */
+Components& components() {
+    static Components& known = *new Components;
+    return known;
+}
+
+void append(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
+
+}  // namespace
+
+FailureReport::FailureReport() noexcept : outer_(innermostReport) { innermostReport = this; }
+FailureReport::~FailureReport() { innermostReport = outer_; }
+
+bool FailureReport::give(const std::string& reason) {
+    if (!innermostReport) return false;
+    append(innermostReport->reasons_, reason);
+    return true;
+}
+
+bool FailureReport::isWanted() noexcept { return innermostReport != nullptr; }
+
+FailureReport::Pause::Pause() noexcept : paused_(innermostReport) { innermostReport = nullptr; }
+FailureReport::Pause::~Pause() { innermostReport = paused_; }
+
+void FailureReport::add(const TaskContext& component) {
+    const std::lock_guard<std::mutex> lock(components().mutex);
+    components().all.insert(&component);
+}
+
+void FailureReport::remove(const TaskContext& component) {
+    const std::lock_guard<std::mutex> lock(components().mutex);
+    components().all.erase(&component);
+}
+
+bool FailureReport::comesFrom(const TaskContext& component) {
+    const std::lock_guard<std::mutex> lock(components().mutex);
+    return components().all.count(&component) != 0;
+}
+
+void FailureReport::setStrict(bool yes) noexcept { strict.store(yes, std::memory_order_relaxed); }
+bool FailureReport::isStrict() noexcept { return strict.load(std::memory_order_relaxed); }
+
+KeptErrors::KeptErrors() noexcept : outer_(innermostErrors) { innermostErrors = this; }
+KeptErrors::~KeptErrors() { innermostErrors = outer_; }
+
+bool KeptErrors::keep(const std::string& line) {
+    if (!innermostErrors) return false;
+    append(innermostErrors->text_, line);
+    return true;
+}
+
+}  // namespace internal
+}  // namespace RTT

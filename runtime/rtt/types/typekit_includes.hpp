@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What written typekits use without including it: they rely on the header of any generator or operator for all of this.
+#ifndef ORO_TYPEKIT_INCLUDES_HPP
+#define ORO_TYPEKIT_INCLUDES_HPP
+
+#include <rtt/Logger.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/DataSourceGenerator.hpp>
+#include <rtt/internal/FusedFunctorDataSource.hpp>
+#include <rtt/internal/mystd.hpp>
+#include <rtt/os/MutexLock.hpp>
+#include <rtt/types/MemberFactory.hpp>
+#include <rtt/types/PropertyComposition.hpp>
+#include <rtt/types/PropertyDecomposition.hpp>
+#include <rtt/types/TemplateConstructor.hpp>
+#include <rtt/types/Types.hpp>
+#include <rtt/types/carray.hpp>
+
+#include <boost/lexical_cast.hpp>
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What a script that runs tells: places in front, operations of the deployer that fail, --strict.
+#include "deployer_program.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace oroforge::test;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string kTwo =
+    "import(\"deploytest\")\nvar string none = \"none\"\nloadComponent(\"one\", \"deploytest::Consumer\")\n"
+    "loadComponent(\"two\", \"deploytest::Producer\")\n";
+
+class ReportingScript : public deployer_test::DeployerInDirectory {
+protected:
+    Outcome outcome(const std::vector<std::string>& options, const std::string& text) {
+        directory_.write("app.ops", text);
+        std::vector<std::string> words = options;
+        words.insert(words.end(), {"-s", "app.ops"});
+        Command program = command(words);
+        program.program = RTTSCRIPT_PROGRAM;
+        return run(program);
+    }
+};
+
+TEST_F(ReportingScript, ErrorsBeginWithFileLineAndColumnOnTheConsoleAndInTheLogFile) {
+    const Outcome found = outcome({}, kTwo + "var int a = 0\na = 1 / a\n");
+    EXPECT_EQ(255, found.status);
+    const std::string error = "app.ops:6:1: error: [OPS400] division by zero\na = 1 / a\n^\n";
+    EXPECT_EQ(error, found.err) << "and nothing else";
+    EXPECT_THAT(readFile(directory_ / "orocos.log"), HasSubstr("\n" + error));
+}
+
+TEST_F(ReportingScript, ErrorsOfProgramsMachinesAndOfScriptsThatScriptsRunBeginWithTheirPlaces) {
+    directory_.write("other.ops", "nowhere()\n");
+    const Outcome found = outcome({}, kTwo +
+                                          "var string other = \"other.ops\"\nrunScript(other)\n"
+                                          "program p {\n  var int a = 0\n  a = 1 / a\n}\n"
+                                          "setActivity(\"Deployer\", 0.01, 0, ORO_SCHED_OTHER)\nstart()\np.start()\n"
+                                          "while !p.inError() yield\n");
+    EXPECT_THAT(found.err, HasSubstr("other.ops:1:1: error: [OPS134]"));
+    EXPECT_THAT(found.err, HasSubstr("\napp.ops:6:1: warning: [OPS420] could not run script 'other.ops'\n"));
+    EXPECT_THAT(found.err, HasSubstr("\napp.ops:9:3: error: [OPS400] program 'p' of component 'Deployer' failed: "));
+    EXPECT_THAT(found.err, Not(HasSubstr("[ ERROR")));
+}
+
+TEST_F(ReportingScript, OperationsOfTheDeployerThatFailTellFileAndLine) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"import(none)", "could not import 'none': no such package or directory in the search path: "},
+        {"loadLibrary(none)", "could not load library 'none': "},
+        {"reloadLibrary(none)", "could not reload component library 'none': it is not loaded"},
+        {"loadComponent(none, none)", "could not load component 'none': unknown component type 'none'"},
+        {"loadComponent(\"one\", \"deploytest::Consumer\")",
+         "could not load component 'one': a component of that name is already there"},
+        {"unloadComponent(none)", "could not unload component 'none': it was not loaded by Deployer"},
+        {"loadService(\"one\", none)", "could not load service 'none' into component 'one': no such service"},
+        {"configureComponent(none)", "could not configure: no component 'none'"},
+        {"startComponent(\"two\")", "could not start component 'two'"},
+        {"stopComponent(none)", "could not stop: no component 'none'"},
+        {"loadComponents(none)", "could not load what 'none' describes"},
+        {"loadConfigurationString(\"<a\")", "could not load what the text describes"},
+        {"startComponents()", "not starting components: the last configuration was not valid"},
+        {"kickStart(none)", "could not deploy 'none'"},
+        {"kickOutComponent(none)", "could not kick out component 'none': it was not loaded by Deployer"},
+        {"connectPeers(\"one\", none)", "could not connect peers: no component 'none'"},
+        {"addPeer(none, \"one\")", "could not add a peer: no component 'none'"},
+        {"aliasPeer(none, \"one\", \"x\")", "could not add a peer: no component 'none'"},
+        {"connectPorts(\"one\", none)", "could not connect ports: no component 'none'"},
+        {"connectTwoPorts(\"one\", none, \"two\", \"numbers\")",
+         "could not connect ports: component 'one' has no port 'none'"},
+        {"connect(\"one.text\", \"two.numbers\", ConnPolicy())",
+         "could not connect port one.text to two.numbers: output port two.numbers of type int is not compatible"},
+        {"stream(\"one.text\", ConnPolicy())", "could not create a stream of port one.text: "},
+        {"createStream(\"one\", none, ConnPolicy())", "could not create a stream: component 'one' has no port 'none'"},
+        {"connectServices(\"one\", none)", "could not connect services: no component 'none'"},
+        {"connectOperations(\"one.x\", \"two.y\")", "could not connect operations: component 'one' requires no"},
+        {"setActivity(none, 0.1, 0, 0)", "could not set the activity: no component 'none'"},
+        {"setActivityOnCPU(\"one\", 0.1, 0, 0, 99)", "could not set the activity of component 'one': CPU 99, expected"},
+        {"setPeriodicActivity(\"one\", 0.0, 0, 0)",
+         "could not set the activity of component 'one': a PeriodicActivity"},
+        {"setFileDescriptorActivity(none, 1.0, 0, 0)", "could not set the activity: no component 'none'"},
+        {"setSequentialActivity(none)", "could not set the activity: no component 'none'"},
+        {"setSlaveActivity(none, 0.1)", "could not set the activity: no component 'none'"},
+        {"setMasterSlaveActivity(none, \"one\")", "could not use as master: no component 'none'"},
+        {"setWaitPeriodPolicy(none, 0)", "could not set the wait policy: no component 'none'"},
+    };
+    for (const auto& [call, reason] : cases) {
+        const Outcome found = outcome({}, kTwo + "  " + call + "\none.configure()\n");
+        EXPECT_THAT(found.err, HasSubstr(std::string("app.ops:5:3: warning: [OPS420] ") + reason)) << call;
+        EXPECT_EQ(0, found.status) << call << found.err;
+        EXPECT_THAT(found.out, HasSubstr("one: configured")) << call;
+    }
+}
+
+TEST_F(ReportingScript, StrictMakesFailedOperationsOfTheDeployerErrors) {
+    const char* const calls[] = {
+        "import(none)",    "loadComponent(none, none)", "connectPorts(\"one\", none)", "setSlaveActivity(none, 0.1)",
+        "kickStart(none)", "startComponents()"};
+    for (const char* const call : calls) {
+        const Outcome found = outcome({"--strict"}, kTwo + call + "\none.configure()\n");
+        EXPECT_THAT(found.err, HasSubstr("app.ops:5:1: error: [OPS400] ")) << call;
+        EXPECT_EQ(255, found.status) << call;
+        EXPECT_THAT(found.out, Not(HasSubstr("one: configured"))) << "the script ends there";
+    }
+    const Outcome handled = outcome({"--strict"}, kTwo +
+                                                      "if !addPeer(\"one\", none) then one.configure()\n"
+                                                      "var bool added = addPeer(\"one\", none)\n"
+                                                      "try addPeer(\"one\", none) catch { two.configure() }\n");
+    EXPECT_EQ(0, handled.status) << handled.err;
+    EXPECT_THAT(handled.out, HasSubstr("one: configured\ntwo: configured\n"));
+}
+
+TEST_F(ReportingScript, AResultOfFalseOfOtherOperationsIsSilent) {
+    const Outcome found =
+        outcome({"--strict", "-l", "error"}, kTwo + "two.start()\none.isRunning()\nisRunning()\none.setPeriod(-1.0)\n");
+    EXPECT_EQ(0, found.status) << found.err;
+    EXPECT_THAT(found.err, IsEmpty());
+}
+
+TEST_F(ReportingScript, WhatTheScriptLooksAtHasItsPlaceAsWell) {
+    const Outcome found =
+        outcome({}, kTwo +
+                        "if !addPeer(\"one\", none) then nothing\nvar bool b = connectPeers(\"one\", none)\n"
+                        "connectPeers(\"one\", \"two\") && connectPorts(none, \"two\")\n");
+    EXPECT_EQ(0, found.status);
+    EXPECT_THAT(found.err, HasSubstr("app.ops:5:5: warning: [OPS420] could not add a peer: no component 'none'"));
+    EXPECT_THAT(found.err, HasSubstr("app.ops:6:14: warning: [OPS420] could not connect peers: no component 'none'"));
+    EXPECT_THAT(found.err, HasSubstr("app.ops:7:31: warning: [OPS420] could not connect ports: no component 'none'"));
+    EXPECT_THAT(found.err, Not(HasSubstr("[ ERROR")));
+}
+
+TEST_F(ReportingScript, WhatComponentsLogKeepsItsForm) {
+    const Outcome found = outcome({}, kTwo + "startComponent(\"two\")\n");
+    EXPECT_THAT(found.err, testing::ContainsRegex("^[0-9.]+ \\[ Warning\\]\\[[^]]*\\] two: start\\(\\) returns false"));
+    EXPECT_THAT(found.err, EndsWith("\napp.ops:5:1: warning: [OPS420] could not start component 'two'\n"
+                                    "startComponent(\"two\")\n^\n"));
+}
+
+TEST_F(ReportingScript, AMisspeltImportThatTheScriptComputesIsOneLine) {
+    const Outcome found = outcome({"--strict"}, "var string name = \"deploytset\"\nimport(name)\n");
+    EXPECT_THAT(found.err, StartsWith("app.ops:2:1: error: [OPS400] could not import 'deploytset': no such package"));
+    EXPECT_EQ(3, std::count(found.err.begin(), found.err.end(), '\n')) << found.err;
+}
+
+}  // namespace
