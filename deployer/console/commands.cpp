@@ -59,19 +59,19 @@ bool helpForMember(Session& session, const std::string& path) {
     const Lookup owner = lookUp(*session.context(), dot == std::string::npos ? "" : path.substr(0, dot));
     if (!owner.target.service) return false;
     RTT::Service& service = *owner.target.service;
-    if (service.hasOperation(name)) {
+    if (service.hasMember(name)) {
         describeOperation(session.screen, service, name, "");
         return true;
     }
     if (describePort(session.screen, service, name, path) || describeValue(session.screen, service, name)) return true;
     const auto global = RTT::internal::GlobalService::Instance();
-    if (dot != std::string::npos || !global->hasOperation(name)) return false;
+    if (dot != std::string::npos || !global->hasMember(name)) return false;
     describeOperation(session.screen, *global, name, "");
     return true;
 }
 
 std::vector<std::string> memberNames(RTT::Service& service) {
-    std::vector<std::string> names = service.getOperationNames();
+    std::vector<std::string> names = service.getNames();
     for (const auto& more : {service.getAttributeNames(), service.properties()->list(), service.getPortNames(),
                              service.getProviderNames()})
         names.insert(names.end(), more.begin(), more.end());

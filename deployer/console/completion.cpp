@@ -43,7 +43,7 @@ void addValues(Words& words, const RTT::ConfigurationInterface& values) {
 
 Words membersOf(RTT::Service& service) {
     Words words = service.getProviderNames();
-    add(words, service.getOperationNames());
+    add(words, service.getNames());
     add(words, service.getPortNames());
     addValues(words, service);
     return words;
@@ -56,9 +56,9 @@ Words topLevel(RTT::TaskContext& context) {
     add(words, context.requires_()->getRequesterNames());
     const auto global = RTT::internal::GlobalService::Instance();
     add(words, global->getProviderNames());
-    add(words, global->getOperationNames());
+    add(words, global->getNames());
     if (context.provides()->hasService("scripting"))
-        add(words, context.provides()->getService("scripting")->getOperationNames());
+        add(words, context.provides()->getService("scripting")->getNames());
     addValues(words, *RTT::types::GlobalsRepository::Instance());
     add(words, RTT::types::Types()->getDottedTypes());
     return words;
@@ -85,7 +85,7 @@ Words behindName(RTT::TaskContext& context, const std::string& path) {
     const std::string before = lookup.wrongAt ? path.substr(0, lookup.wrongAt - 1) : "";
     const Target owner = lookUp(context, before).target;
     if (!owner.service) return {};
-    if (owner.service->hasOperation(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
+    if (owner.service->hasMember(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
     Words words = typesBehind(path);
     auto value = valueIn(*owner.service, lookup.wrong);
     const std::string rest = path.substr(lookup.wrongAt + lookup.wrong.size());

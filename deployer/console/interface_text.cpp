@@ -100,7 +100,7 @@ void describeInterface(Screen& screen, const Target& target) {
         title(screen, "Attributes");
         writeAttributes(screen, service, "    ");
     }
-    const auto operations = service.getOperationNames();
+    const auto operations = service.getNames();
     if (!operations.empty()) title(screen, "Operations");
     for (const std::string& name : operations) describeOperation(screen, service, name, "    ");
     if (!service.getPorts().empty()) {

@@ -120,7 +120,7 @@ void list(Screen& screen, const Target& target) {
         title(screen, "Attributes");
         writeAttributes(screen, service, kIndent);
     }
-    listNames(screen, "Operations", service.getOperationNames());
+    listNames(screen, "Operations", service.getNames());
     if (!service.getPorts().empty()) {
         title(screen, "Ports");
         writePorts(screen, service, kIndent);

@@ -65,7 +65,7 @@ bool DeploymentComponent::connectOperations(const std::string& requested, const 
         return refuse("component '" + to.component + "' provides no operation '" + to.operation + "'" +
                       (to.services.empty() ? "" : " in service '" + to.services + "'"));
     return deploy::doneOr("could not connect '" + requested + "' to '" + provided + "'", [&] {
-        return caller->setImplementationPart(service->getOperation(to.operation), client->engine());
+        return caller->setImplementationPart(service->findOperation(to.operation), client->engine());
     });
 }
 

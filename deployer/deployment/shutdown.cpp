@@ -43,7 +43,7 @@ T valueOr(const RTT::PropertyBag& properties, const char* name, const T& usual, 
 boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::ExecutionEngine* caller) {
     const std::string name = "shutdownDeployment";
     if (application.provides()->hasOperation(name)) {
-        RTT::OperationCaller<void()> shutdown(application.provides()->getOperation(name), caller);
+        RTT::OperationCaller<void()> shutdown(application.provides()->findOperation(name), caller);
         if (!shutdown.ready()) return {};
         RTT::SendHandle<void()> handle = shutdown.send();
         return [handle]() mutable { return handle.collectIfDone() == RTT::SendNotReady; };

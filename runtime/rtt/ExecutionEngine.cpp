@@ -97,7 +97,11 @@ void ExecutionEngine::setActivity(base::ActivityInterface* activity) {
 bool ExecutionEngine::initialize() { return true; }
 void ExecutionEngine::step() {}
 void ExecutionEngine::loop() {}
-bool ExecutionEngine::breakLoop() { return break_asked_ || !task_ || task_->breakUpdateHook(); }
+bool ExecutionEngine::breakLoop() {
+    // Below Running no updateHook() is being executed that could object.
+    return break_asked_ || !task_ || task_->base::TaskCore::getTaskState() < base::TaskCore::Running ||
+           task_->breakUpdateHook();
+}
 void ExecutionEngine::finalize() {}
 bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || missed_ports_; }
 
@@ -219,8 +223,7 @@ void ExecutionEngine::processFunctions(const Step& here) {
     functions_.takeWoken();
     while (base::ExecutableInterface* const function = functions_.next(round)) {
         if (task_ && task_->base::TaskCore::inFatalError()) return;
-        // Programs stand still until recover(); functions that others wait for come to their end.
-        if (task_ && task_->base::TaskCore::inException() && !function->isAwaited()) continue;
+        if (task_ && task_->base::TaskCore::inException() && function->pausesInException()) continue;
         executing_ = function;
         bool again = false;
         const bool returned = guarded(here, "a function", [&] { again = function->execute(); });

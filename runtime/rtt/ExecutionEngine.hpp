@@ -32,7 +32,7 @@ class TaskCore;
  *   Trigger             messages and port callbacks, in order of arrival
  *   TimeOut, IOReady    the same, then functions, then updateHook() or errorHook()
  *
- * In Exception, functions stand still, but for those that others wait for.
+ * In Exception, programs and state machines stand still (ExecutableInterface::pausesInException()).
  *
  * A step takes at most Mailbox::kCapacity messages and callbacks; if they ask for more, another step follows.
  *
@@ -69,11 +69,11 @@ public:
         if (visit.engine()) queued();
         return true;
     }
-    /** Executes `function` in every step until its execute() returns false, but for steps in which it is idle. False as
+    /** Executes `function` in every step in which it is not idle, until its execute() returns false. False as
         above, and if it is loaded already. Any thread. */
     bool runFunction(base::ExecutableInterface* function);
-    /** Stops executing it; waits until it is not being executed, and while the queue is full, except in the engine's own
-        thread. True: it was not loaded or is removed. */
+    /** Stops executing it. Another thread than the engine's own waits for room in the queue, and until `function` is not being
+        executed. True in the end. */
     bool removeFunction(base::ExecutableInterface* function);
     /** The same, for a function that removes itself in its execute(). */
     bool removeSelfFunction(base::ExecutableInterface* function) { return removeFunction(function); }

@@ -81,7 +81,7 @@ bool ServiceRequester::connectTo(Service::shared_ptr service) {
     service_ = service;
     for (auto& entry : callers_) {
         if (entry.second->ready() || !service->hasOperation(entry.first)) continue;
-        entry.second->setImplementationPart(service->getOperation(entry.first), owner_ ? owner_->engine() : nullptr);
+        entry.second->setImplementationPart(service->findOperation(entry.first), owner_ ? owner_->engine() : nullptr);
     }
     const std::string missing = missingOperations();
     if (missing.empty())

@@ -6,6 +6,7 @@
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/detail/engine_removal.hpp>
 #include <rtt/internal/detail/engine_sleep.hpp>
+#include <rtt/os/MutexLock.hpp>
 #include <rtt/os/fosi.h>
 
 #include <algorithm>
@@ -95,8 +96,10 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
         Removal removal(function, waiting);
         awaitRemoval(removal, waiting);
         if (removal.state() == Removal::Disposed) {
-            // Nobody executes any more, at most what is left of the last step.
+            // Nobody executes any more, at most what is left of the last step. Other threads may remove as well.
             gate_->waitForStep();
+            static os::Mutex removers;
+            const os::MutexLock lock(removers);
             mailbox_.withdraw({Mailbox::Kind::AddFunction, function});
             functions_.remove(function);
         }
@@ -105,8 +108,8 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     return true;
 }
 
-// By this thread, if the component is its own, or if nobody executes that. `removal` is withdrawn, if there is one; false as well
-// if it has been taken already.
+// Takes the function out in this thread, if this is the component's thread or if nobody executes the component. A `removal` that is
+// queued is withdrawn first; false if it cannot be, because the engine has taken it.
 bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* removal) {
     const EngineGate::Stand stand(gate_.get(), EngineGate::Stand::Anybody);
     if (!stand || (removal && !mailbox_.withdraw({Mailbox::Kind::RemoveFunction, removal}))) return false;
@@ -116,7 +119,8 @@ bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* r
     return true;
 }
 
-// As long as nobody executes, those that come and go would fill the queue. By the thread that may touch the component.
+// While nobody executes the component nobody empties its queue, and functions that are added and removed would fill it. Called by
+// the thread that may touch the component.
 void ExecutionEngine::takeAdditions() {
     Mailbox::Item item;
     const auto isWithdrawn = [&] { return !item.what && item.kind == Mailbox::Kind::RemoveFunction; };

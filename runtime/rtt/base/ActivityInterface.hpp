@@ -74,8 +74,8 @@ public:
      */
     virtual Direct beginDirect();
     /**
-     * The same for any thread, while nobody executes the runner and nobody is known who will. As beginDirect(), unless the
-     * activity borrows its threads.
+     * The same for any thread, while no thread executes the runner and no thread is known that will: a sequential activity or a
+     * slave between two executions, a simulation that makes no steps. As beginDirect() for activities with a thread of their own.
      */
     virtual Direct beginInStead();
     virtual void endDirect();

@@ -23,6 +23,8 @@ public:
     /** True for one whose execute() would do nothing: the engine leaves it out until wake() was called. It asks after each
         execute() and each wake(), in its own thread. Real-time safe; calls nothing of the engine. */
     virtual bool isIdle() const { return false; }
+    /** True for one that is not executed while its component is in Exception, as programs and state machines. */
+    virtual bool pausesInException() const { return false; }
     /** The engine takes this on. */
     virtual void loaded(ExecutionEngine* engine) { engine_ = engine; }
     /** The engine is finished with this. */

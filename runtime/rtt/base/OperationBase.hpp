@@ -28,8 +28,8 @@ struct OperationDescription {
 class RTT_API OperationBase {
 public:
     virtual ~OperationBase();
-    /** The same function, thread, listeners and documentation; what one of both is given later the other does not get. A
-        service goes on offering what was added to it. */
+    /** Both have the function and its listeners in common, also those that are connected later. Name, documentation, thread
+        and a function that is given later are each one's own. A service goes on offering what was added to it. */
     OperationBase(const OperationBase& other);
     OperationBase& operator=(const OperationBase& other);
 

@@ -13,7 +13,7 @@ namespace base {
 /** How many threads may use a lock-free storage at once: a number, or what follows from who writes and reads it. */
 class RTT_API StorageUsers {
 public:
-    /** 0 was no number: then it is 2, and 10 more for several writers, and 10 more for several readers. */
+    /** The number that was set. Without one (0): 2, plus 10 for several writers, plus 10 for several readers. */
     unsigned int max_threads() const {
         return max_threads_ != 0 ? max_threads_ : 2 + (several_writers_ ? 10 : 0) + (several_readers_ ? 10 : 0);
     }

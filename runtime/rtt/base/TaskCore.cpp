@@ -215,10 +215,16 @@ bool TaskCore::stop() {
     Change change(*this);
     if (!change || states().state < Running) return false;
     aim(Stopped);  // the engine calls no further hook
-    if (!ee->stopTask()) {
-        log(Error) << getName() << ": stop() failed, because the step that is being executed does not end" << endlog();
-        modify([](States& now) { return now.target = now.state, true; });
-        return false;
+    const auto goOn = [this] { modify([](States& now) { return now.target = now.state, true; }); };
+    try {
+        if (!ee->stopTask()) {
+            log(Error) << getName() << ": stop() failed, because the step that is being executed does not end" << endlog();
+            goOn();
+            return false;
+        }
+    } catch (...) {
+        goOn();  // breakUpdateHook() threw
+        throw;
     }
     const TaskState from = states().state;
     if (from < Running) return false;  // that step ended in Exception or FatalError
@@ -245,12 +251,17 @@ void TaskCore::error() {
 }
 
 bool TaskCore::recover() {
-    return modify([this](States& now) {
-        if (now.state != Exception && now.state != RunTimeError) return false;
-        if (now.target != now.state) return false;  // stop() is under way
-        now.state = now.target = now.state == Exception ? mInitialState : Running;
+    TaskState from = Running;
+    const bool recovered = modify([&](States& now) {
+        from = now.state;
+        if (from != Exception && from != RunTimeError) return false;
+        if (now.target != from) return false;  // stop() is under way
+        now.state = now.target = from == Exception ? mInitialState : Running;
         return true;
     });
+    // What was asked of programs and state machines meanwhile has used up its triggers.
+    if (recovered && from == Exception) trigger();
+    return recovered;
 }
 
 void TaskCore::exception() {

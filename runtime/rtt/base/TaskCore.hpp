@@ -91,8 +91,8 @@ protected:
     virtual bool startHook();
     /** One cycle. Default: nothing. */
     virtual void updateHook();
-    /** Asked by stop() when updateHook() is executing in an activity that is not periodic, or is what calls stop(): make it
-        return, or answer false, and the component goes on. Default: true. */
+    /** Asked by stop() when updateHook() or errorHook() itself calls that, and, in an Activity without period, when another
+        thread calls it during a step. Make the hook return, or answer false, and the component goes on. Default: true. */
     virtual bool breakUpdateHook();
     /** One cycle in state RunTimeError. Default: nothing. */
     virtual void errorHook();

@@ -147,6 +147,7 @@ bool SlaveActivity::stop() {
     }
     const internal::ActiveWhile active(active_);
     finalize();
+    updater_ = 0;  // that thread may live on and do something else
     return true;
 }
 
@@ -244,10 +245,13 @@ bool SlaveActivity::trigger() {
 
 bool SlaveActivity::timeout() {
     // In its own thread the master cannot be destroyed before this returns, so nobody has to wait for the execution.
-    // While a master makes no steps, main stands in for its thread (isSelf()). That lets main make calls, but no steps.
     const auto isMaster = [](ActivityInterface& master) {
+        const Direct answer = master.beginDirect();
+        if (answer != Direct::Entered) return answer == Direct::Granted;
+        master.endDirect();
+        // While a master makes no steps, main stands for its thread. That lets main make calls, but no steps.
         const os::ThreadInterface* const thread = master.thread();
-        return master.isSelf() && master.isActive() && thread && thread->isActive();
+        return master.isActive() && thread && thread->isActive();
     };
     if (ofMaster(isMaster, false) && execute()) return true;
     return ofMaster([](ActivityInterface& master) { return master.timeout(); }, false);

@@ -76,7 +76,8 @@ public:
      */
     class RTT_API Stand {
     public:
-        /** Who: a thread that is the component's, or any one while nobody executes that, see ActivityInterface::beginInStead(). */
+        /** Self: only the component's own thread may. Anybody: any thread may while nobody executes the component, see
+            ActivityInterface::beginInStead(). */
         enum As { Self, Anybody };
         /** A null gate is that of a component which may be touched by any thread. */
         explicit Stand(const EngineGate* gate, As as = Self) : granted_(!gate || enter(*gate, as)) {}

@@ -27,7 +27,10 @@ Components& components() {
     return known;
 }
 
-void append(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
+/** Unless it is there already: several ways of trying a thing may fail for the same reason. */
+void append(std::string& text, const std::string& more) {
+    if (text.find(more) == std::string::npos) text += (text.empty() ? "" : "; ") + more;
+}
 
 }  // namespace
 

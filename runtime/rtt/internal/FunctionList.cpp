@@ -71,7 +71,7 @@ base::ExecutableInterface* FunctionList::next(Round& round) const {
         const std::size_t index = round.next - round.next % kBits + static_cast<std::size_t>(__builtin_ctzll(later));
         if (index >= round.end) break;
         round.next = index + 1;
-        return all_[index];
+        if (all_[index]) return all_[index];
     }
     return nullptr;
 }

@@ -8,6 +8,7 @@
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/Interruption.hpp>
 #include <rtt/os/MainThread.hpp>
@@ -58,6 +59,7 @@ void SentCall::finish(State state) {
 void SentCall::executeAndDispose() {
     // Not what the script of this thread called: it serves others while it waits.
     const Interruption::Region foreign(Interruption::ofThisThread(), Interruption::Region::Native);
+    const FailureReport::Pause others;
     const boost::intrusive_ptr<const EngineGate> provider = provider_;
     std::optional<EngineGate::Visit> visit;
     if (provider && !visit.emplace(*provider).engine()) return dispose();
@@ -93,6 +95,7 @@ void SentCall::dispose() { finish(Disposed); }
 namespace {
 
 constexpr std::int64_t kPatience = 100000000, kLook = 1000000;  // in ns
+constexpr unsigned kPause = 100;                                // in us, for a thread that executes no component
 
 /** What an operation threw elsewhere, for the engine of its component. */
 class Thrown final : public SentCall {
@@ -102,7 +105,11 @@ public:
     void* argumentAddress(unsigned) override { return nullptr; }
 
 private:
-    void run() override { throw std::runtime_error(what_); }
+    void run() override {
+        // Another one of these may have come first.
+        const base::TaskCore* const task = executor() ? executor()->getTaskCore() : nullptr;
+        if (!task || !task->base::TaskCore::inException()) throw std::runtime_error(what_);
+    }
     const std::string what_;
 };
 
@@ -134,7 +141,7 @@ void blame(const EngineGate& owner, CalleeBase* callee, const char* what) {
             if (own)
                 own->engine()->waitForMessages(done, rtos_get_time_ns() + kLook);
             else
-                usleep(kLook / 10000);
+                usleep(kPause);
         }
     } catch (const std::bad_alloc&) {
         // The caller learns what the operation threw, all the same.
@@ -181,7 +188,8 @@ SendStatus SentCall::collect() {
 // On the call itself: many threads that are no components may wait, each for its own, and none shall wake the others.
 void SentCall::park() {
     const Interruption* const interruption = Interruption::ofScript();
-    // The main thread may come to stand for a component that it calls in the name of that component, and nobody tells it.
+    // Main may wait for a component in whose name it calls. If the component's activity ends meanwhile, main has to execute the
+    // call itself, and nothing wakes it for that.
     const bool mayStand = waiting_->engine() == executor_ && os::MainThread::Instance()->isSelf();
     std::uint32_t seen = state_.load(std::memory_order_acquire);
     while ((seen & ~kParked) == Waiting) {

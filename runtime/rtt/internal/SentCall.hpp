@@ -87,6 +87,7 @@ protected:
     /** Runs the function and keeps its result. */
     virtual void run();
     CalleeBase* callee() const { return callee_.get(); }
+    ExecutionEngine* executor() const { return executor_; }
 
 private:
     static constexpr std::uint32_t kParked = 0x80000000u;  // in state_: a thread sleeps on it

@@ -123,6 +123,7 @@ bool Thread::goOn() {
     state_->running = true;
     if (state_->exit) state_->running = false;
     state_->life = State::kActive;
+    detail::futexWakeAll(state_->session);  // for waitForOthersStop()
     return false;
 }
 

@@ -147,6 +147,7 @@ public:
     bool execute() override;
     /** Inactive, stopped, paused or in error, and nothing is asked for. */
     bool isIdle() const override;
+    bool pausesInException() const override { return true; }
     /** Stops and deactivates the machine and its sub machines, executing them in this thread, each for at most a second. The
         engine skips them meanwhile. False, and told in the log, if one does not come to its end: it goes on stopping in the
         cycles that follow; or if a program of the machine calls this: then nothing is done. */

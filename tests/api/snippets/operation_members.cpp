@@ -109,6 +109,12 @@ TEST(OperationMembers, ALocalOperationIsForCallersInThisProcessOnly) {
     const std::vector<std::string> names = service.getOperationNames();
     EXPECT_EQ(1, std::count(names.begin(), names.end(), "local"));
 
+    Server client;
+    OperationCaller<int(int)> wanted("local");
+    client.requires("arm")->addOperationCaller(wanted);
+    EXPECT_TRUE(client.requires("arm")->connectTo(server.provides()));
+    EXPECT_EQ(10, wanted(5));
+
     Operation<int(int)> other("other", &thrice);
     EXPECT_TRUE(service.resetOperation("local", &other));
     EXPECT_EQ(15, OperationCaller<int(int)>(service.getLocalOperation("local"))(5));

@@ -242,4 +242,13 @@ TEST_F(Commands, ColoursAreInThePromptAndOutput) {
     EXPECT_EQ("plant [S]> ", console->prompt());
 }
 
+TEST_F(Commands, LocalOperationsAreNotForTools) {
+    RTT::Operation<int(int)> local("hidden", [](int n) { return n; });
+    ASSERT_TRUE(tank->provides()->addLocalOperation(local));
+    EXPECT_EQ("", complaint("ls tank\nhelp tank"));
+    EXPECT_THAT(answer("ls tank\nhelp tank"), Not(HasSubstr("hidden")));
+    EXPECT_THAT(complaint("help tank.hidden"), HasSubstr("hidden"));
+    tank->provides()->removeOperation("hidden");
+}
+
 }  // namespace

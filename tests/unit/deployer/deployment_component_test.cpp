@@ -122,6 +122,12 @@ TEST_F(Deployment, OperationsAreConnectedByPath) {
     EXPECT_TRUE(deployer_->connectOperations("c.a.b.nested", "p.x.y.active"));
     EXPECT_TRUE(nested());
     nested.disconnect();
+    RTT::Operation<bool()> local("local", [] { return true; });
+    ASSERT_TRUE(peer("p")->provides()->addLocalOperation(local));
+    EXPECT_TRUE(deployer_->connectOperations("c.a.b.nested", "p.local"));
+    EXPECT_TRUE(nested());
+    nested.disconnect();
+    peer("p")->provides()->removeOperation("local");
     for (const char* requested : {"c", "none.nested", "c.none", "c.a.nested", "c.a.b.c.nested"})
         EXPECT_FALSE(deployer_->connectOperations(requested, "p.isActive")) << requested;
     for (const char* provided : {"p", "none.isActive", "p.none", "p.none.isActive", "p.setPeriod"})

@@ -148,6 +148,61 @@ TEST(RefusedStop, ByBreakUpdateHookThatThrowsIsAnException) {
     EXPECT_TRUE(eventually([&] { return component.takeHooks().find("exception") != std::string::npos; }));
 }
 
+TEST(RefusedStop, ByBreakUpdateHookThatThrowsIsTakenBack) {
+    struct Throwing : Probe {
+        bool breakUpdateHook() override { throw 1; }
+    } component;
+    component.onUpdate = [&] {
+        if (component.updates == 0) EXPECT_ANY_THROW(component.stop());
+    };
+    ASSERT_TRUE(component.start());
+    EXPECT_TRUE(eventually([&] { return component.trigger() && component.updates >= 2; }));
+    EXPECT_EQ(component.getTargetState(), TaskContext::Running);
+    component.onUpdate = nullptr;
+}
+
+// There is no updateHook() that could go on.
+TEST(FatalError, EndsTheActivityThoughBreakUpdateHookIsFalse) {
+    Breaking component;
+    component.onUpdate = [&] { component.fatal(); };
+    ASSERT_TRUE(component.start());
+    EXPECT_TRUE(eventually([&] { return !component.isActive(); }));
+    EXPECT_EQ(component.asked, 0);
+}
+
+TEST(StopOfTheActivity, InExceptionHookDoesNotAskBreakUpdateHook) {
+    Breaking component;
+    std::atomic<int> result{-1};
+    component.onUpdate = [] { throw 1; };
+    component.onException = [&] { result = component.getActivity()->stop(); };
+    ASSERT_TRUE(component.start());
+    EXPECT_TRUE(eventually([&] { return result != -1; }));
+    EXPECT_EQ(result, 1);
+    EXPECT_EQ(component.asked, 0);
+}
+
+TEST(Recover, HasWhatStoodStillExecuted) {
+    struct Pausing : oroforge::test::Steps {
+        using Steps::Steps;
+        bool pausesInException() const override { return true; }
+    };
+    Probe component;
+    Pausing pausing([] { return true; });
+    oroforge::test::Steps other([] { return true; });
+    ASSERT_TRUE(component.engine()->runFunction(&pausing));
+    ASSERT_TRUE(component.engine()->runFunction(&other));
+    ASSERT_TRUE(component.trigger());
+    ASSERT_TRUE(eventually([&] { return pausing.executions == 1; }));
+    component.exception();
+    ASSERT_TRUE(component.trigger());
+    ASSERT_TRUE(eventually([&] { return other.executions >= 2; }));
+    EXPECT_EQ(pausing.executions, 1);
+    ASSERT_TRUE(component.recover());  // what was asked of it meanwhile is asked once
+    EXPECT_TRUE(eventually([&] { return pausing.executions == 2; }));
+    EXPECT_TRUE(component.engine()->removeFunction(&pausing));
+    EXPECT_TRUE(component.engine()->removeFunction(&other));
+}
+
 TEST(Recover, IsFalseInTheStepThatStopWaitsFor) {
     Probe component;
     std::atomic<bool> inside{false};

@@ -111,6 +111,23 @@ TEST_F(ThrownOperation, OfTheThreadOfItsComponentCalledInThatPutsItIntoException
     EXPECT_TRUE(server.inException());
 }
 
+TEST_F(ThrownOperation, CalledTwiceWhileItsComponentIsBusyEntersExceptionOnce) {
+    std::atomic<bool> inside{false}, leave{false};
+    server.onUpdate = [&] {
+        inside = true;
+        EXPECT_TRUE(eventually([&] { return leave.load(); }));
+    };
+    ASSERT_TRUE(server.start());
+    ASSERT_TRUE(server.trigger());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    const Source call = server.getOperation("bad")->produce({one()}, global);
+    for (int i = 0; i != 2; ++i) EXPECT_EQ(thrownBy([&] { call->evaluate(); }), "planted");
+    leave = true;
+    ASSERT_TRUE(eventually([&] { return server.inException(); }));
+    usleep(20000);
+    EXPECT_EQ(server.takeHooks(), "start stop exception");
+}
+
 TEST_F(ThrownOperation, ThatIsRefusedLeavesItsComponentAsItIs) {
     const Source call = server.getOperation("badHere")->produce({one()}, global);
     server.getActivity()->stop();

@@ -4,7 +4,7 @@
 
 #include "cpf_values.hpp"
 
-#include <rtt/Logger.hpp>
+#include <rtt/internal/located_log.hpp>
 #include <diag/print.hpp>
 
 namespace RTT {
@@ -118,7 +118,8 @@ bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Plac
 
 void logDiagnostics(const diag::Sink& sink) {
     for (const auto& diagnostic : sink.sorted())
-        log(diagnostic.severity == diag::Severity::Error ? Error : Warning) << diag::toString(diagnostic) << endlog();
+        RTT::internal::logLocated(diagnostic.severity == diag::Severity::Error ? Error : Warning,
+                                  diag::toString(diagnostic));
 }
 
 }  // namespace marsh

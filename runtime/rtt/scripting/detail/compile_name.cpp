@@ -203,12 +203,12 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
         add(last.service->getProviderNames());
         if (last.component) add(last.component->getPeerList());
     }
-    if (isLast || !called) add(last.service->getOperationNames());
+    if (isLast || !called) add(last.service->getNames());
     const bool first = last.used == 0;
     if (first && isLast) {
-        add(internal::GlobalService::Instance()->getOperationNames());
+        add(internal::GlobalService::Instance()->getNames());
         if (where_.component->provides()->hasService("scripting"))
-            add(where_.component->provides()->getService("scripting")->getOperationNames());
+            add(where_.component->provides()->getService("scripting")->getNames());
         for (const Functions* const functions : {where_.functions, where_.known})
             if (functions)
                 for (const auto& function : *functions) known.push_back(function.first);

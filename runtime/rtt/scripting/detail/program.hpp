@@ -36,6 +36,7 @@ public:
 
     bool execute() override;
     bool isIdle() const override;
+    bool pausesInException() const override { return true; }
 
     const std::string& getName() const override { return name_; }
     bool start() override;
