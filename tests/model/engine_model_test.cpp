@@ -19,7 +19,8 @@
 #include <rtt/base/RunnableInterface.cpp>
 
 RTT::ExecutionEngine* RTT::internal::GlobalEngine::Instance() { return nullptr; }
-RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return nullptr; }  // asked by who calls in the executor's name
+// A thread that calls in the executor's name asks for it.
+RTT::os::ThreadInterface* RTT::os::MainThread::Instance() { return nullptr; }
 void RTT::internal::CalleeBase::deref() const {}  // there are none
 std::string RTT::internal::describe(const CalleeBase*) { return {}; }
 

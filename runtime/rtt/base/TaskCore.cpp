@@ -218,7 +218,8 @@ bool TaskCore::stop() {
     const auto goOn = [this] { modify([](States& now) { return now.target = now.state, true; }); };
     try {
         if (!ee->stopTask()) {
-            log(Error) << getName() << ": stop() failed, because the step that is being executed does not end" << endlog();
+            log(Error) << getName() << ": stop() failed, because the step that is being executed does not end"
+                       << endlog();
             goOn();
             return false;
         }

@@ -46,7 +46,7 @@ bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
     if (gate.isStepping()) return true;
     Visit* const visit = new (visit_) Visit(gate);
     base::ActivityInterface* const activity = visit->activity();
-    const auto answer = !activity        ? base::ActivityInterface::Direct::Refused
+    const auto answer = !activity       ? base::ActivityInterface::Direct::Refused
                         : as == Anybody ? activity->beginInStead()
                                         : activity->beginDirect();
     if (answer == base::ActivityInterface::Direct::Entered)

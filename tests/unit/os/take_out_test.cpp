@@ -54,7 +54,8 @@ TEST(AnybodyTakesOut, AFunctionThoughTheQueueIsFull) {
     ASSERT_TRUE(base.server.engine()->runFunction(&function));
     Updater updater(base);
     std::vector<SendHandle<int(int)>> sent;
-    while ((sent.push_back(twice.send(1)), sent.back().ready()) && sent.size() < 1000) {}
+    while ((sent.push_back(twice.send(1)), sent.back().ready()) && sent.size() < 1000) {
+    }
     std::thread releaser([&] {
         usleep(5000);
         updater.leave();

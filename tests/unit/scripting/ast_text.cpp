@@ -135,9 +135,8 @@ std::string stateText(const ast::State& state) {
     for (const auto& program : programs)
         if (*program.second) text += program.first + blockText(**program.second) + "; ";
     addAll(text, state.preconditions, [](const ast::ExpressionPtr& each) { return "precondition " + textOf(*each); });
-    addAll(text, state.detours, [](const ast::Transition& each) {
-        return "preconditions { " + transitionText(each, "") + " }";
-    });
+    addAll(text, state.detours,
+           [](const ast::Transition& each) { return "preconditions { " + transitionText(each, "") + " }"; });
     addAll(text, state.transitions, [](const ast::Transition& each) { return transitionText(each, "transition "); });
     return text + "}";
 }

@@ -155,10 +155,10 @@ private:
     Routine* run_ = nullptr;
 
     Routine* executing_ = nullptr;
-    bool looking_ = false;      // within a condition
-    bool entered_ = false;      // within this pending work
-    bool leave_ = false;        // deactivate() was called within a program
-    bool left_ = false;         // the exit of the present state was executed, or failed
+    bool looking_ = false;  // within a condition
+    bool entered_ = false;  // within this pending work
+    bool leave_ = false;    // deactivate() was called within a program
+    bool left_ = false;     // the exit of the present state was executed, or failed
     bool single_ = false, stepped_ = false;
     unsigned round_ = 0;
     std::size_t looked_at_ = 0;  // transitions, in this round
