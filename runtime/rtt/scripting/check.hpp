@@ -20,10 +20,15 @@ namespace scripting {
 struct Expectations {
     bool names = false;                 ///< components, services, operations, values, of whatever name
     bool types = false;                 ///< types of values
+    bool globals = false;               ///< what belongs to no component: services, operations, values
     std::set<std::string> components;   ///< peers of the component that runs the script, whose interface nobody knows
+    std::set<std::string> definitions;  ///< functions, programs, state machines and their types of scripts before
     std::set<const TaskContext*> more;  ///< components that may have more than they have now
+    bool doubts = false;                ///< unknown names that are like known ones get a warning
 
-    void anything() { names = types = true; }
+    void anything() { names = types = globals = true; }
+    /** Code of which nothing is known is executed, with no way to the component that runs the script. */
+    void anyGlobals() { types = globals = true; }
 };
 
 /** A call that a script makes. */

@@ -201,4 +201,44 @@ TEST_F(CheckedScript, AGoodScriptThatIsCheckedBeforeItRunsIsExecutedOnce) {
     EXPECT_EQ("one: created\none: configured\none: started\none: stopped\none: cleaned up\none: deleted\n", found.out);
 }
 
+// A script that runs must run whatever the check before thinks of it.
+
+TEST_F(CheckedScript, FunctionsOfTheScriptAreOperationsAsInARun) {
+    const char* const texts[] = {
+        "export bool foo(int i) { return true }\nthis.foo(1)\nDeployer.foo(1)\ntask.foo(1)\nfoo.send(1)\nfoo.cmd(1)\n"
+        "foo.call(1)\nvar bool b = this.foo(1) && Deployer.foo.call(2)\n",
+        "bool foo(int i) { return true }\nvar SendHandle g\ng = foo.send(1)\nvar bool r\ng.collect(r)\n"
+        "scripting.foo(1)\nfoo.cmd(2)\nfoo(3)\n",
+        "global double foo(int i) { return 1.5 }\nfoo.send(1)\nfoo.cmd(1)\nvar double d = foo(1)\n",
+        "export void nop() { }\nthis.nop\nnop.send()\nvar SendHandle g\ng = Deployer.nop.send()\ng.collect()\n",
+        "export void nop() { }\nprogram p { this.nop() }\nfoo2()\nvoid foo2() { this.nop() }\nfoo2()\n",
+    };
+    for (const char* const text : texts) {
+        const bool fails = std::string(text).find("foo2()\nvoid") != std::string::npos;
+        EXPECT_EQ(fails ? 255 : 0, outcome({"--check"}, text).status) << text;
+        const Outcome found = outcome({}, text);
+        EXPECT_EQ(fails ? 255 : 0, found.status) << text << found.err;
+    }
+    EXPECT_THAT(checked("export bool foo(int i) { return true }\nthis.foo()\n"),
+                StartsWith("app.ops:2:1: error: [OPS142]"));
+    EXPECT_THAT(checked("export bool foo(int i) { return true }\nfoo.send(\"x\")\n"),
+                StartsWith("app.ops:2:10: error: [OPS143]"));
+}
+
+TEST_F(CheckedScript, AFunctionWithAnErrorIsOneErrorHoweverItIsCalled) {
+    const std::string said =
+        checked("export bool foo(int i) { retrun true }\nthis.foo(1)\nfoo.send(1)\nfoo(1)\n");
+    EXPECT_THAT(said, StartsWith("app.ops:1:")) << said;
+    EXPECT_EQ(said.find(": error: "), said.rfind(": error: ")) << said;
+}
+
+TEST_F(CheckedScript, AFunctionThatAScriptDefinesAgainHasItsNewArguments) {
+    directory_.write("first.ops", "export bool foo(int i) { return true }\nbool bar() { return true }\n");
+    const Outcome found =
+        outcome({"-s", "first.ops"},
+                "export bool foo(int i, int j) { return true }\nbool bar(int i) { return true }\nthis.foo(1, 2)\n"
+                "foo(1, 2)\nbar.send(1)\nbar(1)\n");
+    EXPECT_EQ(0, found.status) << found.err;
+}
+
 }  // namespace

@@ -10,6 +10,7 @@
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/scripting/detail/arithmetic.hpp>
+#include <rtt/scripting/detail/function_operation.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
 #include <rtt/scripting/detail/told_call.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -106,9 +107,7 @@ base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const Ope
     return whole;
 }
 
-/** The operation or function that the first `count` parts name. To be sent, a function is an operation, too. */
-Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
-                              bool toSend) const {
+Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const {
     Callable found;
     const std::string& name = parts[count - 1].text;
     std::shared_ptr<const FunctionDefinition> function;
@@ -135,6 +134,16 @@ Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::
     // `stop()` in a state machine is the component's.
     if (!function && !found.part && where_.service) found.part = where_.service->getPart(name);
     return found;
+}
+
+/** The operation or function that the first `count` parts name. To be sent, a function is an operation, too. */
+Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
+                              bool toSend) const {
+    const Callable called = found(parts, count, nodes, toSend);
+    if (where_.toCome && dynamic_cast<const FunctionPart*>(called.part) &&
+        where_.toCome->mayReplace(parts[count - 1].text))
+        throw Unresolved();
+    return called;
 }
 
 bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result) {

@@ -48,6 +48,7 @@ std::string text(const std::vector<ast::Identifier>& parts, std::size_t count) {
 
 /** The component itself, then what each further part of the path leads to, at most `most` of them. */
 std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
+    if (leadsToCome(parts)) throw Unresolved();
     TaskContext* component = where_.component;
     std::vector<Node> nodes{{component, component->provides(), 0}};
     for (std::size_t used = 0; used != most; ++used) {
@@ -129,8 +130,20 @@ Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& nam
 
 /** True if the name is that of a peer or service, too, and what follows is no member of the variable. */
 bool Unit::isElsewhere(const Parts& parts, const Operand& variable) const {
-    return parts.size() > 1 && walk(parts, 1).size() > 1 &&
+    return parts.size() > 1 && (leadsToCome(parts) || walk(parts, 1).size() > 1) &&
            (!variable.source || !variable.source->getMember(parts[1].text));
+}
+
+/** True if the path leads through a component that is to come, and takes the place of whatever has its name now. */
+bool Unit::leadsToCome(const Parts& parts) const {
+    if (!where_.toCome) return false;
+    std::size_t first = 0;
+    while (first != parts.size() && (parts[first].text == "this" || parts[first].text == "task" ||
+                                     parts[first].text == where_.component->getName()))
+        ++first;
+    if (first + 1 >= parts.size()) return false;
+    if (first == 0 && where_.service && where_.service->hasService(parts[0].text)) return false;
+    return where_.toCome->isToCome(parts[first].text);
 }
 
 bool Unit::variableNamed(const Parts& parts, Operand& found) {
@@ -239,11 +252,34 @@ void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& nam
     error(last.at, "OPS134", value + " and has no operation '" + last.text + "'");
 }
 
+/** "component 'c' has no operation 'o'" */
+std::string Unit::missing(const Node& last, const ast::Name& name) const {
+    const bool isLast = last.used + 1 == name.parts.size();
+    return (last.component ? "component '" + last.component->getName() + "'"
+                           : "service '" + text(name.parts, last.used) + "'") +
+           (!isLast       ? " has no peer, service or value '"
+            : name.called ? " has no operation '"
+                          : " has no value or operation '") +
+           name.parts[last.used].text + "'";
+}
+
+/** Of a name that may be there when the script runs: it may also be misspelt. */
+void Unit::doubt(const Node& last, const ast::Name& name) const {
+    const ast::Identifier& part = name.parts[last.used];
+    const bool isLast = last.used + 1 == name.parts.size();
+    const std::string meant = oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called));
+    if (!meant.empty())
+        warn(part.at, isLast && name.called ? "OPS134" : "OPS133", missing(last, name) + " until now" + meant);
+}
+
 void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const Parts& parts = name.parts;
     const Node& last = nodes.back();
-    const std::string& missing = parts[std::min(last.used, parts.size() - 1)].text;
-    if (where_.toCome && where_.toCome->mayHave(last.service->getOwner(), missing)) throw Unresolved();
+    const std::string& unknown = parts[std::min(last.used, parts.size() - 1)].text;
+    if (where_.toCome && where_.toCome->mayHave(last.service->getOwner(), unknown, last.used == 0)) {
+        if (where_.toCome->tellsDoubts() && last.used != parts.size()) doubt(last, name);
+        throw Unresolved();
+    }
     if (name.called) checkCallOfValue(nodes, name);
     const bool unquoted = text_ == &name && !name.called;
     const std::string hint = unquoted ? "texts stand in quotes: \"" + text(parts, parts.size()) + '"' : "";
@@ -253,16 +289,11 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
                   ", expected a value or a call",
               hint);
     const ast::Identifier& part = parts[last.used];
-    const std::string owner =
-        last.component ? "component '" + last.component->getName() + "'" : "service '" + text(parts, last.used) + "'";
     const bool isLast = last.used + 1 == parts.size();
-    const char* const expected = !isLast       ? "no peer, service or value '"
-                                 : name.called ? "no operation '"
-                                               : "no value or operation '";
     const unsigned later = parts.size() == 1 ? lineOfLaterFunction(part) : 0;
     const bool canBeLoaded = !isLast && last.component && isInstalledService(part.text);
     error(part.at, isLast && name.called ? "OPS134" : "OPS133",
-          owner + " has " + expected + part.text + "'" +
+          missing(last, name) +
               (later         ? " yet: the function is defined later, in line " + std::to_string(later)
                : canBeLoaded ? "; loadService() loads a service of that name"
                              : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))),

@@ -112,11 +112,18 @@ typedef std::map<std::string, std::shared_ptr<const FunctionDefinition>> Functio
 class NamesToCome {
 public:
     virtual ~NamesToCome() = default;
-    /** True if `owner`, or whatever belongs to it, may have that name then. */
-    virtual bool mayHave(const TaskContext* owner, const std::string& name) = 0;
+    /** True if `owner`, or whatever belongs to it, may have that name then; null: what belongs to no component. `isFirst`: it
+        is the first part of a path, so that it may be global as well. */
+    virtual bool mayHave(const TaskContext* owner, const std::string& name, bool isFirst) = 0;
+    /** True if a component of that name, of which nothing else is known, will be a peer then. */
+    virtual bool isToCome(const std::string& peer) = 0;
+    /** True if that function of a script before may be another one then. */
+    virtual bool mayReplace(const std::string& function) = 0;
+    /** Whether names that may be there then are to be doubted if they are like names that are there now. */
+    virtual bool tellsDoubts() const = 0;
     /** That name was not declared, for a reason that is known. */
     virtual void miss(const std::string& name) = 0;
-    /** How often mayHave() was true: as often something was not compiled, which is no error. */
+    /** How often one of the first three was true: as often something was not compiled, which is no error. */
     unsigned gaps = 0;
 };
 

@@ -42,6 +42,24 @@ void checkCount(std::size_t wanted, std::size_t received) {
     throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
 }
 
+/** The value of a function that returns none. */
+class Nothing final : public internal::DataSource<void> {
+public:
+    bool evaluate() const override { return true; }
+    void get() const override {}
+    void value() const override {}
+    const_reference_t rvalue() const override {}
+    Nothing* clone() const override { return new Nothing; }
+    Nothing* copy(CopyMap&) const override { return const_cast<Nothing*>(this); }
+};
+
+oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
+    const ast::Place at = definition.tree->name.at;
+    return {definition.file, at.line, at.column};
+}
+
+}  // namespace
+
 Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component) {
     switch (scope) {
         case ast::Function::Scope::Exported: return component.provides().get();
@@ -51,41 +69,34 @@ Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& com
     return scripting;
 }
 
-oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
-    const ast::Place at = definition.tree->name.at;
-    return {definition.file, at.line, at.column};
-}
-
-}  // namespace
-
-FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern) : pool_(std::move(pool)) {
+FunctionSignature::FunctionSignature(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern)
+    : definition_(std::move(definition)) {
     values_.emplace_back(pattern.result ? pattern.result->clone() : nullptr);
     for (const auto& argument : pattern.arguments) values_.emplace_back(argument->clone());
 }
 
-std::string FunctionPart::getName() const { return pool_->definition().name; }
-std::string FunctionPart::description() const { return "A function of a script."; }
-std::string FunctionPart::resultType() const { return typeOf(values_.front())->getTypeName(); }
-unsigned FunctionPart::arity() const { return static_cast<unsigned>(values_.size() - 1); }
-unsigned FunctionPart::collectArity() const { return values_.front() ? 1 : 0; }
+std::string FunctionSignature::getName() const { return definition_->name; }
+std::string FunctionSignature::description() const { return "A function of a script."; }
+std::string FunctionSignature::resultType() const { return typeOf(values_.front())->getTypeName(); }
+unsigned FunctionSignature::arity() const { return static_cast<unsigned>(values_.size() - 1); }
+unsigned FunctionSignature::collectArity() const { return values_.front() ? 1 : 0; }
 
-std::vector<ArgumentDescription> FunctionPart::getArgumentList() const {
+std::vector<ArgumentDescription> FunctionSignature::getArgumentList() const {
     std::vector<ArgumentDescription> list;
-    for (const ast::Function::Argument& argument : pool_->definition().tree->arguments)
+    for (const ast::Function::Argument& argument : definition_->tree->arguments)
         list.emplace_back(argument.name.text, "", typeOf(values_[list.size() + 1])->getTypeName());
     return list;
 }
 
-const types::TypeInfo* FunctionPart::getArgumentType(unsigned index) const {
+const types::TypeInfo* FunctionSignature::getArgumentType(unsigned index) const {
     return index < values_.size() ? typeOf(values_[index]) : nullptr;
 }
 
-const types::TypeInfo* FunctionPart::getCollectType(unsigned index) const {
+const types::TypeInfo* FunctionSignature::getCollectType(unsigned index) const {
     return index == 1 && values_.front() ? typeOf(values_.front()) : nullptr;
 }
 
-/** Of the types that the function takes. */
-FunctionPart::Args FunctionPart::checked(const Args& args) const {
+FunctionSignature::Args FunctionSignature::checked(const Args& args) const {
     checkCount(arity(), args.size());
     Args sources;
     for (std::size_t i = 1; i != values_.size(); ++i) {
@@ -98,20 +109,11 @@ FunctionPart::Args FunctionPart::checked(const Args& args) const {
     return sources;
 }
 
-DataSourceBase::shared_ptr FunctionPart::produce(const Args& args, ExecutionEngine* caller) const {
-    return makeCallSource({pool_, checked(args), caller ? caller->gate() : nullptr});
-}
-
-DataSourceBase::shared_ptr FunctionPart::produceSend(const Args& args, ExecutionEngine* caller) const {
-    return makeSendSource({pool_, checked(args), caller ? caller->gate() : nullptr});
-}
-
-DataSourceBase::shared_ptr FunctionPart::produceHandle() const {
+DataSourceBase::shared_ptr FunctionSignature::produceHandle() const {
     return new internal::ValueDataSource<FunctionCall::shared_ptr>();
 }
 
-DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
-                                                        internal::DataSource<bool>::shared_ptr blocking) const {
+FunctionSignature::Collected FunctionSignature::collected(const Args& args) const {
     if (args.size() != 1) checkCount(1 + collectArity(), args.size());
     FunctionHandle::shared_ptr const handle = FunctionHandle::narrow(args[0].get());
     if (!handle) throwWrongType(1, "SendHandle", args[0]);
@@ -120,14 +122,49 @@ DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
         if (!variable || !variable->hasTypeOf(*values_.front())) throwWrongType(2, resultType(), variable);
         if (!variable->isAssignable()) throw non_lvalue_args_exception(2, variable->getType());
     }
-    return makeCollectSource(pool_->owner(), handle, variable, std::move(blocking));
+    return {handle, variable};
+}
+
+FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern)
+    : FunctionSignature(std::shared_ptr<const FunctionDefinition>(pool, &pool->definition()), pattern),
+      pool_(std::move(pool)) {}
+
+DataSourceBase::shared_ptr FunctionPart::produce(const Args& args, ExecutionEngine* caller) const {
+    return makeCallSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceSend(const Args& args, ExecutionEngine* caller) const {
+    return makeSendSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
+                                                        internal::DataSource<bool>::shared_ptr blocking) const {
+    const Collected what = collected(args);
+    return makeCollectSource(pool_->owner(), what.handle, what.variable, std::move(blocking));
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produce(const Args& args, ExecutionEngine*) const {
+    (void)checked(args);
+    if (!result()) return new Nothing;
+    return result()->clone();
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produceSend(const Args& args, ExecutionEngine*) const {
+    (void)checked(args);
+    return produceHandle();
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produceCollect(const Args& args,
+                                                          internal::DataSource<bool>::shared_ptr) const {
+    (void)collected(args);
+    return new internal::ValueDataSource<SendStatus>(SendNotReady);
 }
 
 bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scope, Service* scripting,
                  const Surroundings& where) {
     Service* const home = homeOf(scope, scripting, *where.component);
     const OperationInterfacePart* const taken = home ? home->getPart(definition.name) : nullptr;
-    if (!taken || dynamic_cast<const FunctionPart*>(taken)) return true;
+    if (!taken || dynamic_cast<const FunctionSignature*>(taken)) return true;
     where.sink->error(placeOf(definition), "OPS204",
                       "function '" + definition.name + "' cannot be added: '" + home->getName() +
                           "' has an operation of that name, which no script defined");

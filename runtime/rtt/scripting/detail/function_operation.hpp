@@ -6,9 +6,11 @@
 
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/scripting/detail/function_pool.hpp>
+#include <rtt/scripting/detail/function_sources.hpp>
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RTT {
@@ -16,15 +18,9 @@ class Service;
 namespace scripting {
 namespace detail {
 
-/** Each source that calls has an execution of the function of its own, which it takes when it is made; one that sends has
-    several. So calling and sending are as real-time safe as the function is. */
-class FunctionPart final : public OperationInterfacePart {
+/** What a function takes and gives. */
+class FunctionSignature : public OperationInterfacePart {
 public:
-    /** `pattern` has the types. */
-    FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern);
-    /** The component that executes it was destroyed. */
-    bool isLost() const { return pool_->owner()->gate->closed(); }
-
     std::string getName() const override;
     std::string description() const override;
     std::vector<ArgumentDescription> getArgumentList() const override;
@@ -33,20 +29,60 @@ public:
     const types::TypeInfo* getArgumentType(unsigned index) const override;
     unsigned collectArity() const override;
     const types::TypeInfo* getCollectType(unsigned index) const override;
+    base::DataSourceBase::shared_ptr produceHandle() const override;
+
+protected:
+    /** `pattern` has the types. */
+    FunctionSignature(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern);
+
+    /** Of the types that the function takes. */
+    Args checked(const Args& args) const;
+    /** What collects a call: its handle, and the variable for the result, or null. */
+    struct Collected {
+        FunctionHandle::shared_ptr handle;
+        base::DataSourceBase::shared_ptr variable;
+    };
+    Collected collected(const Args& args) const;
+    /** Null for void. */
+    const base::DataSourceBase::shared_ptr& result() const { return values_.front(); }
+
+private:
+    const std::shared_ptr<const FunctionDefinition> definition_;
+    std::vector<base::DataSourceBase::shared_ptr>
+        values_;  // of the types of the result, null for void, and the arguments
+};
+
+/** Each source that calls has an execution of the function of its own, which it takes when it is made; one that sends has
+    several. So calling and sending are as real-time safe as the function is. */
+class FunctionPart final : public FunctionSignature {
+public:
+    FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern);
+    /** The component that executes it was destroyed. */
+    bool isLost() const { return pool_->owner()->gate->closed(); }
 
     base::DataSourceBase::shared_ptr produce(const Args& args, ExecutionEngine* caller) const override;
     base::DataSourceBase::shared_ptr produceSend(const Args& args, ExecutionEngine* caller) const override;
-    base::DataSourceBase::shared_ptr produceHandle() const override;
     base::DataSourceBase::shared_ptr produceCollect(
         const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const override;
 
 private:
-    Args checked(const Args& args) const;
-
     const std::shared_ptr<FunctionPool> pool_;
-    std::vector<base::DataSourceBase::shared_ptr>
-        values_;  // of the types of the result, null for void, and the arguments
 };
+
+/** Of a script that is only looked through: nothing is executed, whoever calls. */
+class UnexecutedPart final : public FunctionSignature {
+public:
+    UnexecutedPart(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern)
+        : FunctionSignature(std::move(definition), pattern) {}
+
+    base::DataSourceBase::shared_ptr produce(const Args& args, ExecutionEngine* caller) const override;
+    base::DataSourceBase::shared_ptr produceSend(const Args& args, ExecutionEngine* caller) const override;
+    base::DataSourceBase::shared_ptr produceCollect(
+        const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const override;
+};
+
+/** The service that has the functions of that scope as operations; null for the service `scripting` if that is. */
+Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component);
 
 /** False, with an error in `*where.sink`, if there is an operation of its name in that scope that is no function of a
     script. `scripting` may be null if the component has no such service. */

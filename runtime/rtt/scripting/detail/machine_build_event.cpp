@@ -37,6 +37,11 @@ std::shared_ptr<internal::SignalBase> signalOf(const OperationInterfacePart& ope
 /** What the path in front of the name of an operation or port leads to. */
 MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
     Source here{where_.component, where_.component->provides()};
+    const std::size_t own = tree.event[0].text == "this" || tree.event[0].text == "task" ||
+                            tree.event[0].text == where_.component->getName();
+    if (where_.toCome && own + 1 < tree.event.size() && !model_->service->hasService(tree.event[0].text) &&
+        where_.toCome->isToCome(tree.event[own].text))
+        return {};
     for (std::size_t i = 0; i + 1 != tree.event.size(); ++i) {
         const std::string& part = tree.event[i].text;
         Source next;
@@ -52,7 +57,7 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
         } else if (i == 0 && internal::GlobalService::Instance()->hasService(part)) {
             next.service = internal::GlobalService::Instance()->getService(part);
         } else {
-            if (where_.toCome && where_.toCome->mayHave(here.service->getOwner(), part)) return {};
+            if (where_.toCome && where_.toCome->mayHave(here.service->getOwner(), part, i == 0)) return {};
             std::vector<std::string> names = here.service->getProviderNames();
             if (here.component)
                 for (const std::string& peer : here.component->getPeerList()) names.push_back(peer);
@@ -68,7 +73,7 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
 
 void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& source) {
     const ast::Identifier& name = tree.event.back();
-    if (where_.toCome && where_.toCome->mayHave(source.service->getOwner(), name.text)) return;
+    if (where_.toCome && where_.toCome->mayHave(source.service->getOwner(), name.text, false)) return;
     std::vector<std::string> names = source.service->getNames();
     bool isOutput = false;
     for (base::PortInterface* port : source.service->getPorts()) {

@@ -133,7 +133,7 @@ bool checkInstance(const ast::Instance& instance, const MachineTypes& known, con
     const auto at = [&](ast::Place place) { return diag::Location{file, place.line, place.column}; };
     const auto found = known.find(instance.type.text);
     if (found == known.end()) {
-        if (where.toCome && where.toCome->mayHave(where.component, instance.type.text)) return false;
+        if (where.toCome && where.toCome->mayHave(where.component, instance.type.text, false)) return false;
         std::vector<std::string> names;
         for (const auto& each : known) names.push_back(each.first);
         where.sink->error(

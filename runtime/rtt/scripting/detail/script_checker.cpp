@@ -42,6 +42,7 @@ ScriptChecker::ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile>
     : ScriptReader(component, std::move(file)), forecast_(forecast), expected_(expected) {}
 
 ScriptChecker::~ScriptChecker() {
+    for (const auto& [service, name] : operations_) service->removeOperation(name);
     for (const std::string& name : services_) component_.provides()->removeService(name);
 }
 
@@ -68,15 +69,31 @@ void ScriptChecker::missWhatIsDefinedBy(const ast::Item& item) {
     if (const auto* const machine = std::get_if<ast::Instance>(&item.what)) miss(machine->name.text);
 }
 
-bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name) {
-    const bool isOwn = owner == &component_ && (missed_.count(name) || expected_.components.count(name));
-    if (!isOwn && !expected_.names && !expected_.more.count(owner)) return false;
+bool ScriptChecker::gap() {
     ++gaps;
     incomplete_ = true;
     return true;
 }
 
+bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name, bool isFirst) {
+    // Functions, programs and state machines are those of the component; functions may be global.
+    const bool isOwn = owner == &component_ || !owner;
+    if (isOwn && (missed_.count(name) || expected_.definitions.count(name) || expected_.components.count(name)))
+        return gap();
+    const bool isGlobal = isFirst || !owner;
+    if (expected_.names || (isGlobal && expected_.globals) || expected_.more.count(owner)) return gap();
+    return false;
+}
+
+bool ScriptChecker::isToCome(const std::string& peer) { return expected_.components.count(peer) && gap(); }
+
+bool ScriptChecker::mayReplace(const std::string& function) {
+    // One that this script defines again has the operation it had before.
+    return (expected_.names || bodies_.count(function) || expected_.definitions.count(function)) && gap();
+}
+
 bool ScriptChecker::isCertain(const diag::Diagnostic& error) const {
+    if (error.severity != diag::Severity::Error) return true;
     if (expected_.names && isOneOf(kUnknownNames, error)) return false;
     if (expected_.types && isOneOf(kUnknownTypes, error)) return false;
     // A handle may belong to an operation that is not there yet.
@@ -125,11 +142,23 @@ bool ScriptChecker::take(const ast::Item& item, const ast::Function& function) {
     Service* const scripting = component_.provides()->getService("scripting").get();
     // Unless a statement before may have removed the other one.
     if (!expected_.names && !hasFreeName(*definition, function.scope, scripting, where)) return false;
-    if (!Compiler(where).check(*definition)) return false;
+    const std::unique_ptr<Activation> pattern = Compiler(where).check(*definition);
+    if (!pattern) return false;
     functions.reset();  // else it is copied
+    addOperation(definition, *pattern);
     bodies_[function.name.text] = &function.body;
     definitions_.define(std::move(definition));
     return true;
+}
+
+void ScriptChecker::addOperation(const std::shared_ptr<const FunctionDefinition>& definition,
+                                 const Activation& pattern) {
+    const Service::shared_ptr scripting = component_.provides()->getService("scripting");
+    Service* const home = homeOf(definition->tree->scope, scripting.get(), component_);
+    if (!home) return miss(definition->name);
+    if (home->getPart(definition->name)) return;  // of a script before: mayReplace()
+    home->add(definition->name, new UnexecutedPart(definition, pattern));
+    operations_.emplace_back(home->provides(), definition->name);
 }
 
 bool ScriptChecker::take(const ast::Item& item, const ast::Program& program) {

@@ -8,10 +8,13 @@
 #include <rtt/scripting/detail/find_calls.hpp>
 #include <rtt/scripting/detail/script_reader.hpp>
 
+#include <boost/shared_ptr.hpp>
+
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RTT {
@@ -23,7 +26,7 @@ class ScriptChecker final : private ScriptReader, private NamesToCome {
 public:
     ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
                   Expectations& expected);
-    /** Removes the services of programs and state machines. */
+    /** Removes the operations of functions, and the services of programs and state machines. */
     ~ScriptChecker() override;
 
     /** All that is certain. */
@@ -36,10 +39,16 @@ private:
     bool take(const ast::Item& item, const ast::Program& program) override;
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
-    bool mayHave(const TaskContext* owner, const std::string& name) override;
+    bool mayHave(const TaskContext* owner, const std::string& name, bool isFirst) override;
+    bool isToCome(const std::string& peer) override;
+    bool mayReplace(const std::string& function) override;
+    bool tellsDoubts() const override { return expected_.doubts; }
     void miss(const std::string& name) override { missed_.insert(name); }
+    bool gap();
     /** What an item that could not be made would have defined. */
     void missWhatIsDefinedBy(const ast::Item& item);
+    /** For calls by path, and those that send. */
+    void addOperation(const std::shared_ptr<const FunctionDefinition>& definition, const Activation& pattern);
     /** For a program or a state machine. */
     bool isFree(const char* kind, const char* code, const ast::Identifier& name);
     Surroundings unevaluated(const Functions& functions);
@@ -54,6 +63,7 @@ private:
     Expectations& expected_;
     Definitions definitions_;
     std::vector<std::string> services_;
+    std::vector<std::pair<boost::shared_ptr<Service>, std::string>> operations_;
     std::map<std::string, const ast::Block*> bodies_;  // of functions and programs of this script
     std::set<const ast::Block*> entered_;              // of these
     std::set<std::string> missed_;                     // names that the script would have declared

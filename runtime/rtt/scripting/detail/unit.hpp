@@ -152,11 +152,15 @@ private:
     unsigned lineOfLaterFunction(const ast::Identifier& name) const;
     Operand valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name);
     bool isElsewhere(const Parts& parts, const Operand& variable) const;
+    bool leadsToCome(const Parts& parts) const;
+    std::string missing(const Node& last, const ast::Name& name) const;
+    void doubt(const Node& last, const ast::Name& name) const;
     [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
     std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
     void checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name);
 
     // compile_call.cpp
+    Callable found(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const;
     Callable callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const;
     bool call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result);
     bool construct(const ast::Name& name, ast::Place at, Operand& result);
