@@ -85,6 +85,13 @@ TEST_F(ScriptsOfService, YieldsAreCounted) {
                                      "end; what has to wait longer belongs into a program\n"));
 }
 
+TEST_F(ScriptsOfService, NothingWaitsAsLongAsItTakes) {
+    EXPECT_TRUE(eval("int later() { var int i = 0\nwhile i < 10100 { i = i + 1\n nothing }\nreturn i }\n"
+                     "count = later()"))
+        << logged();
+    EXPECT_EQ(10100, host.count);
+}
+
 TEST_F(ScriptsOfService, AMissingFileIsAnError) {
     EXPECT_FALSE(service->runScript("/nowhere/x.ops"));
     EXPECT_EQ("/nowhere/x.ops: error: [OPS411] cannot read the script: No such file or directory\n", logged());

@@ -25,7 +25,7 @@ void Unit::statement(const ast::Statement& statement) {
     std::visit(
         Overloaded{[&](const ast::Declaration& s) { declare(s); }, [&](const ast::Do& s) { evaluate(*s.expression); },
                    // Loops of old scripts wait with it: `while !done nothing`.
-                   [&](const ast::Nothing&) { emit(&instructions::yield); },
+                   [&](const ast::Nothing&) { emit(&instructions::idle); },
                    [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
                    [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
                    [&](const ast::While& s) { repeat(s); }, [&](const ast::For& s) { repeat(s); },

@@ -13,6 +13,7 @@ namespace instructions {
 const Instruction* leave(const Instruction&, Process& process) { return process.leave(); }
 
 const Instruction* yield(const Instruction& self, Process& process) { return process.yieldTo(&self + 1); }
+const Instruction* idle(const Instruction& self, Process& process) { return process.idleTo(&self + 1); }
 
 const Instruction* jump(const Instruction& self, Process&) { return &self + self.offset; }
 
@@ -46,7 +47,7 @@ const Instruction* now(const Instruction& self, Process&) {
 
 const Instruction* await(const Instruction& self, Process& process) {
     auto* const status = static_cast<internal::DataSource<SendStatus>*>(self.to);
-    if (status->get() == SendNotReady) return process.yieldTo(&self);
+    if (status->get() == SendNotReady) return process.idleTo(&self);
     return &self + 1;
 }
 

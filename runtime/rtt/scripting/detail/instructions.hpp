@@ -17,6 +17,8 @@ namespace instructions {
 /** The end of a program, or of a function [none]. */
 const Instruction* leave(const Instruction& self, Process& process);
 const Instruction* yield(const Instruction& self, Process& process);
+/** `nothing`. */
+const Instruction* idle(const Instruction& self, Process& process);
 /** [offset] */
 const Instruction* jump(const Instruction& self, Process& process);
 /** Jumps if the bool at `a` is false [a, offset]. */

@@ -40,6 +40,8 @@ public:
     Outcome run();
     /** As run(), for what has to be there at once: goes on where it yields; Failed if there is no end to that. */
     Outcome runToEnd();
+    /** After Yielded: at a `nothing` or a command, by which scripts wait as long as it takes. */
+    bool idles() const { return idles_; }
     /** Executes one statement. Yielded if there are more. */
     Outcome runStatement();
     /** Back to the beginning; clears a failure. Variables keep their values. */
@@ -68,7 +70,15 @@ public:
 
     // -- For instructions -----------------------------------------------------------------------------------
     /** To go on with `next` in the next step. */
-    const Instruction* yieldTo(const Instruction* next) { return stop(Outcome::Yielded, next); }
+    const Instruction* yieldTo(const Instruction* next) {
+        idles_ = false;
+        return stop(Outcome::Yielded, next);
+    }
+    /** The same: it waits for others. */
+    const Instruction* idleTo(const Instruction* next) {
+        idles_ = true;
+        return stop(Outcome::Yielded, next);
+    }
     const Instruction* finish() { return stop(Outcome::Finished, nullptr); }
     /** The statement fails. */
     const Instruction* fail(std::string message);
@@ -111,6 +121,7 @@ private:
     std::atomic<unsigned> line_{0}, column_{0};
     unsigned rounds_ = 0, round_limit_ = 0;
     bool started_ = false, failed_ = false, interrupted_ = false;
+    bool idles_ = false;
     bool finishing_ = false;  // a statement within which pause() was called
     std::string message_;
 };

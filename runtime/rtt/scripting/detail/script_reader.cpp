@@ -78,9 +78,10 @@ bool ScriptReader::execute(const Code& code) {
     const Interruption::Listener listener([&process] { process.pause(); });
     // Whoever can interrupt it may wait as long as he likes.
     const bool patient = interruption && interruption->isPatient();
-    for (unsigned yields = 0; patient || yields <= kMostYields; ++yields) {
+    unsigned counted = 0;
+    for (unsigned yields = 0; patient || counted <= kMostYields; yields += yields != kEagerYields) {
         if (interruption && interruption->asked()) {
-            error(yields == 0 ? code.placeOf(code.begin()) : process.place(), "", "interrupted");
+            error(process.started() ? process.place() : code.placeOf(code.begin()), "", "interrupted");
             return false;
         }
         const Process::Outcome outcome = process.run();
@@ -89,7 +90,8 @@ bool ScriptReader::execute(const Code& code) {
             error(process.place(), process.interrupted() ? "" : "OPS400", process.message());
             return false;
         }
-        if (yields >= kEagerYields) std::this_thread::sleep_for(kPause);
+        counted += !process.idles();
+        if (yields == kEagerYields) std::this_thread::sleep_for(kPause);
     }
     error(process.place(), "OPS410",
           "the statement yielded " + std::to_string(kMostYields) +
