@@ -62,12 +62,14 @@ bool DeploymentComponent::Impl::checkScript(const std::string& file) {
         for (const deploy::ComponentPlan& component : plan.components)
             if (!session.component(component.name.value)) expected.components.insert(component.name.value);
     if (purpose != Purpose::Deploy) {
+        expected.doubts = true;
         deploy::ScriptForecast forecast(session, Foresight::Check);
         return RTT::scripting::checkScript(file, *session.deployer, std::cerr, forecast, expected);
     }
     const deploy::KeptSearchPath paths;  // the script adds to it by itself
     deploy::ScriptForecast forecast(session, Foresight::Run);
     RTT::scripting::Expectations ofThisOne;
+    forecast.expectRunning(ofThisOne);
     std::ostringstream messages;
     if (RTT::scripting::checkScript(file, *session.deployer, messages, forecast, ofThisOne)) return true;
     std::string text = messages.str();

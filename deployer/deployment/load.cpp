@@ -5,6 +5,7 @@
 #include "validate.hpp"
 
 #include <diag/nearest_match.hpp>
+#include <diag/type_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
@@ -136,6 +137,14 @@ std::string componentTypeOf(const std::string& word, std::string& error) {
     error = "library '" + word + "' has " + std::to_string(types.size()) + " component types, name one of them:";
     for (const std::string& type : types) error += " " + type;
     return word;
+}
+
+std::string unknownType(const std::string& type) {
+    const std::vector<std::string> known = ComponentLoader::Instance()->listComponentTypes();
+    if (std::find(known.begin(), known.end(), type) != known.end()) return {};
+    const std::string likely = diag::didYouMeanType(type, known);
+    return "unknown component type '" + type + "'" +
+           (likely.empty() ? "; import the package that has it first" : likely);
 }
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,

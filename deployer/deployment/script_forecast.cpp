@@ -3,9 +3,9 @@
 #include "script_forecast.hpp"
 
 #include "lookup.hpp"
+#include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <diag/type_match.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/internal/GlobalService.hpp>
@@ -13,8 +13,7 @@
 
 #include <algorithm>
 #include <exception>
-#include <iterator>
-#include <map>
+#include <filesystem>
 #include <utility>
 
 namespace OCL::deploy {
@@ -23,113 +22,6 @@ using RTT::ComponentLoader;
 using RTT::plugin::PluginLoader;
 
 namespace {
-
-enum class Effect { None, Import, Path, Library, Component, Peers, Service, Require, Change, ChangeAll };
-
-/** Others may do anything. */
-const std::map<std::string, Effect>& effects() {
-    static const std::map<std::string, Effect> all = {
-        {"import", Effect::Import},
-        {"path", Effect::Path},
-        {"loadLibrary", Effect::Library},
-        {"loadComponent", Effect::Component},
-        {"addPeer", Effect::Peers},
-        {"aliasPeer", Effect::Peers},
-        {"connectPeers", Effect::Peers},
-        {"loadService", Effect::Service},
-        {"require", Effect::Require},
-        {"configureComponent", Effect::Change},
-        {"startComponent", Effect::Change},
-        {"stopComponent", Effect::Change},
-        {"configureComponents", Effect::ChangeAll},
-        {"startComponents", Effect::ChangeAll},
-        {"stopComponents", Effect::ChangeAll},
-        {"displayComponentTypes", Effect::None},
-        {"getComponentTypes", Effect::None},
-        {"connect", Effect::None},
-        {"connectPorts", Effect::None},
-        {"connectTwoPorts", Effect::None},
-        {"stream", Effect::None},
-        {"createStream", Effect::None},
-        {"connectServices", Effect::None},
-        {"connectOperations", Effect::None},
-        {"setActivity", Effect::None},
-        {"setActivityOnCPU", Effect::None},
-        {"setPeriodicActivity", Effect::None},
-        {"setFileDescriptorActivity", Effect::None},
-        {"setSequentialActivity", Effect::None},
-        {"setSlaveActivity", Effect::None},
-        {"setMasterSlaveActivity", Effect::None},
-        {"setWaitPeriodPolicy", Effect::None},
-        {"waitForInterrupt", Effect::None},
-        {"waitForSignal", Effect::None},
-        {"getPeriod", Effect::None},
-        {"setPeriod", Effect::None},
-        {"getCpuAffinity", Effect::None},
-        {"setCpuAffinity", Effect::None},
-        {"isActive", Effect::None},
-        {"isConfigured", Effect::None},
-        {"isRunning", Effect::None},
-    };
-    return all;
-}
-
-/** Which arguments name a component, or "component.port". */
-struct Named {
-    std::size_t argument;
-    bool isPort;
-};
-
-const std::multimap<std::string, Named>& namedArguments() {
-    static const std::multimap<std::string, Named> all = {
-        {"addPeer", {0, false}},
-        {"addPeer", {1, false}},
-        {"aliasPeer", {0, false}},
-        {"aliasPeer", {1, false}},
-        {"connectPeers", {0, false}},
-        {"connectPeers", {1, false}},
-        {"loadService", {0, false}},
-        {"configureComponent", {0, false}},
-        {"startComponent", {0, false}},
-        {"stopComponent", {0, false}},
-        {"connect", {0, true}},
-        {"connect", {1, true}},
-        {"connectPorts", {0, false}},
-        {"connectPorts", {1, false}},
-        {"connectTwoPorts", {0, false}},
-        {"connectTwoPorts", {2, false}},
-        {"stream", {0, true}},
-        {"createStream", {0, false}},
-        {"connectServices", {0, false}},
-        {"connectServices", {1, false}},
-        {"setActivity", {0, false}},
-        {"setActivityOnCPU", {0, false}},
-        {"setPeriodicActivity", {0, false}},
-        {"setFileDescriptorActivity", {0, false}},
-        {"setSequentialActivity", {0, false}},
-        {"setSlaveActivity", {0, false}},
-        {"setMasterSlaveActivity", {0, false}},
-        {"setMasterSlaveActivity", {1, false}},
-        {"setWaitPeriodPolicy", {0, false}},
-    };
-    return all;
-}
-
-/** Services whose operations load nothing. */
-bool isHarmless(const std::vector<std::string>& path) {
-    static const char* const pauses[] = {"getenv", "isenv",      "argc",   "argv",
-                                         "sleep",  "millisleep", "usleep", "nanosleep"};
-    const bool isPause = std::find(std::begin(pauses), std::end(pauses), path.back()) != std::end(pauses);
-    return path.size() == 2 && (path.front() == "print" || (path.front() == "os" && isPause));
-}
-
-/** What every component has and executes no code of its own. */
-bool isQuery(const std::string& operation) {
-    static const char* const all[] = {"getPeriod",   "setPeriod",     "getCpuAffinity", "setCpuAffinity",
-                                      "isActive",    "isConfigured",  "isRunning",      "inFatalError",
-                                      "inException", "inRunTimeError"};
-    return std::find(std::begin(all), std::end(all), operation) != std::end(all);
-}
 
 const std::string* textOf(const RTT::scripting::ForeseenCall& call, std::size_t argument) {
     return argument < call.texts.size() ? call.texts[argument] : nullptr;
@@ -143,13 +35,25 @@ RTT::scripting::CallProblem problem(std::string text, const char* code, std::siz
     return result;
 }
 
-/** What the loader will say of a type that it does not have; empty if it has it. */
-std::string unknownType(const std::string& type) {
-    const std::vector<std::string> known = ComponentLoader::Instance()->listComponentTypes();
-    if (std::find(known.begin(), known.end(), type) != known.end()) return {};
-    const std::string likely = oroforge::diag::didYouMeanType(type, known);
-    return "unknown component type '" + type + "'" +
-           (likely.empty() ? "; import the package that has it first" : likely);
+/** What may be otherwise when the script runs, and is told if the text says what was meant. */
+RTT::scripting::CallProblem doubtful(std::string text, const char* code, std::size_t argument,
+                                     const RTT::scripting::ForeseenCall& call) {
+    if (!call.ignored || text.find("; did you mean '") == std::string::npos) return {};
+    RTT::scripting::CallProblem result = problem(std::move(text), code, argument);
+    result.isWarning = true;
+    return result;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** The services that come with the toolchain, and add nothing but themselves. */
+bool isOfToolchain(const std::string& service) { return service == "scripting" || service == "marshalling"; }
+
+bool isThere(const std::filesystem::path& file) {
+    std::error_code unknown;
+    return std::filesystem::exists(file, unknown) || unknown;
 }
 
 }  // namespace
@@ -159,40 +63,60 @@ RTT::scripting::CallProblem ScriptForecast::foresee(const Call& call, Expectatio
     while (path.size() > 1 && session_.isDeployer(path.front())) path.erase(path.begin());
     if (path.size() > 1 && path.front() == "task") path.erase(path.begin());
     if (path.size() == 1) return callOfDeployer(path.front(), call, expected);
-    if (isHarmless(path) || expected.components.count(path.front())) return {};
-    RTT::TaskContext* const component = session_.deployer->getPeer(path.front());
-    if (component && path.size() == 2 && isQuery(path.back())) return {};
-    if (component)
-        touch(*component, expected);
-    else
-        expected.anything();
+    callOfOthers(path, expected);
+    expected.begun = true;
     return {};
+}
+
+void ScriptForecast::callOfOthers(const std::vector<std::string>& path, Expectations& expected) const {
+    const std::string& first = path.front();
+    if (failed_.count(first)) return;
+    if (expected.components.count(first)) return foreignCode(expected);
+    if (RTT::TaskContext* const component = session_.component(first)) {
+        if (!isQuery(*component, {path.begin() + 1, path.end()})) touch(*component, expected);
+    } else if (isQuery(*session_.deployer, path) || isHarmless(path)) {
+        return;
+    } else if (first != "scripting" && session_.deployer->provides()->hasService(first)) {
+        expected.anything();  // a program or a state machine
+    } else {
+        anyOperation(expected);
+    }
 }
 
 RTT::scripting::CallProblem ScriptForecast::callOfDeployer(const std::string& operation, const Call& call,
                                                            Expectations& expected) {
-    const auto effect = effects().find(operation);
-    if (effect == effects().end()) {
-        expected.anything();
-        return {};
-    }
-    switch (effect->second) {
+    const CallEffect& called = effectOf(operation);
+    switch (called.effect) {
         case Effect::Import: return import(call, false, expected);
         case Effect::Library: return import(call, true, expected);
-        case Effect::Path: return path(call, expected);
-        case Effect::Component: return component(call, expected);
+        case Effect::Path: path(call, expected); return {};
         case Effect::Require: return require(call, expected);
         default: break;
     }
-    Problem found = names(operation, call, expected);
-    switch (effect->second) {
-        case Effect::Peers: return found.text.empty() ? peers(operation, call, expected) : found;
-        case Effect::Service: return found.text.empty() ? service(call, expected) : found;
-        case Effect::Change: (void)change(call, expected); break;
+    const Problem wrong = wrongName(called.names, call, expected);
+    const bool fails = !wrong.text.empty();
+    expected.begun = true;
+    switch (called.effect) {
+        case Effect::Component: return component(call, expected);
+        case Effect::Description: return description(call, expected);
+        case Effect::Script: return script(call, expected);
+        case Effect::Service: return fails ? wrong : service(call, expected);
+        case Effect::Unload: return fails ? wrong : unload(call, expected);
+        case Effect::Peers:
+            if (!fails) peers(operation, call, expected);
+            break;
+        case Effect::Wiring:
+            if (!fails) wiring(called.names, call, expected);
+            break;
+        case Effect::Change:
+            if (!fails) change(call, expected);
+            break;
         case Effect::ChangeAll: touchAll(expected); break;
+        case Effect::UnloadAll:
+        case Effect::Anything: anyOperation(expected); break;
         default: break;
     }
-    return found;
+    return wrong;
 }
 
 /** Only what fails for certain, whatever the script did before, and is not looked at by the script itself. */
@@ -202,173 +126,272 @@ bool ScriptForecast::tells(const Call& call, const Expectations& expected) const
 
 RTT::scripting::CallProblem ScriptForecast::import(const Call& call, bool isLibrary, Expectations& expected) {
     const std::string* const what = textOf(call, 0);
-    const bool wasOpen = expected.names;
-    if (!what || !call.certain || (wasOpen && foresight_ == Foresight::Run)) {
-        expected.anything();
+    // A run does it in its turn: what stands before may prepare it, or take its time.
+    if (!what || !call.certain || (isRun() && expected.begun)) {
+        foreignCode(expected);
         return {};
     }
     std::string error;
     const bool done =
         isLibrary ? loadLibrary(*what, error) : ComponentLoader::Instance()->import(*what, std::string(), error);
     if (done) return {};
-    const bool tell = tells(call, expected);
-    expected.anything();
-    if (!tell) return {};
-    return problem("could not " + std::string(isLibrary ? "load" : "import") + " '" + *what + "': " + error, "DEP030",
-                   0);
+    const bool isSure = isRun() ? call.ignored : tells(call, expected);
+    // What it would have brought is not known; the operations of the deployer are.
+    expected.anyGlobals();
+    const std::string text = "could not " + std::string(isLibrary ? "load" : "import") + " '" + *what + "': " + error;
+    return isSure ? problem(text, "DEP030", 0) : isRun() ? Problem() : doubtful(text, "DEP030", 0, call);
 }
 
-RTT::scripting::CallProblem ScriptForecast::path(const Call& call, Expectations& expected) {
+void ScriptForecast::path(const Call& call, Expectations& expected) {
     const std::string* const directories = textOf(call, 0);
-    if (!directories || !call.certain) {
-        expected.anything();
-        return {};
-    }
+    if (!directories || !call.certain || (isRun() && expected.begun)) return foreignCode(expected);
     addSearchPath(*directories);
     try {
         ComponentLoader::Instance()->import(*directories);
     } catch (const std::exception&) {
-        expected.anything();  // it will be told by the script
+        expected.anyGlobals();  // it will be told by the script
     }
-    return {};
 }
 
 RTT::scripting::CallProblem ScriptForecast::component(const Call& call, Expectations& expected) {
     const std::string* const name = textOf(call, 0);
     const std::string* const type = textOf(call, 1);
     if (!name) {
-        expected.anything();
+        foreignCode(expected);
+        expected.anything();  // of whatever name
         return {};
     }
-    const bool isThere = session_.component(*name) || expected.components.count(*name);
-    if (!isThere) expected.components.insert(*name);
-    if (!type || !call.certain || expected.names) return {};
+    if (!session_.component(*name)) expected.components.insert(*name);
     std::string error;
-    const std::string wanted = componentTypeOf(*type, error);
-    if (error.empty()) error = unknownType(wanted);
-    if (!error.empty())
-        return tells(call, expected) ? problem("could not load component '" + *name + "': " + error, "DEP031", 1)
-                                     : Problem();
-    if (foresight_ == Foresight::Run) return {};
-    if (isThere)
+    // A run loads a library in its turn.
+    const bool waits = isRun() && type && type->find(".so") != std::string::npos;
+    if (type && call.certain && !waits) {
+        const std::string wanted = componentTypeOf(*type, error);
+        if (error.empty()) error = unknownType(wanted);
+    }
+    const bool isSure = tells(call, expected) && !expected.globals;
+    if (!error.empty() && isSure && *type != "PropertyBag" && *type != "RTT::PropertyBag") {
+        failed_.insert(*name);
+        return problem("could not load component '" + *name + "': " + error, "DEP031", 1);
+    }
+    if (isRun()) {
+        foreignCode(expected);
+        return {};
+    }
+    if (!error.empty()) return doubtful("could not load component '" + *name + "': " + error, "DEP031", 1, call);
+    if (!type || !call.certain) return {};
+    if (known(*name, expected))
         return tells(call, expected)
                    ? problem("could not load component '" + *name + "': a component of that name is already there",
                              "DEP032", 0)
                    : Problem();
-    if (create(session_, *name, wanted, 0, error)) {
-        expected.components.erase(*name);
+    return session_.component(*name) ? Problem() : made(*name, *type, expected);
+}
+
+RTT::scripting::CallProblem ScriptForecast::made(const std::string& name, const std::string& type,
+                                                 Expectations& expected) {
+    std::string error;
+    failed_.erase(name);
+    if (create(session_, name, type, 0, error)) {
+        expected.components.erase(name);
         return {};
     }
     // Where the script will run, it may be otherwise: a device is there.
-    Problem result = problem("could not load component '" + *name + "': " + error, "DEP032", 0);
+    Problem result = problem("could not load component '" + name + "': " + error, "DEP032", 0);
     result.isWarning = true;
     return result;
 }
 
-RTT::scripting::CallProblem ScriptForecast::peers(const std::string& operation, const Call& call,
-                                                  Expectations& expected) {
+void ScriptForecast::peers(const std::string& operation, const Call& call, Expectations& expected) const {
     const std::string* const one = textOf(call, 0);
     const std::string* const two = textOf(call, 1);
     const std::string* const alias = operation == "aliasPeer" ? textOf(call, 2) : two;
-    if (!one || !two || !alias) {
-        touchAll(expected);
-        return {};
-    }
-    RTT::TaskContext* const first = session_.component(*one);
-    RTT::TaskContext* const second = session_.component(*two);
+    if (!one || !two || !alias) return anyOperation(expected);
+    RTT::TaskContext* const first = known(*one, expected);
+    RTT::TaskContext* const second = known(*two, expected);
     const bool mutual = operation == "connectPeers";
-    if (foresight_ == Foresight::Check && call.certain && first && second) {
-        const std::string known = operation == "aliasPeer" ? *alias : second->getName();
-        if (!first->hasPeer(known)) first->addPeer(second, known);
+    if (!isRun() && call.certain && first && second) {
+        const std::string name = operation == "aliasPeer" ? *alias : second->getName();
+        if (!first->hasPeer(name)) first->addPeer(second, name);
         if (mutual && !second->hasPeer(first->getName())) second->addPeer(first, first->getName());
-        return {};
+        return;
     }
     if (first == session_.deployer) expected.components.insert(*alias);
-    // One that is not there yet may do with the deployer what it likes.
-    if (second == session_.deployer || (mutual && first == session_.deployer)) expected.anything();
+    // One that is not there yet may do with the deployer, or another one, what it likes.
+    if (second == session_.deployer || (mutual && first == session_.deployer)) return anyOperation(expected);
     if (first) expected.more.insert(first);
-    if (second && mutual) expected.more.insert(second);
-    return {};
+    if (second) touch(*second, expected);
 }
 
-RTT::scripting::CallProblem ScriptForecast::service(const Call& call, Expectations& expected) {
+RTT::scripting::CallProblem ScriptForecast::service(const Call& call, Expectations& expected) const {
     const std::string* const name = textOf(call, 0);
     const std::string* const wanted = textOf(call, 1);
-    RTT::TaskContext* const component = name ? session_.component(*name) : nullptr;
-    if (component)
-        expected.more.insert(component);
-    else if (!name)
+    if (!name) {
         touchAll(expected);
-    if (!wanted || foresight_ == Foresight::Run || !tells(call, expected)) return {};
-    const std::vector<std::string> plugins = PluginLoader::Instance()->listPlugins();
+        return {};
+    }
+    RTT::TaskContext* const component = known(*name, expected);
+    if (!wanted || !component) {
+        if (component) touch(*component, expected);
+        if (!component) foreignCode(expected);
+        return {};
+    }
+    if (component->provides()->hasService(*wanted)) return {};
+    if (isOfToolchain(*wanted)) {
+        if (isRun() || !call.certain || !loadService(*component, *wanted)) expected.more.insert(component);
+        return {};
+    }
+    Problem found;
+    if (!isRun() && tells(call, expected) && !expected.globals)
+        found = noService(*wanted, " into component '" + *name + "'");
+    if (found.text.empty()) touch(*component, expected);
+    return found;
+}
+
+RTT::scripting::CallProblem ScriptForecast::noService(const std::string& wanted, const std::string& into) const {
     const std::vector<std::string> known = PluginLoader::Instance()->listServices();
-    const auto has = [&](const std::vector<std::string>& names) {
-        return std::find(names.begin(), names.end(), *wanted) != names.end();
-    };
-    if (!component || has(known) || has(plugins) || component->provides()->hasService(*wanted)) return {};
-    return problem("could not load service '" + *wanted + "' into component '" + *name +
-                       "': there is no service or plugin of that name" + oroforge::diag::didYouMean(*wanted, known),
-                   "DEP033", 1);
+    if (contains(known, wanted) || contains(PluginLoader::Instance()->listPlugins(), wanted)) return {};
+    return problem("could not load service '" + wanted + "'" + into + ": there is no service or plugin of that name" +
+                       oroforge::diag::didYouMean(wanted, known),
+                   "DEP033", into.empty() ? 0 : 1);
 }
 
 /** Global services: they are loaded, so that what they bring is known. */
-RTT::scripting::CallProblem ScriptForecast::require(const Call& call, Expectations& expected) {
+RTT::scripting::CallProblem ScriptForecast::require(const Call& call, Expectations& expected) const {
     const std::string* const name = textOf(call, 0);
-    const auto global = RTT::internal::GlobalService::Instance();
-    if (name && (global->hasService(*name) || (call.certain && PluginLoader::Instance()->loadService(*name, nullptr))))
+    if (name && RTT::internal::GlobalService::Instance()->hasService(*name)) return {};
+    if (!name || !call.certain || (isRun() && expected.begun)) {
+        foreignCode(expected);
         return {};
-    expected.anything();
-    return {};
+    }
+    const Problem unknown = noService(*name, "");
+    if (unknown.text.empty() && PluginLoader::Instance()->loadService(*name, nullptr)) return {};
+    const bool tell = !isRun() && tells(call, expected) && !expected.globals;
+    expected.anyGlobals();
+    return tell ? unknown : Problem();
 }
 
-RTT::scripting::CallProblem ScriptForecast::change(const Call& call, Expectations& expected) {
+void ScriptForecast::change(const Call& call, Expectations& expected) const {
     const std::string* const name = textOf(call, 0);
-    if (!name)
-        touchAll(expected);
-    else if (RTT::TaskContext* const component = session_.component(*name))
+    RTT::TaskContext* const component = name ? known(*name, expected) : nullptr;
+    if (component)
         touch(*component, expected);
+    else if (!name)
+        touchAll(expected);
+    else if (!failed_.count(*name))
+        foreignCode(expected);
+}
+
+/** It may be loaded again, as another one. */
+RTT::scripting::CallProblem ScriptForecast::unload(const Call& call, Expectations& expected) {
+    const std::string* const name = textOf(call, 0);
+    if (!name) {
+        anyOperation(expected);
+        return {};
+    }
+    change(call, expected);
+    expected.components.insert(*name);
+    failed_.erase(*name);
     return {};
 }
 
-RTT::scripting::CallProblem ScriptForecast::names(const std::string& operation, const Call& call,
-                                                  const Expectations& expected) const {
-    if (foresight_ == Foresight::Run || !tells(call, expected)) return {};
-    const auto arguments = namedArguments().equal_range(operation);
-    for (auto named = arguments.first; named != arguments.second; ++named) {
-        const std::string* const given = textOf(call, named->second.argument);
+RTT::scripting::CallProblem ScriptForecast::description(const Call& call, Expectations& expected) const {
+    const std::string* const file = textOf(call, 0);
+    const bool tell = !isRun() && file && tells(call, expected) && !isThere(*file);
+    if (!tell) expected.anything();
+    return tell ? problem("cannot read the file '" + *file + "': No such file or directory", "DEP020", 0) : Problem();
+}
+
+RTT::scripting::CallProblem ScriptForecast::script(const Call& call, Expectations& expected) const {
+    const std::string* const file = textOf(call, 0);
+    const bool tell = !isRun() && file && tells(call, expected) && !isThere(*file) &&
+                      !isThere(std::filesystem::path(call.script).parent_path() / *file);
+    if (!tell) anyOperation(expected);
+    return tell ? problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0) : Problem();
+}
+
+/** What comes through a port may be a reason to do something, for a component that is to come as well. */
+void ScriptForecast::wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const {
+    std::vector<RTT::TaskContext*> there;
+    for (const NamedArgument& named : names)
+        if (const std::string* const given = textOf(call, named.argument))
+            if (RTT::TaskContext* const component = known(given->substr(0, given->find('.')), expected))
+                there.push_back(component);
+    if (names.size() < 2 || there.size() == names.size()) return;
+    for (RTT::TaskContext* const component : there)
+        if (component != session_.deployer) expected.more.insert(component);
+}
+
+RTT::scripting::CallProblem ScriptForecast::wrongName(const std::vector<NamedArgument>& names, const Call& call,
+                                                      const Expectations& expected) const {
+    if (isRun() || !tells(call, expected)) return {};
+    for (const NamedArgument& named : names) {
+        const std::string* const given = textOf(call, named.argument);
         if (!given) continue;
-        Problem found = name(*given, named->second.isPort, expected);
-        found.argument = named->second.argument;
+        Problem found = wrongName(*given, named.kind, expected);
+        found.argument = named.argument;
         if (!found.text.empty()) return found;
     }
     return {};
 }
 
-RTT::scripting::CallProblem ScriptForecast::name(const std::string& given, bool isPort,
-                                                 const Expectations& expected) const {
-    const std::string component = isPort ? given.substr(0, given.find('.')) : given;
-    RTT::TaskContext* const known = session_.component(component);
-    if (!known && expected.components.count(component)) return {};
-    if (!known)
-        return problem(
-            "no component '" + component + "'" + oroforge::diag::didYouMean(component, session_.componentNames()),
-            "OPS420", 0);
+RTT::scripting::CallProblem ScriptForecast::wrongName(const std::string& given, NamedArgument::Kind kind,
+                                                      const Expectations& expected) const {
+    const bool isPath = kind != NamedArgument::Component;
+    const std::string name = isPath ? given.substr(0, given.find('.')) : given;
+    if (expected.components.count(name)) return {};
+    RTT::TaskContext* const component = session_.component(name);
+    if (!component)
+        return problem("no component '" + name + "'" + oroforge::diag::didYouMean(name, session_.componentNames()),
+                       "OPS420", 0);
     std::string error;
-    if (!isPort || expected.more.count(known) || findPort(session_, given, error)) return {};
+    if (kind != NamedArgument::Port || expected.more.count(component) || findPort(session_, given, error)) return {};
     return problem(error, "OPS420", 0);
 }
 
+RTT::TaskContext* ScriptForecast::known(const std::string& name, const Expectations& expected) const {
+    return expected.components.count(name) ? nullptr : session_.component(name);
+}
+
+void ScriptForecast::foreignCode(Expectations& expected) const {
+    if (isRun())
+        expected.anything();
+    else
+        expected.anyGlobals();
+}
+
 void ScriptForecast::touch(RTT::TaskContext& component, Expectations& expected) const {
-    if (&component == session_.deployer) return expected.anything();
-    expected.types = true;
-    if (!expected.more.insert(&component).second) return;
-    for (const std::string& name : component.getPeerList())
-        if (RTT::TaskContext* const peer = component.getPeer(name)) touch(*peer, expected);
+    foreignCode(expected);
+    std::set<RTT::TaskContext*> reached;
+    std::vector<RTT::TaskContext*> next{&component};
+    while (!next.empty()) {
+        RTT::TaskContext* const one = next.back();
+        next.pop_back();
+        if (one == session_.deployer) return anyOperation(expected);
+        expected.more.insert(one);
+        for (const std::string& name : one->getPeerList())
+            if (RTT::TaskContext* const peer = one->getPeer(name))
+                if (reached.insert(peer).second) next.push_back(peer);
+    }
 }
 
 void ScriptForecast::touchAll(Expectations& expected) const {
+    foreignCode(expected);
     for (const std::string& name : session_.deployer->getPeerList())
         if (RTT::TaskContext* const peer = session_.deployer->getPeer(name)) touch(*peer, expected);
+}
+
+/** Components may be taken away, and others made under their names. */
+void ScriptForecast::anyOperation(Expectations& expected) const {
+    expected.anything();
+    for (const std::string& name : session_.deployer->getPeerList()) expected.components.insert(name);
+}
+
+void ScriptForecast::expectRunning(Expectations& expected) const {
+    if (session_.deployer->isRunning()) anyOperation(expected);
+    for (const std::string& name : session_.deployer->getPeerList())
+        if (RTT::TaskContext* const peer = session_.deployer->getPeer(name))
+            if (peer->isRunning()) touch(*peer, expected);
 }
 
 }  // namespace OCL::deploy

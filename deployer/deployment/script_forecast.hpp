@@ -4,25 +4,29 @@
 #ifndef OROFORGE_DEPLOYMENT_SCRIPT_FORECAST_HPP
 #define OROFORGE_DEPLOYMENT_SCRIPT_FORECAST_HPP
 
+#include "call_effects.hpp"
 #include "session.hpp"
 
 #include <rtt/scripting/check.hpp>
 
+#include <set>
 #include <string>
+#include <vector>
 
 namespace OCL::deploy {
 
-/**
- * Does the imports that a script is certain to do. What else becomes of the calls: `Foresight::Run` is for a script that runs
- * afterwards: components are expected, not made, and what the operations will tell by themselves is left to them.
- * `Foresight::Check` makes the components, whose operations are known then, and tells what will fail.
- */
-enum class Foresight { Run, Check };
+enum class Foresight {
+    Run,  ///< for a script that runs afterwards: tells only what is certain whatever code of others does; makes no components
+    Check  ///< for a script that does not run: makes the components, whose operations are known then, and tells what will fail
+};
 
+/** Does the imports that a script is certain to do; of one that runs afterwards, those that it does before anything else. */
 class ScriptForecast final : public RTT::scripting::CallForecast {
 public:
     ScriptForecast(Session& session, Foresight foresight) : session_(session), foresight_(foresight) {}
 
+    /** What components that are running now may do at any time. */
+    void expectRunning(RTT::scripting::Expectations& expected) const;
     RTT::scripting::CallProblem foresee(const RTT::scripting::ForeseenCall& call,
                                         RTT::scripting::Expectations& expected) override;
 
@@ -32,22 +36,38 @@ private:
     typedef RTT::scripting::Expectations Expectations;
 
     Problem callOfDeployer(const std::string& operation, const Call& call, Expectations& expected);
+    void callOfOthers(const std::vector<std::string>& path, Expectations& expected) const;
     Problem import(const Call& call, bool isLibrary, Expectations& expected);
-    Problem path(const Call& call, Expectations& expected);
+    void path(const Call& call, Expectations& expected);
     Problem component(const Call& call, Expectations& expected);
-    Problem peers(const std::string& operation, const Call& call, Expectations& expected);
-    Problem service(const Call& call, Expectations& expected);
-    Problem require(const Call& call, Expectations& expected);
-    Problem change(const Call& call, Expectations& expected);
-    Problem names(const std::string& operation, const Call& call, const Expectations& expected) const;
-    Problem name(const std::string& given, bool isPort, const Expectations& expected) const;
+    Problem made(const std::string& name, const std::string& type, Expectations& expected);
+    void peers(const std::string& operation, const Call& call, Expectations& expected) const;
+    Problem service(const Call& call, Expectations& expected) const;
+    Problem require(const Call& call, Expectations& expected) const;
+    void change(const Call& call, Expectations& expected) const;
+    Problem unload(const Call& call, Expectations& expected);
+    Problem description(const Call& call, Expectations& expected) const;
+    Problem script(const Call& call, Expectations& expected) const;
+    void wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const;
+
+    Problem wrongName(const std::vector<NamedArgument>& names, const Call& call, const Expectations& expected) const;
+    Problem wrongName(const std::string& given, NamedArgument::Kind kind, const Expectations& expected) const;
+    Problem noService(const std::string& wanted, const std::string& into) const;
+    bool isRun() const { return foresight_ == Foresight::Run; }
     bool tells(const Call& call, const Expectations& expected) const;
+    /** The component that has that name now, and will have it when the script comes here; null if that is not certain. */
+    RTT::TaskContext* known(const std::string& name, const Expectations& expected) const;
+    /** Code that was brought in is executed, by a library or a component that is to come. */
+    void foreignCode(Expectations& expected) const;
+    /** Code of that component is executed. */
     void touch(RTT::TaskContext& component, Expectations& expected) const;
-    /** All components may have more than they have now. */
     void touchAll(Expectations& expected) const;
+    /** The deployer may be told to do whatever it can. */
+    void anyOperation(Expectations& expected) const;
 
     Session& session_;
     const Foresight foresight_;
+    std::set<std::string> failed_;  // components of which it is told why they will not be there
 };
 
 }  // namespace OCL::deploy

@@ -51,6 +51,8 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink);
 /** The component type that is meant: `word`, or the one type of the library file of that name, which is loaded. The reason
     in `error` if the file cannot be loaded, or has none or several. */
 std::string componentTypeOf(const std::string& word, std::string& error);
+/** Why no component of that type can be created; empty if the loader has it. */
+std::string unknownType(const std::string& type);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);

@@ -24,6 +24,7 @@ struct Expectations {
     std::set<std::string> components;   ///< peers of the component that runs the script, whose interface nobody knows
     std::set<std::string> definitions;  ///< functions, programs, state machines and their types of scripts before
     std::set<const TaskContext*> more;  ///< components that may have more than they have now
+    bool begun = false;                 ///< the script has done more than load and declare
     bool doubts = false;                ///< unknown names that are like known ones get a warning
 
     void anything() { names = types = globals = true; }
@@ -38,6 +39,7 @@ struct ForeseenCall {
         texts;             ///< of each argument that is a text as it stands there; null: something else
     bool certain = true;   ///< it is made in any case, and before what stands behind it
     bool ignored = false;  ///< the script does not look at its result
+    std::string script;    ///< the file in which it stands
 };
 
 /** What is wrong with a call. */

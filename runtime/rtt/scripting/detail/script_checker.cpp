@@ -28,7 +28,22 @@ const char* const kMachine = "state machine";
 /** Of errors that are none if somebody adds a name, or a type, in time. */
 const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146",
                                      "OPS148", "OPS305", "OPS311", "OPS312", "OPS317"};
-const char* const kUnknownTypes[] = {"OPS110", "OPS123", "OPS146", "OPS317"};
+const char* const kUnknownTypes[] = {"OPS110", "OPS146", "OPS317"};
+
+/** The name that the item defines for the component; null if it defines none. */
+const std::string* definedBy(const ast::Item& item) {
+    if (const auto* const function = std::get_if<ast::Function>(&item.what)) return &function->name.text;
+    if (const auto* const program = std::get_if<ast::Program>(&item.what)) return &program->name.text;
+    if (const auto* const type = std::get_if<ast::StateMachine>(&item.what)) return &type->type.text;
+    if (const auto* const machine = std::get_if<ast::Instance>(&item.what)) return &machine->name.text;
+    return nullptr;
+}
+
+/** True if it waits for nothing but its calls. */
+bool isPlain(const ast::Statement& statement) {
+    return std::holds_alternative<ast::Declaration>(statement.what) ||
+           std::holds_alternative<ast::Do>(statement.what) || std::holds_alternative<ast::Try>(statement.what);
+}
 
 template <std::size_t N>
 bool isOneOf(const char* const (&codes)[N], const diag::Diagnostic& error) {
@@ -53,20 +68,27 @@ diag::Sink ScriptChecker::check() {
     if (!parsed) return found;
     for (const ast::Item& item : file_->tree.items) {
         const bool good = take(item);
+        const std::size_t errors = found.errorCount();
         keepWhatIsCertain(found);
         if (!good) missWhatIsDefinedBy(item);
-        if (const auto* const statement = std::get_if<ast::StatementPtr>(&item.what))
-            foresee(callsIn(**statement), good, found);
+        const Made made = good ? Made::Yes : found.errorCount() == errors ? Made::Perhaps : Made::No;
+        if (const auto* const statement = std::get_if<ast::StatementPtr>(&item.what)) {
+            foresee(callsIn(**statement), made, found);
+            expected_.begun = expected_.begun || !isPlain(**statement);
+        }
     }
+    for (const ast::Item& item : file_->tree.items) expectWhatIsDefinedBy(item);
     return found;
 }
 
 void ScriptChecker::missWhatIsDefinedBy(const ast::Item& item) {
     incomplete_ = true;
-    if (const auto* const function = std::get_if<ast::Function>(&item.what)) miss(function->name.text);
-    if (const auto* const program = std::get_if<ast::Program>(&item.what)) miss(program->name.text);
-    if (const auto* const type = std::get_if<ast::StateMachine>(&item.what)) miss(type->type.text);
-    if (const auto* const machine = std::get_if<ast::Instance>(&item.what)) miss(machine->name.text);
+    if (const std::string* const name = definedBy(item)) miss(*name);
+}
+
+/** By scripts that are checked after this one, which runs before them. */
+void ScriptChecker::expectWhatIsDefinedBy(const ast::Item& item) {
+    if (const std::string* const name = definedBy(item)) expected_.definitions.insert(*name);
 }
 
 bool ScriptChecker::gap() {
@@ -119,6 +141,7 @@ bool ScriptChecker::take(const ast::Item&, const ast::StatementPtr& statement) {
 }
 
 bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identifier& name) {
+    if (expected_.names) return true;  // a statement before may have unloaded the other one
     if (!isNew(kind, code, name)) return false;
     const char* const other = kind == kProgram ? kMachine : kProgram;
     if (hasDefined(other, name.text)) {
@@ -129,7 +152,7 @@ bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identi
     const auto scripting =
         boost::dynamic_pointer_cast<ScriptingService>(component_.provides()->getService("scripting"));
     const bool scripted = scripting && (scripting->hasProgram(name.text) || scripting->hasStateMachine(name.text));
-    if (scripted || expected_.names || !component_.provides()->hasService(name.text)) return true;
+    if (scripted || !component_.provides()->hasService(name.text)) return true;
     refuse(kind, code, name, nameTaken(component_, "service"));
     return false;
 }

@@ -47,6 +47,7 @@ private:
     bool gap();
     /** What an item that could not be made would have defined. */
     void missWhatIsDefinedBy(const ast::Item& item);
+    void expectWhatIsDefinedBy(const ast::Item& item);
     /** For calls by path, and those that send. */
     void addOperation(const std::shared_ptr<const FunctionDefinition>& definition, const Activation& pattern);
     /** For a program or a state machine. */
@@ -55,9 +56,15 @@ private:
     void keepWhatIsCertain(oroforge::diag::Sink& found);
     bool isCertain(const oroforge::diag::Diagnostic& error) const;
     // What calls lead to.
-    void foresee(const std::vector<FoundCall>& calls, bool canBeMade, oroforge::diag::Sink& found);
+    enum class Made {
+        Yes,
+        Perhaps,  ///< it names what may be there when the script runs
+        No        ///< an error is told
+    };
+    void foresee(const std::vector<FoundCall>& calls, Made made, oroforge::diag::Sink& found);
     void foresee(const FoundCall& call, oroforge::diag::Sink& found);
     bool isCallOfOperation(const FoundCall& call) const;
+    bool isOwnOperation(const ast::Name& name) const;
 
     CallForecast& forecast_;
     Expectations& expected_;

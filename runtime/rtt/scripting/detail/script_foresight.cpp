@@ -71,13 +71,20 @@ bool ScriptChecker::isCallOfOperation(const FoundCall& call) const {
     return !known && call.ignored;
 }
 
-void ScriptChecker::foresee(const std::vector<FoundCall>& calls, bool canBeMade, diag::Sink& found) {
+void ScriptChecker::foresee(const std::vector<FoundCall>& calls, Made made, diag::Sink& found) {
     for (FoundCall call : calls) {
-        // What comes of a statement with an error nobody knows; of calls of other components nothing is needed.
-        if (!canBeMade && call.name->parts.size() > 1) continue;
-        call.certain = call.certain && canBeMade;
+        // What comes of a statement with an error nobody knows: only what it would have made is expected.
+        if (made == Made::No && !isOwnOperation(*call.name)) continue;
+        call.certain = call.certain && made == Made::Yes;
         if (isCallOfOperation(call)) foresee(call, found);
     }
+}
+
+/** True if it names an operation or a function that is there, without a path. */
+bool ScriptChecker::isOwnOperation(const ast::Name& name) const {
+    bool known = false;
+    return name.parts.size() == 1 &&
+           (bodies_.count(name.parts.front().text) || operationAt(component_, name.parts, known));
 }
 
 void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
@@ -91,7 +98,7 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
     const bool isOwn = body != bodies_.end() && (path.size() == 1 || component_.provides()->hasService(body->first));
     if (isOwn) {
         if (!entered_.insert(body->second).second) return;
-        foresee(callsIn(*body->second), true, found);
+        foresee(callsIn(*body->second), Made::Yes, found);
         entered_.erase(body->second);
         return;
     }
@@ -100,6 +107,7 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
     foreseen.texts = textsOf(call.name->arguments);
     foreseen.certain = certain;
     foreseen.ignored = call.ignored;
+    foreseen.script = file_->name;
     const CallProblem problem = forecast_.foresee(foreseen, expected_);
     if (problem.text.empty()) return;
     const ast::Place place =

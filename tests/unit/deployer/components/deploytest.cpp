@@ -3,6 +3,12 @@
 // Components for the deployment tests. They tell on standard output what happens to them.
 #include <rtt/Component.hpp>
 #include <rtt/RTT.hpp>
+#include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/types/StructTypeInfo.hpp>
+#include <rtt/types/Types.hpp>
+
+#include <boost/serialization/nvp.hpp>
 
 #include <iostream>
 #include <memory>
@@ -130,6 +136,38 @@ private:
     }
 };
 
+struct Brought {
+    double x = 1;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned) {
+        archive& boost::serialization::make_nvp("x", x);
+    }
+};
+
+/** Brings along what scripts cannot know before: with its constructor, or when it is configured; also to its peers. */
+class Brings : public Telling {
+public:
+    explicit Brings(const std::string& name) : Telling(name, PreOperational) { bring("early"); }
+
+private:
+    bool configureHook() override {
+        bring("late");
+        for (const std::string& peer : getPeerList()) getPeer(peer)->provides("added")->addOperation("two", &two);
+        return Telling::configureHook();
+    }
+    void bring(const std::string& when) {
+        const RTT::Service::shared_ptr global = RTT::internal::GlobalService::Instance();
+        RTT::types::Types()->addType(new RTT::types::StructTypeInfo<Brought>(when + ".Type"));
+        RTT::ComponentLoader::Instance()->addFactory(
+            when + "::Component", [](std::string made) -> RTT::TaskContext* { return new Late(made); });
+        global->provides(when)->addOperation("two", &two);
+        global->addOperation(when + "Global", &two);
+        provides(when + "Own")->addOperation("two", &two);
+    }
+    static int two() { return 2; }
+};
+
 }  // namespace deploytest
 
 ORO_CREATE_COMPONENT_LIBRARY()
@@ -140,3 +178,4 @@ ORO_LIST_COMPONENT_TYPE(deploytest::ThrowsInConstructor)
 ORO_LIST_COMPONENT_TYPE(deploytest::RefusesToConfigure)
 ORO_LIST_COMPONENT_TYPE(deploytest::RefusesToStart)
 ORO_LIST_COMPONENT_TYPE(deploytest::Eager)
+ORO_LIST_COMPONENT_TYPE(deploytest::Brings)
