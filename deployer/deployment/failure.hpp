@@ -36,9 +36,9 @@ bool doneOr(const std::string& why, Call call) {
     bool done = false;
     std::string errors;
     {
-        const RTT::internal::KeptErrors kept;
+        RTT::internal::KeptErrors kept;
         done = call();
-        errors = kept.text();
+        errors = kept.take();
     }
     if (!done) return failed(errors.empty() ? why : why.empty() ? errors : why + ": " + errors);
     if (!errors.empty()) RTT::log(RTT::Error) << errors << RTT::endlog();

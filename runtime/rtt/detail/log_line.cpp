@@ -109,7 +109,7 @@ void LogLine::finish(bool flush) {
     // Nobody sees it, nothing was composed: the common case of debug messages, which must cost next to nothing.
     if (!opened && !logMayReach(level)) return;
     const bool composed = !buffer.text().empty();
-    const bool kept = composed && level <= Error && internal::KeptErrors::keep(buffer.text());
+    const bool kept = composed && level == Error && internal::KeptErrors::keep(buffer.text());
     if (composed && !kept && logMayReach(level))
         logSink().write(level, module, buffer.text(), flush, buffer.cut());
     else if (flush)

@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/FailureReport.hpp>
 
+#include <rtt/Logger.hpp>
+
 #include <atomic>
 #include <mutex>
 #include <set>
@@ -67,7 +69,11 @@ void FailureReport::setStrict(bool yes) noexcept { strict.store(yes, std::memory
 bool FailureReport::isStrict() noexcept { return strict.load(std::memory_order_relaxed); }
 
 KeptErrors::KeptErrors() noexcept : outer_(innermostErrors) { innermostErrors = this; }
-KeptErrors::~KeptErrors() { innermostErrors = outer_; }
+
+KeptErrors::~KeptErrors() {
+    innermostErrors = outer_;
+    if (!text_.empty()) log(Error) << text_ << endlog();
+}
 
 bool KeptErrors::keep(const std::string& line) {
     if (!innermostErrors) return false;

@@ -6,6 +6,7 @@
 #include <rtt/rtt-config.h>
 
 #include <string>
+#include <utility>
 
 namespace RTT {
 class TaskContext;
@@ -57,7 +58,8 @@ private:
     std::string reasons_;
 };
 
-/** While one lives, errors that its thread logs are kept here instead, to become a reason. On the stack. */
+/** While one lives, errors that its thread logs are kept here instead, to become a reason. What nobody takes is logged at its
+    end. On the stack. */
 class RTT_API KeptErrors {
 public:
     KeptErrors() noexcept;
@@ -66,7 +68,7 @@ public:
     KeptErrors& operator=(const KeptErrors&) = delete;
 
     /** The texts of the lines, separated by semicolons. */
-    const std::string& text() const noexcept { return text_; }
+    std::string take() { return std::exchange(text_, {}); }
     /** For the log: false if nobody keeps the errors of this thread. */
     static bool keep(const std::string& line);
 

@@ -90,14 +90,26 @@ TEST_F(LoggerTest, TextsThatBeginWithTheirPlaceStandAlone) {
 
 TEST_F(LoggerTest, ErrorsThatSomebodyKeepsAreNotLogged) {
     {
-        const internal::KeptErrors kept;
+        internal::KeptErrors kept;
         log(Error) << "one" << endlog();
         log(Warning) << "shown" << endlog();
         log(Error) << "two" << endlog();
-        EXPECT_EQ(kept.text(), "one; two");
+        EXPECT_EQ(kept.take(), "one; two");
     }
     log(Error) << "three" << endlog();
     EXPECT_EQ(lines(), "[ Warning][Logger] shown\n[ ERROR  ][Logger] three\n");
+}
+
+TEST_F(LoggerTest, ErrorsThatNobodyTakesAndWorseOnesAreLogged) {
+    try {
+        const internal::KeptErrors kept;
+        log(Error) << "one" << endlog();
+        log(Critical) << "at once" << endlog();
+        throw std::runtime_error("within");
+    } catch (const std::runtime_error&) {
+        log(Error) << "two" << endlog();
+    }
+    EXPECT_EQ(lines(), "[CRITICAL][Logger] at once\n[ ERROR  ][Logger] one\n[ ERROR  ][Logger] two\n");
 }
 
 TEST_F(LoggerTest, LevelSelectsWhatTheConsoleShows) {
