@@ -88,8 +88,13 @@ bool DeploymentComponent::configureHook() {
 // --- libraries -----------------------------------------------------------------------------------------------------
 
 bool DeploymentComponent::import(const std::string& package) {
-    const auto import = [&] { return RTT::ComponentLoader::Instance()->import(package, std::string()); };
-    return RTT::internal::FailureReport::isWanted() ? deploy::doneOr(std::string(), import) : import();
+    std::string error;
+    bool done = false;
+    {
+        const RTT::internal::FailureReport::Pause others;
+        done = RTT::ComponentLoader::Instance()->import(package, std::string(), error);
+    }
+    return done || failed("could not import '" + package + "': " + error);
 }
 
 void DeploymentComponent::path(const std::string& paths) {
