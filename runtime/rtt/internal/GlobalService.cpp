@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/GlobalService.hpp>
 
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
 
 #include <mutex>
@@ -24,7 +25,17 @@ GlobalService::GlobalService() : Service("GlobalService") {
 }
 
 bool GlobalService::require(const std::string& service) {
-    return hasService(service) || loadServicePlugin(service, nullptr);
+    if (hasService(service)) return true;
+    if (!FailureReport::isWanted()) return loadServicePlugin(service, nullptr);
+    bool done = false;
+    std::string errors;
+    {
+        KeptErrors kept;
+        const FailureReport::Pause others;
+        done = loadServicePlugin(service, nullptr);
+        if (!done) errors = kept.take();
+    }
+    return done || !FailureReport::give("could not load service '" + service + "': " + errors);
 }
 
 Service::shared_ptr GlobalService::Instance() {

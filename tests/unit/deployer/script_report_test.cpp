@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace {
 
@@ -149,6 +150,44 @@ TEST_F(ReportingScript, AMisspeltImportThatTheScriptComputesIsOneLine) {
     const Outcome found = outcome({"--strict"}, "var string name = \"deploytset\"\nimport(name)\n");
     EXPECT_THAT(found.err, StartsWith("app.ops:2:1: error: [OPS400] could not import 'deploytset': no such package"));
     EXPECT_EQ(3, std::count(found.err.begin(), found.err.end(), '\n')) << found.err;
+}
+
+TEST_F(ReportingScript, AGlobalServiceThatIsNotThereTellsItsPlaceOnce) {
+    const Outcome found = outcome({}, "require(\"nosuch\")\nisRunning()\n");
+    EXPECT_EQ(0, found.status);
+    EXPECT_THAT(found.err,
+                StartsWith("app.ops:1:1: warning: [OPS420] could not load service 'nosuch': no such service"));
+    EXPECT_EQ(3, std::count(found.err.begin(), found.err.end(), '\n')) << found.err;
+    EXPECT_EQ(255, outcome({"--strict"}, "require(\"nosuch\")\n").status);
+    EXPECT_EQ(0, outcome({"--strict"}, "if !require(\"nosuch\") then nothing\nrequire(\"os\")\n").status);
+}
+
+TEST_F(ReportingScript, APackageWithOneBadLibraryIsOneWarningAndTheDeployerGoesOn) {
+    std::filesystem::create_directories(directory_ / "bad" / OROCOS_TARGET_WORD / "half");
+    directory_.write("bad/" OROCOS_TARGET_WORD "/half/libhalf-" OROCOS_TARGET_WORD ".so", "no library");
+    const Outcome found = outcome({},
+                                  "path(\"bad\")\nvar string half = \"half\"\nimport(half)\nstart()\n"
+                                  "if inException() then import(\"nosuch\")\n");
+    EXPECT_EQ(0, found.status) << found.err;
+    EXPECT_THAT(found.err, StartsWith("app.ops:3:1: warning: [OPS420] could not import 'half': "));
+    EXPECT_THAT(found.err, Not(HasSubstr("threw")));
+    EXPECT_EQ(3, std::count(found.err.begin(), found.err.end(), '\n')) << found.err;
+}
+
+TEST_F(ReportingScript, TheLineOfAFailedOperationIsThatOfTheTextThatRuns) {
+    const std::string call = "addPeer(\"one\", none)";
+    const Outcome found =
+        outcome({}, kTwo +
+                        "scripting.eval(\"var string none\\n  addPeer(\\\"one\\\", none)\")\n"
+                        "void f() {\n  addPeer(\"one\", \"noone\")\n}\nf()\nscripting.f()\n"
+                        "StateMachine M { initial state A { entry {\n    addPeer(\"one\", \"nobody\") } } "
+                        "final state B { } }\nRootMachine M m\nm.activate()\n");
+    EXPECT_EQ(0, found.status) << found.err;
+    EXPECT_THAT(found.err, HasSubstr("eval():2:3: warning: [OPS420] could not add a peer: no component ''\n"
+                                     "  addPeer(\"one\", none)\n  ^\n"));
+    EXPECT_THAT(found.err, HasSubstr("app.ops:7:3: warning: [OPS420] could not add a peer: no component 'noone'"));
+    EXPECT_THAT(found.err, HasSubstr("\n  addPeer(\"one\", \"noone\")\n  ^\n"));
+    EXPECT_THAT(found.err, HasSubstr("\n    addPeer(\"one\", \"nobody\") } } final state B { } }\n    ^\n"));
 }
 
 }  // namespace

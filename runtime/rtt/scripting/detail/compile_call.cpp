@@ -223,9 +223,14 @@ Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::
 
 /** The call, or one that tells where it stands if it fails. */
 Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const {
-    if (!called.of || !internal::FailureReport::comesFrom(*called.of)) return call;
+    const bool gives = called.of ? internal::FailureReport::comesFrom(*called.of)
+                                 : called.part == internal::GlobalService::Instance()->getPart("require");
+    if (!gives) return call;
     internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
-    return success ? new ToldCall(success, locate(at), ignored_.count(&name) != 0) : call;
+    if (!success) return call;
+    // An alias may stand in another file.
+    const bool isHere = where_.text && !alias_;
+    return new ToldCall(success, locate(at), isHere ? lineOf(*where_.text, at.line) : "", ignored_.count(&name) != 0);
 }
 
 Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {

@@ -110,6 +110,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     const ast::Function& tree = *definition.tree;
     Surroundings there = where;
     there.file = definition.file;
+    there.text = definition.text;
     if (definition.functions) {
         there.known = where.functions;
         there.functions = definition.functions.get();

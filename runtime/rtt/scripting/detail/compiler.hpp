@@ -99,6 +99,7 @@ struct FunctionDefinition {
     std::shared_ptr<const ast::Function> tree;
     std::shared_ptr<const Scope> scope;  ///< of the file it stands in
     oroforge::diag::FileName file;
+    std::shared_ptr<const std::string> text;  ///< of the file
     Scope::Time defined = Scope::now();  ///< it sees what was declared before
     // Known once it has been checked, before others know it.
     mutable std::vector<std::shared_ptr<const FunctionDefinition>> calls;
@@ -135,6 +136,7 @@ struct Surroundings {
     const Functions* known = nullptr;      ///< more of them, whose names are for messages; or null
     Service* service = nullptr;            ///< of a state machine: where paths are looked up first; or null
     oroforge::diag::FileName file;
+    std::shared_ptr<const std::string> text;  ///< of the file, for messages at run time; or null
     oroforge::diag::Sink* sink = nullptr;
     /** How often loops of a program, function or state machine may go round in one step (0: no limit); read in each step.
         Null without limit. */

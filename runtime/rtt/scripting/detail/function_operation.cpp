@@ -42,15 +42,18 @@ void checkCount(std::size_t wanted, std::size_t received) {
     throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
 }
 
-/** The value of a function that returns none. */
-class Nothing final : public internal::DataSource<void> {
+/** What a function gives that returns nothing: for Void = void. */
+template <class Void>
+class NoValue final : public internal::DataSource<Void> {
 public:
+    typedef typename internal::DataSource<Void>::const_reference_t const_reference_t;
+
     bool evaluate() const override { return true; }
     void get() const override {}
     void value() const override {}
     const_reference_t rvalue() const override {}
-    Nothing* clone() const override { return new Nothing; }
-    Nothing* copy(CopyMap&) const override { return const_cast<Nothing*>(this); }
+    NoValue* clone() const override { return new NoValue; }
+    NoValue* copy(CopyMap&) const override { return const_cast<NoValue*>(this); }
 };
 
 oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
@@ -145,7 +148,7 @@ DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
 
 DataSourceBase::shared_ptr UnexecutedPart::produce(const Args& args, ExecutionEngine*) const {
     (void)checked(args);
-    if (!result()) return new Nothing;
+    if (!result()) return new NoValue<void>;
     return result()->clone();
 }
 

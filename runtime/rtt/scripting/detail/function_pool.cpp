@@ -44,6 +44,7 @@ FunctionPool::FunctionPool(std::shared_ptr<const FunctionDefinition> definition,
     where_.known = nullptr;
     where_.caller = where.component->engine();
     where_.file = definition_->file;
+    where_.text = definition_->text;
     where_.sink = nullptr;
     owner_->function = definition_->name;
     owner_->component = where.component->getName();

@@ -22,6 +22,7 @@ MachineBuilder::MachineBuilder(const ast::Instance& instance, const Context& con
       slot_(std::make_shared<boost::weak_ptr<StateMachine>>()),
       model_(std::make_unique<MachineModel>()) {
     where_.file = type_.file->name;
+    where_.text = partOf(type_.file, type_.file->text);
     model_->name = (context.outer ? context.outer->model_->name + "." : "") + instance.name.text;
     model_->text = type_.text;
     model_->firstLine = type_.at.line;

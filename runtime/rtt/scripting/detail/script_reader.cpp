@@ -120,6 +120,7 @@ std::shared_ptr<const FunctionDefinition> ScriptReader::definitionOf(const ast::
     made->tree = partOf(file_, function);
     made->scope = partOf(file_, file_->scope);
     made->file = file_->name;
+    made->text = partOf(file_, file_->text);
     made->functions = callableIn(file_->textOf(item), file_->scope, known);
     return made;
 }
@@ -139,6 +140,7 @@ Surroundings ScriptReader::surroundings(ExecutionEngine* caller) {
     where.component = &component_;
     where.caller = caller;
     where.file = file_->name;
+    where.text = partOf(file_, file_->text);
     where.sink = &sink_;
     return where;
 }

@@ -8,6 +8,7 @@
 #include <diag/diagnostic.hpp>
 
 #include <map>
+#include <string>
 
 namespace RTT {
 namespace scripting {
@@ -19,7 +20,8 @@ namespace detail {
  */
 class ToldCall final : public internal::DataSource<bool> {
 public:
-    ToldCall(internal::DataSource<bool>* call, oroforge::diag::Location where, bool ignored);
+    /** `line`: the text of the line of the call; empty if it is not known. */
+    ToldCall(internal::DataSource<bool>* call, oroforge::diag::Location where, std::string line, bool ignored);
 
     bool evaluate() const override;
     bool get() const override;
@@ -33,8 +35,12 @@ private:
 
     const internal::DataSource<bool>::shared_ptr call_;
     const oroforge::diag::Location where_;
+    const std::string line_;
     const bool ignored_;
 };
+
+/** Empty if the text has no such line. */
+std::string lineOf(const std::string& text, unsigned line);
 
 }  // namespace detail
 }  // namespace scripting
