@@ -48,6 +48,14 @@ TEST_F(CheckedScript, AFunctionWithAnErrorIsOneErrorHoweverItIsCalled) {
 
 TEST_F(CheckedScript, AFunctionThatAScriptDefinesAgainHasItsNewArguments) {
     directory_.write("first.ops", "export bool foo(int i) { return true }\nbool bar() { return true }\n");
+    directory_.write("again.ops", "int bar(int i, int j) { return i }\nexport int foo(int i) { return i }\n");
+    const std::string mine = "int bar() { return 1 }\nexport int foo() { return 1 }\nrunScript(\"again.ops\")\n";
+    for (const std::vector<std::string>& options : {std::vector<std::string>{}, std::vector<std::string>{"--check"}}) {
+        const Outcome other = outcome(options, mine +
+                                                   "bar(1, 2)\nvar int n = bar(1, 2)\nn = 3\nbar.send(1, 2)\n"
+                                                   "foo(1)\nthis.foo(1)\nprogram p { bar(1, n) }\n");
+        EXPECT_EQ(0, other.status) << other.err;
+    }
     const Outcome found =
         outcome({"-s", "first.ops"},
                 "export bool foo(int i, int j) { return true }\nbool bar(int i) { return true }\nthis.foo(1, 2)\n"

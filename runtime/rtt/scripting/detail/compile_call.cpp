@@ -140,8 +140,8 @@ Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vec
 Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
                               bool toSend) const {
     const Callable called = found(parts, count, nodes, toSend);
-    if (where_.toCome && dynamic_cast<const FunctionPart*>(called.part) &&
-        where_.toCome->mayReplace(parts[count - 1].text))
+    if (where_.toCome && (called.function || dynamic_cast<const FunctionSignature*>(called.part)) &&
+        where_.toCome->mayReplace(parts[count - 1].text, !dynamic_cast<const FunctionPart*>(called.part)))
         throw Unresolved();
     return called;
 }

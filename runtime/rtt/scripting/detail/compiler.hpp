@@ -100,7 +100,7 @@ struct FunctionDefinition {
     std::shared_ptr<const Scope> scope;  ///< of the file it stands in
     oroforge::diag::FileName file;
     std::shared_ptr<const std::string> text;  ///< of the file
-    Scope::Time defined = Scope::now();  ///< it sees what was declared before
+    Scope::Time defined = Scope::now();       ///< it sees what was declared before
     // Known once it has been checked, before others know it.
     mutable std::vector<std::shared_ptr<const FunctionDefinition>> calls;
     mutable std::size_t size = 1;  ///< how many functions are to be compiled for it, at most
@@ -118,8 +118,8 @@ public:
     virtual bool mayHave(const TaskContext* owner, const std::string& name, bool isFirst) = 0;
     /** True if a component of that name, of which nothing else is known, will be a peer then. */
     virtual bool isToCome(const std::string& peer) = 0;
-    /** True if that function of a script before may be another one then. */
-    virtual bool mayReplace(const std::string& function) = 0;
+    /** True if that function, of this script or of one before, may be another one then. */
+    virtual bool mayReplace(const std::string& function, bool isOfThis) = 0;
     /** Whether names that may be there then are to be doubted if they are like names that are there now. */
     virtual bool tellsDoubts() const = 0;
     /** That name was not declared, for a reason that is known. */

@@ -109,9 +109,10 @@ bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name, b
 
 bool ScriptChecker::isToCome(const std::string& peer) { return expected_.components.count(peer) && gap(); }
 
-bool ScriptChecker::mayReplace(const std::string& function) {
+bool ScriptChecker::mayReplace(const std::string& function, bool isOfThis) {
+    if (expected_.names) return gap();
     // One that this script defines again has the operation it had before.
-    return (expected_.names || bodies_.count(function) || expected_.definitions.count(function)) && gap();
+    return !isOfThis && (bodies_.count(function) || expected_.definitions.count(function)) && gap();
 }
 
 bool ScriptChecker::isCertain(const diag::Diagnostic& error) const {

@@ -41,7 +41,7 @@ private:
     bool take(const ast::Item& item, const ast::Instance& machine) override;
     bool mayHave(const TaskContext* owner, const std::string& name, bool isFirst) override;
     bool isToCome(const std::string& peer) override;
-    bool mayReplace(const std::string& function) override;
+    bool mayReplace(const std::string& function, bool isOfThis) override;
     bool tellsDoubts() const override { return expected_.doubts; }
     void miss(const std::string& name) override { missed_.insert(name); }
     bool gap();
