@@ -41,8 +41,8 @@ const struct {
     {"dry-run", Takes::Nothing,
      "check everything that files and installed libraries can tell, create nothing that XML files describe, and end"},
     {"strict", Takes::Nothing,
-     "fail the statement of a script that calls an operation of the deployer in vain, such as connect(); else this is "
-     "a warning"},
+     "fail a script statement if an operation of the deployer, such as connect(), returns false and the script ignores "
+     "the result; without the option this is a warning"},
     {"dot", Takes::Word, "write the graph of the components to this file, for Graphviz"},
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "

@@ -51,7 +51,7 @@ public:
     bool loadTypekits(const std::string& path_list);
     /**
      * Loads one typekit by name ("robot-typekit" for `librobot-typekit-<target>.so`), and, if the name is that of a package,
-     * a directory in or below one of the list as plugins are, everything in its `types` and `plugins`. Empty list:
+     * everything in `p/name/{types,plugins}` and `p/<target>/name/{types,plugins}`, for each p of the list. Empty list:
      * getPluginPath(). False if there is neither, or something cannot be loaded.
      */
     bool loadTypekit(const std::string& name, const std::string& path_list = std::string());

@@ -19,6 +19,7 @@ bool isType(const std::vector<ast::Identifier>& parts) {
     return types::TypeInfoRepository::Instance()->type(name) != nullptr;
 }
 
+/** Both sides of `&&` and `||` are executed, whatever the first one gives: what is certain relies on that. */
 class Finder {
 public:
     explicit Finder(bool certain) : certain_(certain) {}

@@ -133,6 +133,7 @@ bool MachineCore::assign(Routine* values) {
     Routine* left = values;
     if (left) left->restart();
     if (finish(left)) return true;
+    // Those of scripts go on where they yield.
     if (left) fail(left->where(), "an initial value has to be there at once, but a function that gives it yields");
     return false;
 }
