@@ -109,6 +109,13 @@ TEST_F(CheckedScript, WhatNewComponentsBringToOldOnesIsNoError) {
         }
 }
 
+TEST_F(CheckedScript, AComponentMayReplaceItsOperations) {
+    directory_.write("first.ops", kImport + "loadComponent(\"old\", \"deploytest::Brings\")\n");
+    const Outcome found = outcome({"-s", "first.ops"}, "old.configure()\nvar int n = old.grow(1)\n");
+    EXPECT_EQ(0, found.status) << found.err;
+    EXPECT_THAT(outcome({"-s", "first.ops"}, "old.grow(1)\n").err, StartsWith("app.ops:1:1: error: [OPS142]"));
+}
+
 TEST_F(CheckedScript, WhatRunningComponentsBringIsNoError) {
     directory_.write("first.ops", kOne +
                                       "export void work() { loadComponent(\"made\", \"deploytest::Consumer\") }\n"

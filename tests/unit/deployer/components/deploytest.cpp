@@ -148,11 +148,16 @@ struct Brought {
 /** Brings along what scripts cannot know before: with its constructor, or when it is configured; also to its peers. */
 class Brings : public Telling {
 public:
-    explicit Brings(const std::string& name) : Telling(name, PreOperational) { bring("early"); }
+    explicit Brings(const std::string& name) : Telling(name, PreOperational) {
+        bring("early");
+        addOperation("grow", &two);
+    }
 
 private:
     bool configureHook() override {
         bring("late");
+        provides()->removeOperation("grow");
+        addOperation("grow", &same);
         for (const std::string& peer : getPeerList()) getPeer(peer)->provides("added")->addOperation("two", &two);
         return Telling::configureHook();
     }
@@ -166,6 +171,7 @@ private:
         provides(when + "Own")->addOperation("two", &two);
     }
     static int two() { return 2; }
+    static int same(int number) { return number; }
 };
 
 }  // namespace deploytest
