@@ -86,8 +86,9 @@ TEST_F(ScriptsOfService, YieldsAreCounted) {
 }
 
 TEST_F(ScriptsOfService, NothingWaitsAsLongAsItTakes) {
-    EXPECT_TRUE(eval("int later() { var int i = 0\nwhile i < 10100 { i = i + 1\n nothing }\nreturn i }\n"
-                     "count = later()"))
+    EXPECT_TRUE(
+        eval("int later() { var int i = 0\nwhile i < 10100 { i = i + 1\n nothing }\nreturn i }\n"
+             "count = later()"))
         << logged();
     EXPECT_EQ(10100, host.count);
 }

@@ -293,10 +293,10 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const unsigned later = parts.size() == 1 ? lineOfLaterFunction(part) : 0;
     const bool canBeLoaded = !isLast && last.component && isInstalledService(part.text);
     error(part.at, isLast && name.called ? "OPS134" : "OPS133",
-          missing(last, name) +
-              (later         ? " yet: the function is defined later, in line " + std::to_string(later)
-               : canBeLoaded ? "; loadService() loads a service of that name"
-                             : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))),
+          missing(last, name) + (later ? " yet: the function is defined later, in line " + std::to_string(later)
+                                 : canBeLoaded
+                                     ? "; loadService() loads a service of that name"
+                                     : oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called))),
           hint);
 }
 
