@@ -13,6 +13,7 @@ using namespace oroforge::test;
 using deployer_test::CheckedScript;
 using deployer_test::kImport;
 using deployer_test::kOne;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -158,7 +159,7 @@ TEST_F(CheckedScript, AComponentThatIsLoadedAgainMayBeAnotherOne) {
         }
     }
     EXPECT_THAT(checked(kOne + "unloadComponent(\"one\")\nconect(\"one.x\", \"one.y\")\n"),
-                HasSubstr("app.ops:4:1: warning: [OPS134] component 'Deployer' has no operation 'conect' until now"))
+                HasSubstr("app.ops:4:1: error: [OPS134] component 'Deployer' has no operation 'conect'"))
         << "the rest is checked";
     EXPECT_THAT(checked(kOne + "unloadComponent(\"noe\")\n"), StartsWith("app.ops:3:17: error: [OPS420]"));
 }
@@ -231,6 +232,24 @@ TEST_F(CheckedScript, NamesThatAreLikeKnownOnesAreDoubtedWhereTheyAreNotCertain)
     }
 }
 
+// Whatever components add, nothing of theirs is called almost like these.
+TEST_F(CheckedScript, ASlipInACallOfTheDeployerIsCertainBehindCodeOfComponents) {
+    const std::string slip = "conect(\"one.numbers\", \"one.text\", ConnPolicy())\n";
+    for (const std::string before : {"one.configure()\n", "one.start()\nrequire(\"os\")\n"}) {
+        EXPECT_THAT(checked(kOne + before + slip),
+                    HasSubstr(": error: [OPS134] component 'Deployer' has no operation 'conect'"));
+        EXPECT_THAT(outcome({}, kOne + before + slip).err, HasSubstr("app.ops:")) << "when the script comes there";
+    }
+}
+
+TEST_F(CheckedScript, ASlipInACallThatEveryComponentHasIsAnErrorOfACheck) {
+    EXPECT_THAT(checked(kOne + "one.configure()\none.confgure()\none.isRuning()\n"),
+                AllOf(HasSubstr("app.ops:4:5: error: [OPS134] component 'one' has no operation 'confgure'"),
+                      HasSubstr("app.ops:5:5: error: [OPS134] component 'one' has no operation 'isRuning'")));
+    EXPECT_THAT(checked(kOne + "one.configure()\none.configureArm()\n"), HasSubstr("app.ops:4:5: warning: [OPS134]"))
+        << "it may have that then";
+}
+
 TEST_F(CheckedScript, AMemberOfAKnownTypeIsCertainWhateverWasCalled) {
     for (const std::string before : {"one.configure()\n", "import(none)\n", "runScript(none)\n"})
         EXPECT_THAT(checked("var string none = \"none\"\n" + kOne + before + "var ConnPolicy cp\ncp.nome = \"x\"\n"),
@@ -247,7 +266,7 @@ TEST_F(CheckedScript, AMisspeltOperationOrImportDoesNotHideWhatFollows) {
     EXPECT_THAT(said, HasSubstr("app.ops:2:8: error: [DEP030]"));
     EXPECT_THAT(said, HasSubstr("app.ops:4:20: warning: [DEP031]"));
     EXPECT_THAT(said, HasSubstr("app.ops:5:8: error: [DEP030]"));
-    EXPECT_THAT(said, HasSubstr("app.ops:6:1: warning: [OPS134]"));
+    EXPECT_THAT(said, HasSubstr("app.ops:6:1: error: [OPS134]"));
     EXPECT_THAT(said, HasSubstr("app.ops:7:1: error: [OPS142]"));
     EXPECT_THAT(checked("conect(\"a\", \"b\")\n" + kImport + "loadComponent(\"h\", \"deploytest::Consmer\")\n"),
                 HasSubstr("app.ops:3:20: error: [DEP031]"));

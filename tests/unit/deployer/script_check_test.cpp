@@ -44,9 +44,9 @@ TEST_F(CheckedScript, AMisspeltOperationOfAComponentThatTheScriptLoads) {
     EXPECT_THAT(checked(kOne + "program p {\n  one.strat()\n}\n"),
                 StartsWith("app.ops:4:7: error: [OPS134] component 'one' has no operation 'strat'"));
     const std::string doubted =
-        "app.ops:5:5: warning: [OPS134] component 'one' has no operation 'confgure' until now; did you mean "
-        "'configure'?\none.confgure()\n    ^\n";
-    EXPECT_EQ(checked(kOne + "one.setPeriod(0.1)\nif one.isRunning() then one.stop()\none.confgure()\n"), doubted)
+        "app.ops:5:5: warning: [OPS134] component 'one' has no operation 'strat' until now; did you mean "
+        "'start'?\none.strat()\n    ^\n";
+    EXPECT_EQ(checked(kOne + "one.setPeriod(0.1)\nif one.isRunning() then one.stop()\none.strat()\n"), doubted)
         << "stop() may be executed, and what it does is not known";
     EXPECT_THAT(checked(kOne + "one.setPeriod(0.1)\nvar bool runs = one.isRunning()\none.confgure()\n"),
                 StartsWith("app.ops:5:5: error: [OPS134] component 'one' has no operation 'confgure'"));

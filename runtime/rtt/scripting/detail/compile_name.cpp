@@ -12,6 +12,7 @@
 #include <diag/nearest_match.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace RTT {
 namespace scripting {
@@ -42,6 +43,18 @@ std::string text(const std::vector<ast::Identifier>& parts, std::size_t count) {
     std::string joined;
     for (std::size_t i = 0; i != count; ++i) joined += (i ? "." : "") + parts[i].text;
     return joined;
+}
+
+/** Operations of which no component has another one with almost the same name. Short names are none: `step` is no `stop`. */
+std::vector<std::string> callsOfEveryComponent() {
+    return {"activate",  "cleanup",     "configure", "isActive", "isConfigured",
+            "isRunning", "loadService", "setPeriod", "trigger"};
+}
+
+/** True if `name` is one of those with a slip of the pen, and not with something appended. */
+bool isSlipOf(const std::string& name, const std::vector<std::string>& names) {
+    const std::optional<std::string> meant = oroforge::diag::nearestMatch(name, names);
+    return meant && name.size() <= meant->size() + 1 && meant->size() <= name.size() + 1;
 }
 
 }  // namespace
@@ -272,14 +285,24 @@ void Unit::doubt(const Node& last, const ast::Name& name) const {
         warn(part.at, isLast && name.called ? "OPS134" : "OPS133", missing(last, name) + " until now" + meant);
 }
 
+bool Unit::isToCome(const Node& last, const ast::Name& name) const {
+    const Parts& parts = name.parts;
+    const std::string& unknown = parts[std::min(last.used, parts.size() - 1)].text;
+    const bool isOwn = parts.size() == 1 && name.called && last.component == where_.component;
+    // Nobody adds a global operation whose name is almost that of one which is there.
+    const bool mayBeGlobal = last.used == 0 && !(isOwn && isSlipOf(unknown, knownNames(last, true, true)));
+    if (!where_.toCome->mayHave(last.service->getOwner(), unknown, mayBeGlobal)) return false;
+    if (!where_.toCome->tellsDoubts() || last.used == parts.size()) return true;
+    const bool isCall = last.component && name.called && last.used + 1 == parts.size();
+    if (isCall && isSlipOf(unknown, callsOfEveryComponent())) return false;
+    doubt(last, name);
+    return true;
+}
+
 void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const Parts& parts = name.parts;
     const Node& last = nodes.back();
-    const std::string& unknown = parts[std::min(last.used, parts.size() - 1)].text;
-    if (where_.toCome && where_.toCome->mayHave(last.service->getOwner(), unknown, last.used == 0)) {
-        if (where_.toCome->tellsDoubts() && last.used != parts.size()) doubt(last, name);
-        throw Unresolved();
-    }
+    if (where_.toCome && isToCome(last, name)) throw Unresolved();
     if (name.called) checkCallOfValue(nodes, name);
     const bool unquoted = text_ == &name && !name.called;
     const std::string hint = unquoted ? "texts stand in quotes: \"" + text(parts, parts.size()) + '"' : "";

@@ -155,6 +155,8 @@ private:
     bool leadsToCome(const Parts& parts) const;
     std::string missing(const Node& last, const ast::Name& name) const;
     void doubt(const Node& last, const ast::Name& name) const;
+    /** True if somebody may add that name before the script comes there. */
+    bool isToCome(const Node& last, const ast::Name& name) const;
     [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
     std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
     void checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name);
