@@ -59,6 +59,9 @@ ScriptChecker::ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile>
 ScriptChecker::~ScriptChecker() {
     for (const auto& [service, name] : operations_) service->removeOperation(name);
     for (const std::string& name : services_) component_.provides()->removeService(name);
+    // A handle keeps its function, and that the file in which the handle stands.
+    for (const auto& named : file_->scope.entries())
+        if (named.second.handle) named.second.handle->clear();
 }
 
 diag::Sink ScriptChecker::check() {
