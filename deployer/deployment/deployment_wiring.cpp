@@ -23,7 +23,7 @@ namespace {
 PortInterface* findPort(const deploy::Session& session, const std::string& path, const char* toDo) {
     std::string error;
     PortInterface* port = deploy::findPort(session, path, error);
-    if (!port) (void)failed(std::string("could not ") + toDo + ": " + error);
+    if (!port) failed(std::string("could not ") + toDo + ": " + error);
     return port;
 }
 

@@ -11,7 +11,8 @@
 
 namespace OCL::deploy {
 
-/** For the script that called and tells it with its place; for the log if there is none. Returns false. */
+/** Gives the reason to the script that called, which reports it with the place of the call; without such a script, to the log.
+    Returns false. */
 inline bool failed(const std::string& why) {
     if (!RTT::internal::FailureReport::give(why)) RTT::log(RTT::Error) << why << RTT::endlog();
     return false;

@@ -20,8 +20,8 @@ std::pair<std::string, std::string> splitPath(const std::string& path) {
 RTT::TaskContext* findComponent(const Session& session, const std::string& name, const char* toDo) {
     RTT::TaskContext* component = session.component(name);
     if (!component)
-        (void)failed(std::string("could not ") + toDo + ": no component '" + name + "'" +
-                     oroforge::diag::didYouMean(name, session.componentNames()));
+        failed(std::string("could not ") + toDo + ": no component '" + name + "'" +
+               oroforge::diag::didYouMean(name, session.componentNames()));
     return component;
 }
 

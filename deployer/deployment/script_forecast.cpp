@@ -35,7 +35,7 @@ RTT::scripting::CallProblem problem(std::string text, const char* code, std::siz
     return result;
 }
 
-/** What may be otherwise when the script runs, and is told if the text says what was meant. */
+/** A warning of what may be right when the script runs; only if the text suggests another name. */
 RTT::scripting::CallProblem doubtful(std::string text, const char* code, std::size_t argument,
                                      const RTT::scripting::ForeseenCall& call) {
     if (!call.ignored || text.find("; did you mean '") == std::string::npos) return {};

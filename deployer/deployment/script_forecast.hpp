@@ -67,7 +67,7 @@ private:
 
     Session& session_;
     const Foresight foresight_;
-    std::set<std::string> failed_;  // components of which it is told why they will not be there
+    std::set<std::string> failed_;  // components that cannot be made, for a reason that was reported
 };
 
 }  // namespace OCL::deploy
