@@ -106,8 +106,8 @@ void ExecutionEngine::finalize() {}
 bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || missed_ports_; }
 
 void ExecutionEngine::work(WorkReason reason) {
-    const bool nested = gate_->isStepping();
     const Step here(*gate_);
+    const bool nested = !here.first();
     if (task_) {
         ++task_->mCycleCounter;
         ++(reason == Trigger ? task_->mTriggerCounter : reason == TimeOut ? task_->mTimeOutCounter : task_->mIOCounter);

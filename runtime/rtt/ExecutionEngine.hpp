@@ -131,7 +131,7 @@ private:
     void disposeQueued();
     static bool processWaiting();
     bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
-                         const internal::EngineGate::Count* also);
+                         const internal::Presence::Word* also);
     bool processInStead(bool& again);
     bool waitInStead(const boost::function<bool()>& done, std::int64_t deadline);
     void triggerDeferred();

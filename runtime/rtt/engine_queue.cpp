@@ -166,7 +166,7 @@ bool ExecutionEngine::processWaiting() {
 }
 
 bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
-                                      const EngineGate::Count* also) {
+                                      const internal::Presence::Word* also) {
     const Step here(*gate_);
     internal::detail::EngineSleep sleep(*gate_, also);
     while (!done()) {

@@ -23,6 +23,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/extras/TimerThread.cpp
   rtt/extras/detail/poll_set.cpp
   rtt/internal/AccessGate.cpp
+  rtt/internal/Presence.cpp
   rtt/internal/DeferredActivity.cpp
   rtt/os/Condition.cpp
   rtt/os/MainThread.cpp

@@ -3,6 +3,7 @@
 // Triggers of an Activity that is about to sleep, to start or to stop.
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
+#include <model/checked_presence.hpp>
 #include <model/checked_thread.hpp>
 
 #include <rtt/Activity.cpp>
@@ -20,6 +21,7 @@ using RTT::Activity;
 /** Sees what others have queued. */
 struct Runner : RTT::base::RunnableInterface {
     std::atomic<int> queued{0}, seen{0}, timeouts{0};
+    Runner() { model::preparePresence(); }
     bool initialize() override { return true; }
     void step() override {}
     void finalize() override {}

@@ -16,6 +16,7 @@ using RTT::extras::SequentialActivity;
 struct Runner : RTT::base::RunnableInterface {
     std::atomic<int> queued{0};
     model::Plain<int> done{0};  // two executions at the same time would be a data race
+    Runner() { model::preparePresence(); }
     bool initialize() override { return true; }
     void step() override {}
     void finalize() override { done = done + 100; }

@@ -41,7 +41,13 @@ struct MasterRunner : RTT::base::RunnableInterface {
     }
 };
 
-struct World {
+constexpr int kFirstThread = 2, kSecondThread = 3;  // Linux ids; the scenario itself has 1
+
+struct Prepared {
+    Prepared() { model::preparePresence(); }
+};
+
+struct World : Prepared {
     MasterRunner masterRunner;
     SequentialActivity master{&masterRunner};
     Runner runner;
@@ -57,6 +63,7 @@ struct World {
 /** The message is queued at most once, and the slave sees what came before the last trigger. */
 void triggering(Trial& trial) {
     World world;
+    world.slave->owner_.store(kSecondThread);
     trial.thread([&] {
         world.trigger(1);
         world.trigger(2);
@@ -74,6 +81,7 @@ void triggering(Trial& trial) {
 void triggeredWhileExecuting(Trial& trial) {
     World world;
     world.trigger(1);
+    world.slave->owner_.store(kFirstThread);
     trial.thread([&] { world.slave->execute(); });
     trial.thread([&] {
         world.runner.queued.store(2, std::memory_order_relaxed);
@@ -87,6 +95,7 @@ void triggeredWhileExecuting(Trial& trial) {
 void destroying(Trial& trial) {
     World world;
     world.trigger(1);
+    world.slave->owner_.store(kSecondThread);
     trial.thread([&] {
         delete world.slave;
         world.slave = nullptr;
@@ -98,6 +107,7 @@ void destroying(Trial& trial) {
 
 /** One thread makes a call directly, because it stands for the thread that updates the slave; another one updates it. */
 void callingDirectly(Trial& trial) {
+    model::preparePresence();
     Runner runner;
     SlaveActivity slave(&runner);
     require(slave.start(), "not started");
@@ -111,9 +121,28 @@ void callingDirectly(Trial& trial) {
     trial.go();
 }
 
+/** A thread that has executed it before, and need not ask others, and one that comes the first time: not both at the same time, but
+    one of the two always does. */
+void executedByTwo(Trial& trial) {
+    model::preparePresence();
+    Runner runner;
+    SlaveActivity slave(&runner);
+    require(slave.start(), "not started");
+    bool first = false, second = false;
+    slave.owner_.store(kFirstThread);
+    trial.thread([&] {
+        require(RTT::os::detail::currentTid() == kFirstThread, "another thread");
+        first = slave.execute();
+    });
+    trial.thread([&] { second = slave.execute(); });
+    trial.go();
+    require(first || second, "nobody has executed it");
+}
+
+TEST(SlaveActivity, executed_by_two_threads) { EXPECT_TRUE(model::holds(executedByTwo)); }
 TEST(SlaveActivity, a_direct_call_while_it_is_executed) { EXPECT_TRUE(model::holds(callingDirectly)); }
 TEST(SlaveActivity, two_triggers) { EXPECT_TRUE(model::holds(triggering)); }
-TEST(SlaveActivity, a_trigger_while_it_is_executed) { EXPECT_TRUE(model::holds(triggeredWhileExecuting)); }
+TEST(SlaveActivity, a_trigger_while_it_is_executed) { EXPECT_TRUE(model::holds(triggeredWhileExecuting, {0})); }
 TEST(SlaveActivity, destroyed_while_its_trigger_is_executed) { EXPECT_TRUE(model::holds(destroying)); }
 
 TEST(SlaveActivity, planted_faults_are_found) {
@@ -121,7 +150,10 @@ TEST(SlaveActivity, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("slave_unqueued_late", triggering));
     EXPECT_TRUE(model::catches("slave_trigger_not_served", triggeredWhileExecuting));
     EXPECT_TRUE(model::catches("slave_two_execute", triggeredWhileExecuting));
-    EXPECT_TRUE(model::catches("slave_direct_beside_execution", callingDirectly));
+    EXPECT_TRUE(model::catches("slave_two_execute", callingDirectly));
+    EXPECT_TRUE(model::catches("slave_two_execute", executedByTwo));
+    EXPECT_TRUE(model::catches("slave_owner_not_asked_again", executedByTwo));
+    EXPECT_TRUE(model::catches("slave_owner_stays", executedByTwo));
 }
 
 }  // namespace

@@ -17,9 +17,14 @@ ActivityInterface::~ActivityInterface() {
     attach(nullptr);
 }
 
+const std::shared_ptr<internal::AccessGate>& ActivityInterface::gate() const {
+    gate_->share();
+    return gate_;
+}
+
 void ActivityInterface::closeGate() noexcept {
     gateClosed_ = true;
-    gate_->close();
+    gate_->closeForGood();
 }
 
 void ActivityInterface::attach(RunnableInterface* newRunner) {

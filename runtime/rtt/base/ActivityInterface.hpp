@@ -70,7 +70,8 @@ public:
     enum class Direct { Refused, Granted, Entered };
     /**
      * For a call that this thread makes on the component without a message, because isSelf(). Granted: it may. Entered: it
-     * may, nobody else executes the runner meanwhile, and it calls endDirect() afterwards. Never blocks; real-time safe.
+     * may, nobody else executes the runner meanwhile, and it calls endDirect() afterwards. Real-time safe: waits for no
+     * execution, at most some microseconds for another thread that asks at the same moment.
      */
     virtual Direct beginDirect();
     /**
@@ -81,7 +82,7 @@ public:
     virtual void endDirect();
 
     /** For those who keep a pointer to an activity that others may destroy, as a slave does: pass it before each use. */
-    const std::shared_ptr<internal::AccessGate>& gate() const { return gate_; }
+    const std::shared_ptr<internal::AccessGate>& gate() const;
 
 protected:
     /**

@@ -336,13 +336,14 @@ bool TaskCore::setCpuAffinity(unsigned cpu) {
     return visit.activity() && visit.activity()->setCpuAffinity(cpu);
 }
 
-bool TaskCore::isConfigured() const { return states().state >= Stopped; }
-bool TaskCore::isRunning() const { return states().state >= Running; }
-bool TaskCore::inFatalError() const { return states().state == FatalError; }
-bool TaskCore::inException() const { return states().state == Exception; }
-bool TaskCore::inRunTimeError() const { return states().state == RunTimeError; }
-TaskCore::TaskState TaskCore::getTaskState() const { return states().state; }
-TaskCore::TaskState TaskCore::getTargetState() const { return states().target; }
+// Asked several times in each step, so by one bit operation.
+TaskCore::TaskState TaskCore::getTaskState() const { return static_cast<TaskState>(states_ & 0xff); }
+TaskCore::TaskState TaskCore::getTargetState() const { return static_cast<TaskState>(states_ >> 8 & 0xff); }
+bool TaskCore::isConfigured() const { return TaskCore::getTaskState() >= Stopped; }
+bool TaskCore::isRunning() const { return TaskCore::getTaskState() >= Running; }
+bool TaskCore::inFatalError() const { return TaskCore::getTaskState() == FatalError; }
+bool TaskCore::inException() const { return TaskCore::getTaskState() == Exception; }
+bool TaskCore::inRunTimeError() const { return TaskCore::getTaskState() == RunTimeError; }
 
 bool TaskCore::configureHook() { return true; }
 bool TaskCore::startHook() { return true; }

@@ -4,6 +4,7 @@
 
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/internal/AccessGate.hpp>
+#include <rtt/internal/Presence.hpp>
 #include <rtt/internal/TryFlag.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/MutexLock.hpp>
@@ -70,7 +71,8 @@ private:
 struct SlaveActivity::Leave {
     SlaveActivity& slave;
     ~Leave() {
-        if (slave.executor_.exchange(0) & kWaiting) os::detail::futexWakeAll(slave.executor_);
+        slave.executor_.store(0, std::memory_order_release);
+        internal::Presence::leave();  // another thread may destroy the slave from here on
     }
 };
 
@@ -93,8 +95,9 @@ SlaveActivity::SlaveActivity(base::RunnableInterface* r) : SlaveActivity(0.0, r)
 SlaveActivity::~SlaveActivity() {
     closeGate();
     stop();
-    // One that stopped itself, or does not end in time.
-    if (executor() != os::detail::currentTid()) waitForExecution(os::detail::kForever);
+    // One that does not end in time.
+    waitForExecution(os::detail::kForever);
+    internal::Presence::forget(this);
     message_->disconnect();
 }
 
@@ -136,8 +139,7 @@ bool SlaveActivity::stop() {
     const internal::TryFlag mine(changing_);
     const bool stops = mine && open_.exchange(false);
     // Also if it is not active: who calls stop() does not expect that it is still being executed.
-    const bool left =
-        executor() == os::detail::currentTid() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
+    const bool left = waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
     if (!stops) return false;
     if (!left) {
         os::detail::log(os::detail::LogError, "SlaveActivity",
@@ -151,19 +153,10 @@ bool SlaveActivity::stop() {
     return true;
 }
 
-bool SlaveActivity::waitForExecution(nsecs deadline) {
-    std::uint32_t word = executor_;
-    while (word != 0) {
-        // The mark asks the executing thread for a wake-up, which then need not look at this object afterwards.
-        if (!(word & kWaiting) && !executor_.compare_exchange_weak(word, word | kWaiting)) continue;
-        const bool inTime = os::detail::futexWait(executor_, word | kWaiting, deadline);
-        word = executor_;
-        if (!inTime && word != 0) return false;
-    }
-    return true;
-}
+// In another thread.
+bool SlaveActivity::waitForExecution(nsecs deadline) const { return internal::Presence::Waiter(this).wait(deadline); }
 
-bool SlaveActivity::isRunning() const { return open_ && (periodic_ || executor() != 0); }
+bool SlaveActivity::isRunning() const { return open_ && (periodic_ || executor_ != 0); }
 bool SlaveActivity::isActive() const { return active_; }
 
 Seconds SlaveActivity::getPeriod() const {
@@ -182,13 +175,41 @@ unsigned SlaveActivity::getCpuAffinity() const {
 }
 bool SlaveActivity::setCpuAffinity(unsigned) { return false; }
 
-int SlaveActivity::executor() const { return static_cast<int>(executor_ & ~kWaiting); }
+bool SlaveActivity::isExecutor() const { return executor_ == os::detail::currentTid(); }
 
 bool SlaveActivity::enter() {
-    std::uint32_t nobody = 0;
+    if (claim() != Direct::Entered) return false;
     const int self = os::detail::currentTid();
-    if (!executor_.compare_exchange_strong(nobody, static_cast<std::uint32_t>(self))) return false;
-    updater_ = self;
+    if (updater_ != self) updater_ = self;
+    return true;
+}
+
+// The owner enters and then looks whether it still is the owner. A thread that takes over first makes that nobody and then looks
+// for others inside. So the owner, which nearly always is the one that executes, needs no locked instruction.
+base::ActivityInterface::Direct SlaveActivity::claim() {
+    const int self = os::detail::currentTid();
+    if (executor_ == self) return Direct::Granted;
+    bool entered = false;
+    if (owner_ == self) {
+        internal::Presence::enter(this);
+        entered = owner_ == self;
+        if (!entered) internal::Presence::leave();
+    }
+    if (!entered && !takeOver()) return Direct::Refused;
+    executor_.store(self, std::memory_order_release);
+    return Direct::Entered;
+}
+
+// False if another thread executes.
+bool SlaveActivity::takeOver() {
+    const os::MutexLock lock(handover_);
+    const int last = owner_.exchange(0);
+    if (internal::Presence::Waiter(this).others()) {
+        owner_ = last;
+        return false;
+    }
+    internal::Presence::enter(this);
+    owner_ = os::detail::currentTid();
     return true;
 }
 
@@ -220,7 +241,7 @@ void SlaveActivity::executeOnce() {
 
 void SlaveActivity::executeTrigger() {
     // Within execute() of this thread: the master executes its messages while the slave waits for something.
-    if (executor() == os::detail::currentTid()) {
+    if (isExecutor()) {
         if (open_) work(base::RunnableInterface::Trigger);
         return;
     }
@@ -262,7 +283,7 @@ os::ThreadInterface* SlaveActivity::thread() {
 }
 
 bool SlaveActivity::isSelf() const {
-    const int executing = executor();
+    const int executing = executor_;
     if (executing != 0) return executing == os::detail::currentTid();
     {
         const internal::AccessGate::Pass pass(masterGate_);
@@ -282,20 +303,14 @@ bool SlaveActivity::isUpdater() const {
 // Between two executions this thread only stands for the one that makes them: the next one may come from another thread at
 // any moment. So it becomes the executing thread for as long as the call takes.
 base::ActivityInterface::Direct SlaveActivity::beginDirect() {
-    if (executor() == os::detail::currentTid()) return Direct::Granted;
+    if (isExecutor()) return Direct::Granted;
     return isSelf() ? claim() : Direct::Refused;
 }
 
 base::ActivityInterface::Direct SlaveActivity::beginInStead() {
     if (ofMaster([](ActivityInterface& master) { return master.isActive(); }, false))
         return SlaveActivity::beginDirect();
-    return executor() == os::detail::currentTid() ? Direct::Granted : claim();
-}
-
-base::ActivityInterface::Direct SlaveActivity::claim() {
-    std::uint32_t nobody = 0;
-    const auto self = static_cast<std::uint32_t>(os::detail::currentTid());
-    return executor_.compare_exchange_strong(nobody, self) ? Direct::Entered : Direct::Refused;
+    return claim();
 }
 
 void SlaveActivity::endDirect() {

@@ -4,9 +4,9 @@
 #define ORO_EXTRAS_SLAVE_ACTIVITY_HPP
 
 #include <rtt/base/ActivityInterface.hpp>
+#include <rtt/os/Mutex.hpp>
 
 #include <atomic>
-#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -48,7 +48,8 @@ public:
     bool setCpuAffinity(unsigned cpuAffinity) override;
     /**
      * One cycle in the calling thread: step() and work(TimeOut), or loop() and work(TimeOut) if not periodic. False if
-     * not active or executing already.
+     * not active or executing already. Costs some microseconds more, and may wait as long for another thread that asks at the
+     * same moment, if it is not the thread that executed it last.
      */
     bool execute() override;
     /** False without a master, if not active or if the runner of the master takes no messages. */
@@ -76,7 +77,6 @@ protected:
     virtual void work(base::RunnableInterface::WorkReason reason);
 
 private:
-    static constexpr std::uint32_t kWaiting = 0x80000000u;  // in executor_: stop() waits for the end of the execution
     class TriggerMessage;
     struct Leave;
     template <class Ask>
@@ -84,24 +84,27 @@ private:
     bool activate();
     void executeTrigger();
     bool enter();
+    bool takeOver();
     bool isUpdater() const;
     Direct claim();
-    int executor() const;
+    bool isExecutor() const;
     void executeOnce();
     void servePending();
-    bool waitForExecution(nsecs deadline);
+    bool waitForExecution(nsecs deadline) const;
 
     base::ActivityInterface* const master_;  // used by ofMaster() only
     const std::shared_ptr<internal::AccessGate> masterGate_;
     std::atomic<double> period_;
     const bool periodic_;
     std::atomic<bool> active_{false};
-    std::atomic<bool> open_{false};           // may be executed; active_ stays until stop() has waited for an execution
-    std::atomic<bool> changing_{false};       // within start() or stop()
-    std::atomic<std::uint32_t> executor_{0};  // Linux id of the executing thread, 0: nobody
-    std::atomic<int> updater_{0};             // Linux id of the thread that executed it last, 0: main
-    std::atomic<bool> pending_{false};        // work(Trigger) is due
-    TriggerMessage* message_;                 // shared with the queue of the master's engine
+    std::atomic<bool> open_{false};      // may be executed; active_ stays until stop() has waited for an execution
+    std::atomic<bool> changing_{false};  // within start() or stop()
+    // Linux ids of threads: the one that executes it, 0 for none; the one that may enter without asking others; and the one that
+    // made the last step, 0 for main.
+    std::atomic<int> executor_{0}, owner_{0}, updater_{0};
+    os::Mutex handover_;                // of owner_
+    std::atomic<bool> pending_{false};  // work(Trigger) is due
+    TriggerMessage* message_;           // shared with the queue of the master's engine
 };
 
 }  // namespace extras

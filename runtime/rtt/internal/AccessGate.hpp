@@ -3,10 +3,9 @@
 #ifndef ORO_INTERNAL_ACCESS_GATE_HPP
 #define ORO_INTERNAL_ACCESS_GATE_HPP
 
-#include <rtt/rtt-config.h>
+#include <rtt/internal/Presence.hpp>
 
 #include <atomic>
-#include <cstdint>
 #include <memory>
 
 namespace RTT {
@@ -14,13 +13,10 @@ namespace internal {
 
 /**
  * Stands between an object and those who keep a plain pointer to it. They take a Pass before they use the object; its
- * destructor closes the gate, which waits for those inside and lets nobody in any more. The object and its users
+ * destructor closes the gate, which waits for the threads inside and lets no further one in. The object and its users
  * share the gate, so it outlives both.
  *
- * One word holds the number of users inside and, in its highest bit, whether the gate is closed. A Pass and close() each
- * change it in one atomic operation, so one of the two comes first: either the user finds the bit and leaves the object
- * alone, or close() finds the user and waits. The default (sequentially consistent) order is used; the part that matters
- * is that what users did to the object happens before close() returns.
+ * A Pass enters and then looks whether the gate is closed, see Presence.
  */
 class RTT_API AccessGate {
 public:
@@ -28,29 +24,35 @@ public:
     class RTT_API Pass {
     public:
         /** A null gate is closed. */
-        explicit Pass(const std::shared_ptr<AccessGate>& gate) noexcept;
-        ~Pass();
+        explicit Pass(const std::shared_ptr<AccessGate>& gate) noexcept : inside_(gate && enter(*gate)) {}
+        ~Pass() {
+            if (inside_) Presence::leave();  // of a gate that may be gone
+        }
         Pass(const Pass&) = delete;
         Pass& operator=(const Pass&) = delete;
-        explicit operator bool() const noexcept { return gate_ != nullptr; }
+        explicit operator bool() const noexcept { return inside_; }
 
     private:
-        friend class AccessGate;
-        std::shared_ptr<AccessGate> gate_;  // shared: user and object may both be destroyed while it lives
-        const Pass* outer_ = nullptr;       // of this thread
+        static bool enter(const AccessGate& gate) noexcept {
+            Presence::enter(&gate);
+            if (!gate.closed_) return true;
+            Presence::leave();
+            return false;
+        }
+        const bool inside_;
     };
 
+    /** To be called before others get the gate. Without that there is nobody for whom close() would wait. Real-time safe. */
+    void share() noexcept { shared_ = true; }
     /** Blocks until nobody is inside, except this thread: an object may be destroyed by what its user makes it do. */
     void close() noexcept;
+    /** The same when it will not be opened again: it may be destroyed while this thread is inside. */
+    void closeForGood() noexcept;
     /** Real-time safe. */
-    void open() noexcept { word_.fetch_and(~kClosed); }
+    void open() noexcept { closed_ = false; }
 
 private:
-    static constexpr std::uint32_t kClosed = 0x80000000u;
-    bool enter() noexcept;
-    void leave() noexcept;
-
-    std::atomic<std::uint32_t> word_{0};
+    std::atomic<bool> closed_{false}, shared_{false};
 };
 
 }  // namespace internal

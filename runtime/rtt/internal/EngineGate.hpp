@@ -3,6 +3,7 @@
 #ifndef ORO_INTERNAL_ENGINE_GATE_HPP
 #define ORO_INTERNAL_ENGINE_GATE_HPP
 
+#include <rtt/internal/Presence.hpp>
 #include <rtt/internal/WaitPoint.hpp>
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
@@ -21,17 +22,18 @@ namespace internal {
  * How others reach an ExecutionEngine whose activity may be exchanged, or which may be destroyed, at that moment. Shared by
  * the engine, the callers of its component's operations and the calls that its component waits for; outlives the engine.
  *
- * A visitor counts itself and then looks who is there. Whoever takes the activity or the engine away does that first and
- * then waits until nobody is left who may have seen it. Both words are accessed in one sequentially consistent order,
- * so either the visitor is waited for or it finds nobody.
+ * A visitor enters the gate and then looks for the engine and the activity. The thread that takes one of them away does
+ * that first and then waits for all visitors, see Presence.
  */
 class RTT_API EngineGate {
 public:
     /** While one exists, what it gives is not destroyed. Never blocks; real-time safe. */
     class RTT_API Visit {
     public:
-        explicit Visit(const EngineGate& gate) noexcept;
-        ~Visit();
+        explicit Visit(const EngineGate& gate) noexcept : gate_(gate) { Presence::enter(&gate); }
+        ~Visit() {
+            if (Presence::leave()) gate_.deref();  // the engine was destroyed within
+        }
         Visit(const Visit&) = delete;
         Visit& operator=(const Visit&) = delete;
         /** Null: destroyed. */
@@ -40,10 +42,7 @@ public:
         base::ActivityInterface* activity() const { return gate_.activity_.load(); }
 
     private:
-        friend class EngineGate;
         const EngineGate& gate_;
-        const Visit* outer_;               // of this thread
-        mutable bool keeps_gate_ = false;  // the engine was destroyed within
     };
 
     /** A step of the engine in this thread. Steps nest: a sequential activity may execute within the step of another. */
@@ -58,6 +57,8 @@ public:
         /** The engine; null if gone. */
         ExecutionEngine* engine() const { return gate_ ? gate_->engine_.load(std::memory_order_relaxed) : nullptr; }
         const Step* outer() const { return outer_; }
+        /** Not within another step of the same engine. */
+        bool first() const { return first_; }
         /** Of this thread; null if it is within no step. */
         static const Step* innermost() noexcept { return innermost_; }
 
@@ -65,14 +66,14 @@ public:
         friend class EngineGate;
         mutable const EngineGate* gate_;
         const Step* outer_;
-        const bool first_;  // not within another step of the same engine
+        const bool first_;
         static thread_local const Step* innermost_ __attribute__((tls_model("initial-exec")));
     };
 
     /**
      * While this thread touches the component without a message, because it is within a step of the engine or stands for
      * its activity (base::ActivityInterface::isSelf()): nobody else executes the component meanwhile. Converts to false if
-     * this thread must leave it alone. Never blocks; real-time safe. Lives on the stack.
+     * this thread must leave it alone. Waits for no execution, see ActivityInterface::beginDirect(). Lives on the stack.
      */
     class RTT_API Stand {
     public:
@@ -92,6 +93,7 @@ public:
         bool enter(const EngineGate& gate, As as);
         void leave();
         base::ActivityInterface* entered_ = nullptr;
+        const EngineGate* gate_ = nullptr;                   // if entered
         alignas(Visit) unsigned char visit_[sizeof(Visit)];  // a Visit, if entered
         const bool granted_;
     };
@@ -125,20 +127,15 @@ public:
 
     mutable WaitPoint waitPoint;
 
-    /** Where others wait for the end of visits and steps, with the number of those in the lower bits. */
-    typedef std::atomic<std::uint32_t> Count;
-
     void ref() const { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref() const;
 
 private:
-    static constexpr std::uint32_t kWaiter = 1u << 24;  // in a Count: threads that wait; below: those they wait for
-    static void leave(Count& count) noexcept;
-    void waitFor(Count& count, std::uint32_t own, const char* what) const;
+    /** What a thread within a step is using. */
+    const void* step() const noexcept { return &references_; }
+    void waitFor(const void* use, const char* what) const;
 
     mutable std::atomic<std::uint32_t> references_{0};
-    mutable Count visitors_{0};
-    mutable Count steppers_{0};  // threads within a step
     std::atomic<ExecutionEngine*> engine_;
     std::atomic<base::ActivityInterface*> activity_{nullptr};
 };

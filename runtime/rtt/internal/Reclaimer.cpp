@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/Reclaimer.hpp>
 
-#include <linux/membarrier.h>
+#include <rtt/internal/detail/process_barrier.hpp>
+#include <rtt/internal/detail/thread_records.hpp>
+
 #include <pthread.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <mutex>
@@ -30,7 +30,7 @@ struct ReclaimerState {
     ReclaimerState() {
         pthread_key_create(&key_, &ReclaimerState::threadEnds);
         // Safe to switch on here only: nobody can be inside before the first attach(), which comes through instance().
-        Reclaimer::asymmetric_ = syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
+        Reclaimer::asymmetric_ = detail::offersProcessBarrier();
     }
 
     /** Never destroyed: threads may still be running, and ports be destroyed, while the process exits. */
@@ -41,8 +41,8 @@ struct ReclaimerState {
     }
 
     Record* attach() {
-        Record* record = reuse();
-        if (!record) record = add();
+        // A thread that retires something after this sees the record; one that did before has unlinked it before we look.
+        Record* const record = records_.take();
         Reclaimer::record_ = record;
         pthread_setspecific(key_, record);
         return record;
@@ -51,8 +51,7 @@ struct ReclaimerState {
     /** Makes all that other threads did before visible here, and all that we did before to what they do from now on. */
     static void barrier() {
         if (!Reclaimer::asymmetric_) return;  // then the addition to epoch_ that came before does it, see enter()
-        while (syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0)
-            syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0);  // a forked child must ask again
+        detail::processBarrier();
     }
 
     /** True if anything was destroyed; that may have retired more. */
@@ -79,43 +78,23 @@ struct ReclaimerState {
     /** The smallest epoch announced; the maximum if nobody is inside. */
     std::uint64_t oldestInside() const {
         std::uint64_t oldest = ~std::uint64_t(0);
-        for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
+        for (Record* r = records_.first(); r; r = r->next) {
             const std::uint64_t epoch = r->epoch.load(std::memory_order_seq_cst);
             if (epoch != 0 && epoch < oldest) oldest = epoch;
         }
         return oldest;
     }
 
-    Record* reuse() {
-        for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
-            bool used = false;
-            if (!r->used.load(std::memory_order_relaxed) &&
-                r->used.compare_exchange_strong(used, true, std::memory_order_acquire))
-                return r;
-        }
-        return nullptr;
-    }
-    Record* add() {
-        const std::size_t i = pooled_.fetch_add(1, std::memory_order_relaxed);
-        Record* record = i < kPool ? &pool_[i] : new Record;
-        record->used.store(true, std::memory_order_relaxed);
-        record->next = records_.load(std::memory_order_relaxed);
-        // seq_cst: who retires something after this sees the record; who did before has unlinked it before we look.
-        while (!records_.compare_exchange_weak(record->next, record, std::memory_order_seq_cst)) {
-        }
-        return record;
-    }
     static void threadEnds(void* record) {
         // Another key's destructor may still use a port: it attaches anew then, and we are called again.
         Reclaimer::record_ = nullptr;
-        static_cast<Record*>(record)->used.store(false, std::memory_order_release);
+        Records::giveBack(static_cast<Record*>(record));
     }
 
     static constexpr std::size_t kPool = 64;
+    typedef detail::ThreadRecords<Record, kPool> Records;
     pthread_key_t key_;
-    std::atomic<Record*> records_{nullptr};
-    std::atomic<std::size_t> pooled_{0};
-    Record pool_[kPool];
+    Records records_;
     std::mutex mutex_;
     std::vector<Retired> retired_;
 };
@@ -141,7 +120,7 @@ void Reclaimer::synchronize() {
     if (self->nesting != 0) self->waiting.store(true, std::memory_order_seq_cst);
     const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
     ReclaimerState::barrier();
-    for (Record* r = state.records_.load(std::memory_order_seq_cst); r; r = r->next) {
+    for (Record* r = state.records_.first(); r; r = r->next) {
         if (r == self) continue;
         for (;;) {
             const std::uint64_t inside = r->epoch.load(std::memory_order_seq_cst);

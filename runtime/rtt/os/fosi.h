@@ -5,7 +5,8 @@
 
 /**
  * @file
- * What the runtime asks of GNU/Linux, in C: schedulers, wait policies, time types and the monotonic clock.
+ * What the runtime asks of GNU/Linux, in C: schedulers, wait policies, time types, the monotonic clock; and mutexes and semaphores
+ * from fosi_sync.h.
  */
 #include <rtt/rtt-config.h>
 
@@ -76,4 +77,6 @@ static inline int rtos_nanosleep(const TIME_SPEC* duration, TIME_SPEC* remaining
 #ifdef __cplusplus
 }
 #endif
+
+#include <rtt/os/fosi_sync.h>
 #endif

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
+set(depth 1)
+set(threads 4)
+include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(file rtt/internal/AccessGate.cpp)
-under_test(${file})
-faulty_statement(access_not_woken ${file} [=[void AccessGate::leave() noexcept {
-    @{if (word_.fetch_sub(1) & kClosed) os::detail::futexWakeAll(word_);}@]=] [=[word_.fetch_sub(1);]=])
-faulty_value(access_not_refused ${file} [=[if (@{!(word_.fetch_add(1) & kClosed)}@) return true;]=]
-  [=[(word_.fetch_add(1), true)]=])
-faulty_value(access_relaxed_leave ${file} [=[if (@{word_.fetch_sub(1)}@ & kClosed)]=]
-  [=[word_.fetch_sub(1, std::memory_order_relaxed)]=])
-faulty_value(access_not_waited_for ${file} [=[while (@{(word & ~kClosed) > mine}@)]=] [=[false]=])
+set(header rtt/internal/AccessGate.hpp)
+under_test(${file} ${header})
+faulty_value(access_not_refused ${header} [=[if (@{!gate.closed_}@) return true;]=] [=[true]=])
+faulty_statement(access_not_waited_for ${file}
+  [=[    @{Presence::Waiter(this).wait(os::detail::kForever);}@]=] [=[]=])
+faulty_statement(access_closed_late ${file} [=[    @{closed_ = true;}@]=] [=[Presence::Waiter(this).wait(os::detail::kForever); closed_ = true; return;]=])

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
+set(depth 1)
+set(threads 4)
+include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(activity rtt/Activity.cpp)
 set(session rtt/os/ThreadSession.cpp)
 under_test(${activity} ${session})

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
+set(depth 3)
+set(threads 4)
+include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(queue rtt/engine_queue.cpp)
 set(call rtt/internal/SentCall.cpp)
 set(step rtt/ExecutionEngine.cpp)
@@ -16,14 +19,10 @@ faulty_statement(engine_not_notified ${queue} [=[        @{gate_->waitPoint.noti
     if (!accepts())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_state_not_asked_again ${queue} [=[if (@{!accepts()}@) {
         disposeQueued();]=] [=[false]=])
-faulty_value(gate_relaxed_visit ${gate} [=[@{gate_.visitors_.fetch_add(1)}@;]=]
-  [=[gate_.visitors_.fetch_add(1, std::memory_order_relaxed)]=])
-faulty_value(gate_visitors_ignored ${gate} [=[return @{(count.load() & (kWaiter - 1)) <= own}@; };]=] [=[true]=])
-faulty_value(gate_relaxed_leave ${gate} [=[if (count.fetch_sub(1, @{std::memory_order_release}@) >= kWaiter)]=]
-  [=[std::memory_order_relaxed]=])
-faulty_statement(gate_end_not_told ${gate} [=[>= kWaiter) @{os::detail::futexWakeAll(count);}@]=] [=[]=])
-faulty_statement(gate_one_woken ${gate} [=[else { @{os::detail::futexWakeAll(count);}@]=] [=[os::detail::futexWakeOne(count);]=])
-faulty_statement(gate_waits_unseen ${gate} [=[    @{count.fetch_add(kWaiter);}@]=] [=[]=])
+faulty_value(gate_visitors_ignored ${gate} [=[if (@{over()}@) return;]=] [=[true]=])
+faulty_statement(gate_closed_late ${gate} [=[    @{engine_.store(nullptr);
+    activity_.store(nullptr);
+    waitForVisitors();}@]=] [=[waitForVisitors(); engine_.store(nullptr); activity_.store(nullptr);]=])
 faulty_statement(engine_start_not_marked ${step} [=[@{gate_->waitPoint.mark();}@
     if (hasWork())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_start_forgets ${step} [=[if (@{hasWork()}@) activity->trigger();]=] [=[false]=])

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
+set(depth 1)
+set(threads 4)
+include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(file rtt/extras/SequentialActivity.cpp)
 under_test(${file})
 faulty_value(sequential_leaves_too_early ${file} [=[if (@{!requests_.compare_exchange_strong(seen, 0)}@) {]=]

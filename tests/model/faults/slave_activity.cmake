@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
+set(depth 1)
+set(threads 3)
+include(${CMAKE_CURRENT_LIST_DIR}/small_presence.cmake)
 set(file rtt/extras/SlaveActivity.cpp)
 under_test(${file})
 faulty_value(slave_relaxed_claim ${file} [=[if (queued_.exchange(true, @{std::memory_order_acq_rel}@)) return false;]=]
@@ -13,8 +16,6 @@ faulty_statement(slave_unqueued_late ${file}
 faulty_statement(slave_trigger_not_served ${file} [=[        if (active) executeOnce();
     }
     @{servePending();}@]=] [=[static_cast<void>(0);]=])
-faulty_value(slave_two_execute ${file}
-  [=[if (@{!executor_.compare_exchange_strong(nobody, static_cast<std::uint32_t>(self))}@) return false;]=]
-  [=[(executor_.store(static_cast<std::uint32_t>(self)), nobody != 0)]=])
-faulty_value(slave_direct_beside_execution ${file}
-  [=[return @{executor_.compare_exchange_strong(nobody, self)}@ ? Direct::Entered : Direct::Refused;]=] [=[true]=])
+faulty_value(slave_two_execute ${file} [=[if (@{internal::Presence::Waiter(this).others()}@) {]=] [=[false]=])
+faulty_value(slave_owner_not_asked_again ${file} [=[        entered = @{owner_ == self}@;]=] [=[true]=])
+faulty_value(slave_owner_stays ${file} [=[const int last = @{owner_.exchange(0)}@;]=] [=[owner_.load()]=])

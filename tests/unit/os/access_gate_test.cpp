@@ -13,6 +13,7 @@ using RTT::internal::AccessGate;
 
 TEST(AccessGate, LetsNobodyInAfterItWasClosed) {
     const auto gate = std::make_shared<AccessGate>();
+    gate->share();
     EXPECT_TRUE(AccessGate::Pass(gate));
     gate->close();
     EXPECT_FALSE(AccessGate::Pass(gate));
@@ -24,6 +25,7 @@ TEST(AccessGate, LetsNobodyInAfterItWasClosed) {
 
 TEST(AccessGate, CloseWaitsForThoseInside) {
     const auto gate = std::make_shared<AccessGate>();
+    gate->share();
     std::atomic<bool> inside{false}, left{false};
     std::thread user([&] {
         const AccessGate::Pass pass(gate);
@@ -40,19 +42,31 @@ TEST(AccessGate, CloseWaitsForThoseInside) {
 
 TEST(AccessGate, WhoIsInsideMayCloseIt) {
     auto gate = std::make_shared<AccessGate>();
+    gate->share();
     const auto other = std::make_shared<AccessGate>();
+    other->share();
     const AccessGate::Pass pass(gate);
     const AccessGate::Pass between(other);
     const AccessGate::Pass nested(gate);
-    gate->close();
+    gate->closeForGood();
     EXPECT_FALSE(AccessGate::Pass(gate));
     EXPECT_TRUE(AccessGate::Pass(other));
-    gate.reset();  // a pass keeps it
+    gate.reset();  // the passes do not look at it any more
+}
+
+TEST(AccessGate, ClosingWithinAPassDoesNotEndThePass) {
+    const auto gate = std::make_shared<AccessGate>();
+    gate->share();
+    const AccessGate::Pass pass(gate);
+    gate->close();
+    gate->open();
+    std::thread([&] { EXPECT_TRUE(RTT::internal::Presence::Waiter(gate.get()).others()); }).join();
 }
 
 TEST(AccessGateStorm, WhatItProtectsIsNeverUsedAfterItsEnd) {
     for (int round = 0; round < 300; ++round) {
         const auto gate = std::make_shared<AccessGate>();
+        gate->share();
         auto object = std::make_unique<int>(0);  // not atomic: ThreadSanitizer sees a use that is not over
         int* const pointer = object.get();
         std::vector<std::thread> users;

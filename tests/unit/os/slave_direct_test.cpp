@@ -6,6 +6,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
+#include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
 #include <memory>
@@ -155,3 +156,46 @@ TEST_F(SlaveDirectCall, WhatIsExecutedWhileWaitingIsNotOverlappedEither) {
 }
 
 }  // namespace
+
+namespace {
+
+/** Exchanges its activity, or destroys itself, in a call that the main thread makes directly. */
+struct Changing : TaskContext {
+    Changing() : TaskContext("changing") {
+        setActivity(new extras::SlaveActivity);
+        addOperation("exchange", &Changing::exchange, this, OwnThread);
+        addOperation("end", &Changing::end, this, OwnThread);
+    }
+    bool exchange() { return setActivity(new extras::SlaveActivity); }
+    void end() { delete this; }
+};
+
+bool othersVisit(const internal::EngineGate& gate) {
+    bool others = true;
+    std::thread([&] { others = internal::Presence::Waiter(&gate).others(); }).join();
+    return others;
+}
+
+}  // namespace
+
+TEST(SlaveDirect, CallThatExchangesTheActivityIsOverAfterwards) {
+    Changing component;
+    OperationCaller<bool()> exchange(component.getOperation("exchange"), internal::GlobalEngine::Instance());
+    EXPECT_TRUE(exchange());
+    EXPECT_FALSE(othersVisit(*component.engine()->gate()));
+    std::thread([&] { EXPECT_TRUE(component.setActivity(new extras::SlaveActivity)); }).join();
+}
+
+TEST(SlaveDirect, CallThatDestroysTheComponentIsOverAfterwards) {
+    Slave outer;
+    auto* const component = new Changing;
+    const boost::intrusive_ptr<const internal::EngineGate> gate = component->engine()->gate();
+    OperationCaller<void()> end(component->getOperation("end"), internal::GlobalEngine::Instance());
+    {
+        const internal::EngineGate::Visit visit(*outer.engine()->gate());
+        end();
+        EXPECT_FALSE(othersVisit(*gate));
+        EXPECT_TRUE(othersVisit(*outer.engine()->gate()));
+    }
+    EXPECT_FALSE(othersVisit(*outer.engine()->gate()));
+}

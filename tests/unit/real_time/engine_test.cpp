@@ -180,6 +180,7 @@ TEST_F(RealTimeEngine, WaitersAreNotified) {
 
 TEST_F(RealTimeEngine, GatesAreEntered) {
     const auto gate = std::make_shared<internal::AccessGate>();
+    gate->share();
     gate->open();
     expectRealTime([&] {
         internal::AccessGate::Pass outer(gate);

@@ -17,7 +17,7 @@ namespace detail {
     more. */
 class EngineSleep {
 public:
-    explicit EngineSleep(const EngineGate& gate, const EngineGate::Count* also = nullptr) : also_(also) {
+    explicit EngineSleep(const EngineGate& gate, const Presence::Word* also = nullptr) : also_(also) {
         add(gate);
         for (const auto* step = EngineGate::Step::innermost(); step; step = step->outer())
             if (const ExecutionEngine* const engine = step->engine()) add(*engine->gate());
@@ -55,7 +55,7 @@ private:
     Point points_[kMost];
     unsigned count_ = 0;
     bool more_ = false;
-    const EngineGate::Count* const also_;
+    const Presence::Word* const also_;
     std::uint32_t seen_ = 0;
 };
 

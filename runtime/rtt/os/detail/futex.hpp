@@ -87,7 +87,8 @@ inline void futexWakeAll(const std::atomic<std::uint32_t>& word) noexcept {
 
 /** Linux id of the calling thread, asked from the kernel once per thread. */
 inline pid_t currentTid() noexcept {
-    static thread_local const pid_t tid = static_cast<pid_t>(syscall(SYS_gettid));
+    static __thread pid_t tid __attribute__((tls_model("initial-exec")));
+    if (__builtin_expect(tid == 0, 0)) tid = static_cast<pid_t>(syscall(SYS_gettid));
     return tid;
 }
 

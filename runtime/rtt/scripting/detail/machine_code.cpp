@@ -7,7 +7,12 @@ namespace scripting {
 namespace detail {
 
 CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace)
-    : code_(std::move(code)), file_(where.file), limit_(where.roundLimit), pace_(pace), process_(*code_) {
+    : code_(std::move(code)),
+      file_(where.file),
+      limit_(where.roundLimit),
+      pace_(pace),
+      first_line_(code_->placeOf(code_->begin()).line),
+      process_(*code_) {
     process_.watch(where.peers);
 }
 
@@ -21,9 +26,7 @@ Routine::Outcome CodeRoutine::runStatement() {
     return process_.runStatement();
 }
 
-unsigned CodeRoutine::line() const {
-    return process_.started() ? process_.line() : code_->placeOf(code_->begin()).line;
-}
+unsigned CodeRoutine::line() const { return process_.started() ? process_.line() : first_line_; }
 
 oroforge::diag::Location CodeRoutine::where() const {
     const ast::Place place = process_.place();

@@ -41,6 +41,7 @@ private:
     const oroforge::diag::FileName file_;
     const RoundLimit limit_;
     const Pace pace_;
+    const unsigned first_line_;
     Process process_;
 };
 

@@ -97,7 +97,8 @@ void Process::retry() {
 }
 
 ast::Place Process::place() const {
-    return {line_.load(std::memory_order_relaxed), column_.load(std::memory_order_relaxed)};
+    const Instruction* const at = shown_.load(std::memory_order_relaxed);
+    return at ? code_.placeOf(at) : ast::Place{};
 }
 
 const Instruction* Process::stop(Outcome outcome, const Instruction* next) {
@@ -114,9 +115,7 @@ const Instruction* Process::stop(Outcome outcome, const Instruction* next) {
 void Process::show(const Instruction* at) {
     // Of a function, its caller is shown: the place is one of this code.
     for (const Activation* inner = function_; inner; inner = inner->caller) at = inner->returnTo - 1;
-    const ast::Place place = at ? code_.placeOf(at) : ast::Place{};
-    line_.store(place.line, std::memory_order_relaxed);
-    column_.store(place.column, std::memory_order_relaxed);
+    shown_.store(at, std::memory_order_relaxed);
 }
 
 const Instruction* Process::pauseAt(const Instruction* next) {

@@ -118,7 +118,7 @@ private:
     Activation* function_ = nullptr;   // the innermost that has been entered
     Outcome outcome_ = Outcome::Finished;
     std::atomic<bool> pause_{false};
-    std::atomic<unsigned> line_{0}, column_{0};
+    std::atomic<const Instruction*> shown_{nullptr};  // of code_; null: at the end
     unsigned rounds_ = 0, round_limit_ = 0;
     bool started_ = false, failed_ = false, interrupted_ = false;
     bool idles_ = false;

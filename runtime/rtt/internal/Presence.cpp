@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/internal/Presence.hpp>
+
+#include <rtt/internal/detail/process_barrier.hpp>
+#include <rtt/internal/detail/thread_records.hpp>
+#include <rtt/os/detail/futex.hpp>
+
+#include <pthread.h>
+
+#include <new>
+
+namespace RTT {
+namespace internal {
+
+Presence::Bell Presence::bells_[kBells];
+bool Presence::asymmetric_ = false;
+__thread Presence::Record* Presence::record_ = nullptr;
+
+struct Presence::State {
+    State() {
+        pthread_key_create(&key, &State::threadEnds);
+        // Safe to switch on here only: no thread has entered anything before its first deeper(), which comes through here.
+        asymmetric_ = detail::offersProcessBarrier();
+    }
+
+    /** Never destroyed: threads may still be running while the process exits. */
+    static State& instance() {
+        alignas(State) static unsigned char place[sizeof(State)];
+        static State* const state = new (place) State;
+        return *state;
+    }
+
+    static void threadEnds(void* first) {
+        // Another key's destructor may still use something: it takes a new record then, and this is called again.
+        record_ = nullptr;
+        for (auto* record = static_cast<Record*>(first); record;) {
+            Record* const inner = record->inner;
+            record->outer = record->inner = nullptr;
+            Records::giveBack(record);
+            record = inner;
+        }
+    }
+
+    template <class Visit>
+    static void forOwn(const void* what, Visit visit) {
+        const auto word = reinterpret_cast<std::uintptr_t>(what);
+        for (Record* record = record_; record; record = record->outer)
+            for (std::atomic<std::uintptr_t>& place : record->places)
+                if (place.load(std::memory_order_relaxed) == word) visit(place);
+    }
+
+    typedef detail::ThreadRecords<Record, 64> Records;
+    Records records;
+    pthread_key_t key;
+};
+
+// The first record of a thread, or one more when all places of the last one are taken.
+Presence::Record* Presence::deeper() noexcept {
+    Record* const outer = record_;
+    if (outer && outer->inner) return record_ = outer->inner;
+    State& state = State::instance();
+    Record* const record = state.records.take();
+    record->outer = outer;
+    if (outer)
+        outer->inner = record;
+    else
+        pthread_setspecific(state.key, record);
+    return record_ = record;
+}
+
+void Presence::leaveDownTo(const void* what) noexcept {
+    const auto isOther = [what] {
+        const std::uintptr_t word = record_->places[record_->depth - 1].load(std::memory_order_relaxed);
+        return (word & ~kKept) != reinterpret_cast<std::uintptr_t>(what);
+    };
+    while (isOther()) leave();
+}
+
+unsigned Presence::keep(const void* what) noexcept {
+    unsigned number = 0;
+    State::forOwn(what, [&](std::atomic<std::uintptr_t>& place) {
+        place.store(reinterpret_cast<std::uintptr_t>(what) | kKept, std::memory_order_release);
+        ++number;
+    });
+    return number;
+}
+
+void Presence::forget(const void* what) noexcept {
+    State::forOwn(what, [](std::atomic<std::uintptr_t>& place) { place.store(0, std::memory_order_release); });
+    ring(bellOf(reinterpret_cast<std::uintptr_t>(what)));
+}
+
+void Presence::ring(Bell& bell) noexcept {
+    bell.rings.fetch_add(1, std::memory_order_release);
+    os::detail::futexWakeAll(bell.rings);
+}
+
+// A user that leaves frees its place and then looks at the number of waiters. Either it finds this one, or this one finds the
+// free place.
+Presence::Waiter::Waiter(const void* what) noexcept : what_(reinterpret_cast<std::uintptr_t>(what)) {
+    bellOf(what_).waiters.fetch_add(1);
+    State::instance();
+    if (asymmetric_) detail::processBarrier();
+}
+
+Presence::Waiter::~Waiter() { bellOf(what_).waiters.fetch_sub(1); }
+
+bool Presence::Waiter::others() const noexcept {
+    const auto isOwn = [](const Record* record) {
+        const Record* own = record_;
+        while (own && own != record) own = own->outer;
+        return own != nullptr;
+    };
+    for (Record* record = State::instance().records.first(); record; record = record->next) {
+        if (isOwn(record)) continue;
+        for (const std::atomic<std::uintptr_t>& place : record->places)
+            if ((place.load() & ~kKept) == what_) return true;
+    }
+    return false;
+}
+
+bool Presence::Waiter::wait(NANO_TIME deadline) const noexcept {
+    for (;;) {
+        const std::uint32_t seen = word();
+        if (!others()) return true;
+        if (deadline != os::detail::kForever && rtos_get_time_ns() >= deadline) return false;
+        os::detail::futexWait(word(), seen, deadline);
+    }
+}
+
+const Presence::Word& Presence::Waiter::word() const noexcept { return bellOf(what_).rings; }
+
+}  // namespace internal
+}  // namespace RTT

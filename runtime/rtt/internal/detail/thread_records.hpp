@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_DETAIL_THREAD_RECORDS_HPP
+#define ORO_INTERNAL_DETAIL_THREAD_RECORDS_HPP
+
+#include <atomic>
+#include <cstddef>
+
+namespace RTT {
+namespace internal {
+namespace detail {
+
+/**
+ * The records in which threads say what they are doing, for other threads to read. A thread takes one and leaves it to
+ * another thread when it ends, so their number only grows with that of the threads that exist at the same time. A
+ * `Record` has the members `std::atomic<bool> used{false}` and `Record* next = nullptr`. The first `kPool` of them need no
+ * memory from the heap.
+ */
+template <class Record, std::size_t kPool>
+class ThreadRecords {
+public:
+    /** Never blocks. */
+    Record* take() {
+        Record* const record = reuse();
+        return record ? record : add();
+    }
+    static void giveBack(Record* record) { record->used.store(false, std::memory_order_release); }
+    /** The others follow by `next`. Contains all that were taken before, in the sequentially consistent order. */
+    Record* first() const { return records_.load(); }
+
+private:
+    Record* reuse() {
+        for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
+            bool used = false;
+            if (!r->used.load(std::memory_order_relaxed) &&
+                r->used.compare_exchange_strong(used, true, std::memory_order_acquire))
+                return r;
+        }
+        return nullptr;
+    }
+    Record* add() {
+        const std::size_t i = pooled_.fetch_add(1, std::memory_order_relaxed);
+        Record* const record = i < kPool ? &pool_[i] : new Record;
+        record->used.store(true, std::memory_order_relaxed);
+        record->next = records_.load(std::memory_order_relaxed);
+        while (!records_.compare_exchange_weak(record->next, record)) {
+        }
+        return record;
+    }
+
+    std::atomic<Record*> records_{nullptr};
+    std::atomic<std::size_t> pooled_{0};
+    Record pool_[kPool];
+};
+
+}  // namespace detail
+}  // namespace internal
+}  // namespace RTT
+
+#endif
