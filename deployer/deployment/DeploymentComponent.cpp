@@ -39,7 +39,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
     impl_->session.unloaded = [this](RTT::TaskContext* component) { componentUnloaded(component); };
     impl_->purpose = purpose;
     addDeploymentInterface();
-    RTT::internal::FailureReport::add(*this);
+    RTT::internal::FailureReport::add(*provides());
     if (purpose == Purpose::Check) {
         impl_->session.startsNothing = true;
         deploy::holdBack(*this);
@@ -62,7 +62,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
 
 DeploymentComponent::~DeploymentComponent() {
     if (impl_->autoUnload) (void)kickOutAll();
-    RTT::internal::FailureReport::remove(*this);
+    RTT::internal::FailureReport::remove(*provides());
     // Hooks of a derived class must not run while this part is taken apart.
     stop();
     clear();

@@ -16,6 +16,8 @@
 
 #include <limits>
 #include <memory>
+#include <set>
+#include <string>
 
 namespace OCL::deploy {
 namespace {
@@ -59,6 +61,18 @@ std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, Act
             return nullptr;
     }
     return nullptr;
+}
+
+/** What keeps the one from being the master of the other; empty if nothing does. */
+std::string whyNoMaster(Session& session, const RTT::TaskContext& component, const RTT::TaskContext& master) {
+    if (&master == &component) return "it would be its own master";
+    std::set<std::string> seen;
+    for (std::string name = master.getName(); !name.empty() && seen.insert(name).second;) {
+        const Record* const record = session.records.find(name);
+        name = record ? record->master : std::string();
+        if (name == component.getName()) return "through its masters it would be its own master";
+    }
+    return {};
 }
 
 /** A slave refers to its master's activity: whoever replaces or deletes that one must care for the slaves. */
@@ -111,6 +125,8 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
         error = "the component is running";
         return false;
     }
+    if (master) error = whyNoMaster(session, component, *master);
+    if (!error.empty()) return false;
     // A slave names the activity of its master, so none may be left while that is exchanged.
     std::vector<RTT::TaskContext*> released;
     bool changed = true;

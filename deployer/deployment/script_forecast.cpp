@@ -93,7 +93,8 @@ RTT::scripting::CallProblem ScriptForecast::callOfDeployer(const std::string& op
         case Effect::Require: return require(call, expected);
         default: break;
     }
-    const Problem wrong = wrongName(called.names, call, expected);
+    Problem wrong = wrongName(called.names, call, expected);
+    if (wrong.text.empty() && operation == "setMasterSlaveActivity") wrong = ownMaster(call, expected);
     const bool fails = !wrong.text.empty();
     expected.begun = true;
     switch (called.effect) {
@@ -349,50 +350,11 @@ RTT::scripting::CallProblem ScriptForecast::wrongName(const std::string& given, 
     return problem(error, "OPS420", 0);
 }
 
-RTT::TaskContext* ScriptForecast::known(const std::string& name, const Expectations& expected) const {
-    return expected.components.count(name) ? nullptr : session_.component(name);
-}
-
-void ScriptForecast::foreignCode(Expectations& expected) const {
-    // It may give a component another operation under the same name.
-    if (isRun())
-        anyOperation(expected);
-    else
-        expected.anyGlobals();
-}
-
-void ScriptForecast::touch(RTT::TaskContext& component, Expectations& expected) const {
-    foreignCode(expected);
-    std::set<RTT::TaskContext*> reached;
-    std::vector<RTT::TaskContext*> next{&component};
-    while (!next.empty()) {
-        RTT::TaskContext* const one = next.back();
-        next.pop_back();
-        if (one == session_.deployer) return anyOperation(expected);
-        expected.more.insert(one);
-        for (const std::string& name : one->getPeerList())
-            if (RTT::TaskContext* const peer = one->getPeer(name))
-                if (reached.insert(peer).second) next.push_back(peer);
-    }
-}
-
-void ScriptForecast::touchAll(Expectations& expected) const {
-    foreignCode(expected);
-    for (const std::string& name : session_.deployer->getPeerList())
-        if (RTT::TaskContext* const peer = session_.deployer->getPeer(name)) touch(*peer, expected);
-}
-
-/** Components may be taken away, and others made under their names. */
-void ScriptForecast::anyOperation(Expectations& expected) const {
-    expected.anything();
-    for (const std::string& name : session_.deployer->getPeerList()) expected.components.insert(name);
-}
-
-void ScriptForecast::expectRunning(Expectations& expected) const {
-    if (session_.deployer->isRunning()) anyOperation(expected);
-    for (const std::string& name : session_.deployer->getPeerList())
-        if (RTT::TaskContext* const peer = session_.deployer->getPeer(name))
-            if (peer->isRunning()) touch(*peer, expected);
+RTT::scripting::CallProblem ScriptForecast::ownMaster(const Call& call, const Expectations& expected) const {
+    const std::string* const master = textOf(call, 0);
+    const std::string* const slave = textOf(call, 1);
+    if (isRun() || !tells(call, expected) || !master || !slave || *master != *slave) return {};
+    return problem("component '" + *slave + "' would be its own master", "OPS420", 1);
 }
 
 }  // namespace OCL::deploy

@@ -52,6 +52,7 @@ private:
 
     Problem wrongName(const std::vector<NamedArgument>& names, const Call& call, const Expectations& expected) const;
     Problem wrongName(const std::string& given, NamedArgument::Kind kind, const Expectations& expected) const;
+    Problem ownMaster(const Call& call, const Expectations& expected) const;
     Problem noService(const std::string& wanted, const std::string& into) const;
     bool isRun() const { return foresight_ == Foresight::Run; }
     bool tells(const Call& call, const Expectations& expected) const;

@@ -8,6 +8,7 @@
 #include <rtt/internal/DeferredActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/internal/failed.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 
 namespace RTT {
@@ -216,7 +217,9 @@ bool TaskContext::connectServices(TaskContext* peer) {
 }
 
 bool TaskContext::loadService(const std::string& name) {
-    return service_->hasService(name) || internal::loadServicePlugin(name, this);
+    return service_->hasService(name) ||
+           internal::toldOr("could not load service '" + name + "' into component '" + getName() + "'",
+                            [&] { return internal::loadServicePlugin(name, this); });
 }
 
 bool TaskContext::dataOnPortHook(base::PortInterface*) { return isRunning(); }

@@ -18,14 +18,14 @@ thread_local FailureReport* innermostReport __attribute__((tls_model("initial-ex
 thread_local KeptErrors* innermostErrors __attribute__((tls_model("initial-exec"))) = nullptr;
 std::atomic<bool> strict{false};
 
-struct Components {
+struct Services {
     std::mutex mutex;
-    std::set<const TaskContext*> all;
+    std::set<const Service*> all;
 };
 
 /** Never destroyed: components may outlive static objects. */
-Components& components() {
-    static Components& known = *new Components;
+Services& services() {
+    static Services& known = *new Services;
     return known;
 }
 
@@ -50,19 +50,19 @@ bool FailureReport::isWanted() noexcept { return innermostReport != nullptr; }
 FailureReport::Pause::Pause() noexcept : paused_(innermostReport) { innermostReport = nullptr; }
 FailureReport::Pause::~Pause() { innermostReport = paused_; }
 
-void FailureReport::add(const TaskContext& component) {
-    const std::lock_guard<std::mutex> lock(components().mutex);
-    components().all.insert(&component);
+void FailureReport::add(const Service& service) {
+    const std::lock_guard<std::mutex> lock(services().mutex);
+    services().all.insert(&service);
 }
 
-void FailureReport::remove(const TaskContext& component) {
-    const std::lock_guard<std::mutex> lock(components().mutex);
-    components().all.erase(&component);
+void FailureReport::remove(const Service& service) {
+    const std::lock_guard<std::mutex> lock(services().mutex);
+    services().all.erase(&service);
 }
 
-bool FailureReport::comesFrom(const TaskContext& component) {
-    const std::lock_guard<std::mutex> lock(components().mutex);
-    return components().all.count(&component) != 0;
+bool FailureReport::comesFrom(const Service& service) {
+    const std::lock_guard<std::mutex> lock(services().mutex);
+    return services().all.count(&service) != 0;
 }
 
 void FailureReport::setStrict(bool yes) noexcept { strict.store(yes, std::memory_order_relaxed); }

@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace RTT {
-class TaskContext;
+class Service;
 
 namespace internal {
 
@@ -44,10 +44,10 @@ public:
         FailureReport* const paused_;
     };
 
-    /** Components whose operations give reasons. Any thread; these wait for each other. */
-    static void add(const TaskContext& component);
-    static void remove(const TaskContext& component);
-    static bool comesFrom(const TaskContext& component);
+    /** Services whose operations give reasons. Any thread; these wait for each other. */
+    static void add(const Service& service);
+    static void remove(const Service& service);
+    static bool comesFrom(const Service& service);
 
     /** Whether what is collected fails the statement that called. At first it does not. Any thread, real-time safe. */
     static void setStrict(bool yes) noexcept;

@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/GlobalService.hpp>
 
-#include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/internal/failed.hpp>
 
 #include <mutex>
 
@@ -25,17 +25,8 @@ GlobalService::GlobalService() : Service("GlobalService") {
 }
 
 bool GlobalService::require(const std::string& service) {
-    if (hasService(service)) return true;
-    if (!FailureReport::isWanted()) return loadServicePlugin(service, nullptr);
-    bool done = false;
-    std::string errors;
-    {
-        KeptErrors kept;
-        const FailureReport::Pause others;
-        done = loadServicePlugin(service, nullptr);
-        if (!done) errors = kept.take();
-    }
-    return done || !FailureReport::give("could not load service '" + service + "': " + errors);
+    return hasService(service) ||
+           toldOr("could not load service '" + service + "'", [&] { return loadServicePlugin(service, nullptr); });
 }
 
 Service::shared_ptr GlobalService::Instance() {

@@ -4,7 +4,7 @@
 
 #include "PropertyLoader.hpp"
 
-#include <rtt/Logger.hpp>
+#include <rtt/internal/failed.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 
 namespace RTT {
@@ -14,7 +14,10 @@ MarshallingService::MarshallingService(TaskContext* parent) : Service("marshalli
     doc("Reads and writes property files");
     addWholeOperations();
     addServiceOperations();
+    internal::FailureReport::add(*this);
 }
+
+MarshallingService::~MarshallingService() { internal::FailureReport::remove(*this); }
 
 void MarshallingService::addWholeOperations() {
     using S = MarshallingService;
@@ -92,90 +95,90 @@ Service* MarshallingService::target() {
 Service* MarshallingService::target(const std::string& servicename) {
     Service* parent = target();
     if (parent && parent->hasService(servicename)) return parent->getService(servicename).get();
-    log(Error) << (parent ? parent->getName() : getName()) << " has no service called " << servicename << endlog();
+    internal::failed((parent ? parent->getName() : getName()) + " has no service called " + servicename);
     return nullptr;
 }
 
-bool MarshallingService::loadProperties(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).load(filename);
+namespace {
+
+std::string described(Service& service) {
+    TaskContext* const owner = service.getOwner();
+    const std::string component = owner ? "component '" + owner->getName() + "'" : "no component";
+    const bool isMain = owner && owner->provides().get() == &service;
+    return isMain ? component : "service '" + service.getName() + "' of " + component;
 }
 
-bool MarshallingService::storeProperties(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).store(filename);
+/** What `use` does with a loader of that service. What the file says stands in the log; a script that calls is told what
+    failed: "could not", `todo`, the service, `file`. */
+template <class Use>
+bool used(Service* service, const std::string& todo, const std::string& file, Use use) {
+    return service && internal::toldOr("could not " + todo + " of " + described(*service) + file,
+                                       [&] { return use(PropertyLoader(service)); });
 }
 
-bool MarshallingService::readProperties(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).configure(filename, true);
+std::string quoted(const char* word, const std::string& name) { return std::string(word) + "'" + name + "'"; }
+
+bool load(Service* service, const std::string& file) {
+    return used(service, "load the properties", quoted(" from ", file),
+                [&](const PropertyLoader& loader) { return loader.load(file); });
 }
 
-bool MarshallingService::updateProperties(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).configure(filename, false);
+bool store(Service* service, const std::string& file) {
+    return used(service, "store the properties", quoted(" in ", file),
+                [&](const PropertyLoader& loader) { return loader.store(file); });
 }
 
-bool MarshallingService::writeProperties(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).save(filename, true);
+bool read(Service* service, const std::string& file, bool all) {
+    return used(service, all ? "read the properties" : "update the properties", quoted(" from ", file),
+                [&](const PropertyLoader& loader) { return loader.configure(file, all); });
 }
 
-bool MarshallingService::updateFile(const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).save(filename, false);
+bool readOne(Service* service, const std::string& name, const std::string& file) {
+    return used(service, quoted("read property ", name), quoted(" from ", file),
+                [&](const PropertyLoader& loader) { return loader.configure(file, name); });
 }
 
-bool MarshallingService::readProperty(const std::string& name, const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).configure(filename, name);
+bool write(Service* service, const std::string& file) {
+    return used(service, "write the properties", quoted(" to ", file),
+                [&](const PropertyLoader& loader) { return loader.save(file, true); });
 }
 
-bool MarshallingService::writeProperty(const std::string& name, const std::string& filename) {
-    Service* service = target();
-    return service && PropertyLoader(service).save(filename, name);
+bool writeOne(Service* service, const std::string& name, const std::string& file) {
+    return used(service, quoted("write property ", name), quoted(" to ", file),
+                [&](const PropertyLoader& loader) { return loader.save(file, name); });
 }
 
-bool MarshallingService::loadServiceProperties(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).load(filename);
+bool updateIn(Service* service, const std::string& file) {
+    return used(service, quoted("update ", file) + " with the properties", "",
+                [&](const PropertyLoader& loader) { return loader.save(file, false); });
 }
 
-bool MarshallingService::storeServiceProperties(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).store(filename);
+}  // namespace
+
+typedef const std::string& Text;
+
+bool MarshallingService::loadProperties(Text file) { return load(target(), file); }
+bool MarshallingService::storeProperties(Text file) { return store(target(), file); }
+bool MarshallingService::readProperties(Text file) { return read(target(), file, true); }
+bool MarshallingService::updateProperties(Text file) { return read(target(), file, false); }
+bool MarshallingService::writeProperties(Text file) { return write(target(), file); }
+bool MarshallingService::updateFile(Text file) { return updateIn(target(), file); }
+bool MarshallingService::readProperty(Text name, Text file) { return readOne(target(), name, file); }
+bool MarshallingService::writeProperty(Text name, Text file) { return writeOne(target(), name, file); }
+
+bool MarshallingService::loadServiceProperties(Text file, Text service) { return load(target(service), file); }
+bool MarshallingService::storeServiceProperties(Text file, Text service) { return store(target(service), file); }
+bool MarshallingService::readServiceProperties(Text file, Text service) { return read(target(service), file, true); }
+bool MarshallingService::updateServiceProperties(Text file, Text service) { return read(target(service), file, false); }
+bool MarshallingService::writeServiceProperties(Text file, Text service) { return write(target(service), file); }
+bool MarshallingService::updateServiceFile(Text file, Text service) { return updateIn(target(service), file); }
+
+bool MarshallingService::readServiceProperty(Text name, Text file, Text service) {
+    return readOne(target(service), name, file);
 }
 
-bool MarshallingService::readServiceProperties(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).configure(filename, true);
-}
-
-bool MarshallingService::updateServiceProperties(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).configure(filename, false);
-}
-
-bool MarshallingService::writeServiceProperties(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).save(filename, true);
-}
-
-bool MarshallingService::updateServiceFile(const std::string& filename, const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).save(filename, false);
-}
-
-bool MarshallingService::readServiceProperty(const std::string& name, const std::string& filename,
-                                             const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).configure(filename, name);
-}
-
-bool MarshallingService::writeServiceProperty(const std::string& name, const std::string& filename,
-                                              const std::string& servicename) {
-    Service* service = target(servicename);
-    return service && PropertyLoader(service).save(filename, name);
+bool MarshallingService::writeServiceProperty(Text name, Text file, Text service) {
+    return writeOne(target(service), name, file);
 }
 
 }  // namespace marsh

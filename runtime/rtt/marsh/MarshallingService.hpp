@@ -13,13 +13,15 @@ namespace marsh {
 /**
  * The service "marshalling": the functions of PropertyLoader as operations of a component, for the properties of the
  * service it was loaded into (normally the component itself) and of that service's sub-services. All run in the
- * caller's thread and return false, with the reasons in the log, if nothing was changed.
+ * caller's thread and return false, with the reasons in the log, if nothing was changed; a script that calls is told the
+ * place of the call as well.
  */
 class RTT_API MarshallingService : public Service {
 public:
     typedef boost::shared_ptr<MarshallingService> shared_ptr;
 
     explicit MarshallingService(TaskContext* parent);
+    ~MarshallingService() override;
 
     bool loadProperties(const std::string& filename);
     bool storeProperties(const std::string& filename);
@@ -42,7 +44,7 @@ public:
 private:
     /** Those of the service that owns this one. */
     Service* target();
-    /** Those of a sub-service; null, and an error in the log, if there is none of that name. */
+    /** Those of a sub-service; null, and told, if there is none of that name. */
     Service* target(const std::string& servicename);
     void addWholeOperations();
     void addServiceOperations();

@@ -4,6 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/failed.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 #include <rtt/scripting/detail/log_diagnostics.hpp>
@@ -77,6 +78,7 @@ ScriptingService::ScriptingService(TaskContext* parent)
     addScriptOperations();
     addProgramOperations();
     addStateMachineOperations();
+    internal::FailureReport::add(*this);
 }
 
 namespace {
@@ -90,6 +92,7 @@ void outliveExecution(StateMachine& machine) {
 
 // What state machines would do on their way to the end needs a component that is there.
 ScriptingService::~ScriptingService() {
+    internal::FailureReport::remove(*this);
     const Service::shared_ptr component = loaded_->component.lock();
     const bool alive = component && component->getOwner();
     const auto removeFrom = [&component](const std::string& name) {
@@ -124,27 +127,35 @@ void ScriptingService::clear() {
 
 bool ScriptingService::eval(const std::string& code) {
     static const diag::FileName name("eval()");
-    return runText(*this, name, code, Contents::Everything);
+    return evalInternal(name, code);
 }
 
 bool ScriptingService::evalInternal(const std::string& name, const std::string& code) {
-    return runText(*this, name, code, Contents::Everything);
+    return internal::reported("could not run all of the text",
+                              [&] { return runText(*this, name, code, Contents::Everything); });
 }
 
-bool ScriptingService::runScript(const std::string& file) { return runFile(*this, file, Contents::Everything); }
+bool ScriptingService::runScript(const std::string& file) {
+    return internal::reported("could not run script '" + file + "'",
+                              [&] { return runFile(*this, file, Contents::Everything); });
+}
+
 int ScriptingService::execute(const std::string& code) { return eval(code) ? 0 : -1; }
 bool ScriptingService::doExecute(const std::string& code) { return eval(code); }
 
 bool ScriptingService::load(const std::string& file, Kind kind, bool do_throw) {
     std::string why;
-    const bool done = runFile(*this, file, kind == Kind::Programs ? Contents::Programs : Contents::StateMachines, &why);
+    const Contents contents = kind == Kind::Programs ? Contents::Programs : Contents::StateMachines;
+    const bool done = internal::reported("could not load script '" + file + "'",
+                                         [&] { return runFile(*this, file, contents, &why); });
     return orThrow(done, do_throw, why);
 }
 
 bool ScriptingService::load(const std::string& code, const std::string& name, Kind kind, bool do_throw) {
     std::string why;
     const Contents contents = kind == Kind::Programs ? Contents::Programs : Contents::StateMachines;
-    const bool done = runText(*this, name, code, contents, &why);
+    const bool done =
+        internal::reported("could not load the text", [&] { return runText(*this, name, code, contents, &why); });
     return orThrow(done, do_throw, why);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What a scripting service does with state machines.
-#include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 
@@ -51,11 +51,10 @@ bool ScriptingService::removeMachine(const StateMachinePtr& machine) {
 bool ScriptingService::unloadStateMachine(const std::string& name) {
     StateMachinePtr machine = getStateMachine(name);
     if (machine && name.find('.') == std::string::npos) return takeOutMachine(std::move(machine));
-    log(Error) << "state machine '" << name << "' cannot be unloaded: "
-               << (machine ? "it is part of '" + name.substr(0, name.find('.')) + "'"
-                           : "there is none of that name" + oroforge::diag::didYouMean(name, loaded_->machines.names()))
-               << endlog();
-    return false;
+    return internal::failed(
+        "state machine '" + name + "' cannot be unloaded: " +
+        (machine ? "it is part of '" + name.substr(0, name.find('.')) + "'"
+                 : "there is none of that name" + oroforge::diag::didYouMean(name, loaded_->machines.names())));
 }
 
 bool ScriptingService::unloadStateMachine(const std::string& name, bool do_throw) {
@@ -69,9 +68,8 @@ bool ScriptingService::takeOutMachine(StateMachinePtr machine) {
     if (!getOwner()) return removeMachine(machine);
     if (!machine->bringDown()) return false;
     if (!removeMachine(machine)) {
-        log(Error) << "state machine '" << machine->getName() << "' cannot be unloaded: its engine does not let it go"
-                   << endlog();
-        return false;
+        return internal::failed("state machine '" + machine->getName() +
+                                "' cannot be unloaded: its engine does not let it go");
     }
     if (machine->getService()) getOwner()->provides()->removeService(machine->getName());
     retire(machine);

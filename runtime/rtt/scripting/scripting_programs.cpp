@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What a scripting service does with programs.
-#include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 #include <rtt/scripting/detail/program.hpp>
@@ -30,12 +30,10 @@ bool ScriptingService::loadProgram(ProgramInterfacePtr program) {
 
 bool ScriptingService::unloadProgram(const std::string& name) {
     if (takeOutProgram(name)) return true;
-    log(Error) << "program '" << name << "' cannot be unloaded: "
-               << (hasProgram(name)
-                       ? "its engine does not let it go"
-                       : "there is none of that name" + oroforge::diag::didYouMean(name, loaded_->programs.names()))
-               << endlog();
-    return false;
+    return internal::failed("program '" + name + "' cannot be unloaded: " +
+                            (hasProgram(name) ? "its engine does not let it go"
+                                              : "there is none of that name" +
+                                                    oroforge::diag::didYouMean(name, loaded_->programs.names())));
 }
 
 bool ScriptingService::unloadProgram(const std::string& name, bool do_throw) {

@@ -190,4 +190,62 @@ TEST_F(ReportingScript, TheLineOfAFailedOperationIsThatOfTheTextThatRuns) {
     EXPECT_THAT(found.err, HasSubstr("\n    addPeer(\"one\", \"nobody\") } } final state B { } }\n    ^\n"));
 }
 
+TEST_F(ReportingScript, OperationsOfServicesThatFailTellFileAndLine) {
+    directory_.write("bad.ops", "nowhere()\n");
+    const std::string before = kTwo + "loadService(\"one\", \"marshalling\")\n";
+    const std::string file = "none: error: [XML001] cannot read the file: No such file or directory\n";
+    const std::pair<const char*, std::string> cases[] = {
+        {"one.loadService(none)", "could not load service 'none' into component 'one': no such service"},
+        {"one.marshalling.loadProperties(none)", "could not load the properties of component 'one' from 'none'"},
+        {"one.marshalling.readProperties(none)", "could not read the properties of component 'one' from 'none'"},
+        {"one.marshalling.readProperty(none, none)", "could not read property 'none' of component 'one' from 'none'"},
+        {"one.marshalling.updateProperties(none)", "could not update the properties of component 'one' from 'none'"},
+        {"one.marshalling.storeProperties(\"no/x\")", "could not store the properties of component 'one' in 'no/x'"},
+        {"one.marshalling.writeProperties(\"no/x\")", "could not write the properties of component 'one' to 'no/x'"},
+        {"one.marshalling.writeProperty(none, \"no/x\")",
+         "could not write property 'none' of component 'one' to 'no/x'"},
+        {"one.marshalling.updateFile(\"no/x\")", "could not update 'no/x' with the properties of component 'one'"},
+        {"one.marshalling.loadServiceProperties(none, none)", "one has no service called none"},
+        {"one.marshalling.readServiceProperty(none, none, none)", "one has no service called none"},
+        {"one.marshalling.loadServiceProperties(none, \"marshalling\")",
+         "could not load the properties of service 'marshalling' of component 'one' from 'none'"},
+        {"scripting.runScript(none)", "could not run script 'none'"},
+        {"scripting.loadPrograms(none)", "could not load script 'none'"},
+        {"scripting.loadStateMachines(none)", "could not load script 'none'"},
+        {"scripting.eval(\"nowhere()\")", "could not run all of the text"},
+        {"eval(\"nowhere()\")", "could not run all of the text"},
+        {"scripting.loadProgramText(\"nowhere()\")", "could not load the text"},
+        {"scripting.unloadProgram(none)", "program 'none' cannot be unloaded: there is none of that name"},
+        {"scripting.unloadStateMachine(none)", "state machine 'none' cannot be unloaded: there is none of that name"},
+        {"setMasterSlaveActivity(\"one\", \"o\" + \"ne\")",
+         "could not set the activity of component 'one': it would be its own master"},
+    };
+    for (const auto& [call, reason] : cases) {
+        const Outcome found = outcome({}, before + "  " + call + "\none.configure()\n");
+        EXPECT_THAT(found.err, HasSubstr("app.ops:6:3: warning: [OPS420] " + reason)) << call;
+        EXPECT_THAT(found.err, Not(HasSubstr("[ ERROR"))) << call;
+        EXPECT_EQ(0, found.status) << call << found.err;
+        EXPECT_THAT(found.out, HasSubstr("one: configured")) << call;
+        const Outcome strict = outcome({"--strict"}, before + "  " + call + "\none.configure()\n");
+        EXPECT_THAT(strict.err, HasSubstr("app.ops:6:3: error: [OPS400] " + reason)) << call;
+        EXPECT_EQ(255, strict.status) << call;
+    }
+    EXPECT_THAT(outcome({}, before + "one.marshalling.loadProperties(none)\n").err, StartsWith(file));
+}
+
+TEST_F(ReportingScript, AComponentDoesNotBecomeASlaveOfItsSlaves) {
+    const Outcome found = outcome({}, kTwo +
+                                          "loadComponent(\"three\", \"deploytest::Consumer\")\n"
+                                          "setMasterSlaveActivity(\"one\", \"two\")\n"
+                                          "setMasterSlaveActivity(\"two\", \"three\")\n"
+                                          "setMasterSlaveActivity(\"three\", \"one\")\n"
+                                          "setActivity(\"one\", 0.01, 0, ORO_SCHED_OTHER)\n");
+    EXPECT_THAT(found.err, StartsWith("app.ops:8:1: warning: [OPS420] could not set the activity of component 'one': "
+                                      "through its masters it would be its own master\n"));
+    EXPECT_EQ(3, std::count(found.err.begin(), found.err.end(), '\n')) << found.err;
+    const Outcome checked = outcome({"--check"}, kTwo + "setMasterSlaveActivity(\"one\", \"one\")\n");
+    EXPECT_THAT(checked.err, StartsWith("app.ops:5:31: error: [OPS420] component 'one' would be its own master\n"));
+    EXPECT_EQ(255, checked.status);
+}
+
 }  // namespace

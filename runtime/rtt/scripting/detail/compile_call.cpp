@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls of operations, constructors and functions of scripts.
+// Calls of operations, constructors and functions of scripts. What is sent: compile_send.cpp.
 #include <rtt/scripting/detail/call_words.hpp>
 #include <rtt/scripting/detail/unit.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/scripting/detail/arithmetic.hpp>
 #include <rtt/scripting/detail/function_operation.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
-#include <rtt/scripting/detail/told_call.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 
@@ -122,17 +119,22 @@ Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vec
     for (const Node& node : nodes)
         if (node.used == count - 1) {
             found.part = node.service->getPart(name);
-            found.of = node.service->getOwner();
+            found.of = node.service.get();
         }
     if (found.part || count != 1) return found;
     found.of = nullptr;
     found.part = internal::GlobalService::Instance()->getPart(name);
     if (found.part) return found;
     found.function = function;
-    if (!function && where_.component->provides()->hasService("scripting"))
-        found.part = where_.component->provides()->getService("scripting")->getPart(name);
+    if (!function && where_.component->provides()->hasService("scripting")) {
+        found.of = where_.component->provides()->getService("scripting").get();
+        found.part = found.of->getPart(name);
+    }
     // `stop()` in a state machine is the component's.
-    if (!function && !found.part && where_.service) found.part = where_.service->getPart(name);
+    if (!function && !found.part && where_.service) {
+        found.of = where_.service;
+        found.part = found.of->getPart(name);
+    }
     return found;
 }
 
@@ -176,9 +178,8 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
 }
 
 /** What `make` makes for a call of `name`; says what is wrong with its arguments. */
-template <class Make>
-base::DataSourceBase::shared_ptr Unit::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
-                                            Make make) {
+Unit::Source Unit::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
+                        const std::function<Source()>& make) {
     const auto argumentAt = [&](int number) {
         const auto index = static_cast<std::size_t>(number - 1);
         return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
@@ -221,48 +222,6 @@ Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::
     return fromSource(told(call, called, name, at), at);
 }
 
-/** The call, or one that tells where it stands if it fails. */
-Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const {
-    const bool gives = called.of ? internal::FailureReport::comesFrom(*called.of)
-                                 : called.part == internal::GlobalService::Instance()->getPart("require");
-    if (!gives) return call;
-    internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
-    if (!success) return call;
-    // An alias may stand in another file.
-    const bool isHere = where_.text && !alias_;
-    return new ToldCall(success, locate(at), isHere ? lineOf(*where_.text, at.line) : "", ignored_.count(&name) != 0);
-}
-
-Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
-    const auto sources = arguments(name, part);
-    ++executions_;
-    code_.keep(OperationInterfacePart::hold(&part));
-    Operand result = fromSource(made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
-    result.sent = true;
-    return result;
-}
-
-/** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
-Operand Unit::command(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
-    const Operand call = sent(part, name, at);
-    const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
-    Operand target = fromSource(handle, at);
-    store(target, call, "the handle");
-    const Source status = made(
-        name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
-    auto* const polled = internal::DataSource<SendStatus>::narrow(keep(status));
-    if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
-    emit(&instructions::await, nullptr, nullptr, polled);
-    const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
-    // Not collected again: the source keeps what it gave last.
-    Operand result = fromSource(value, at);
-    std::shared_ptr<base::ActionInterface> copy(
-        value->updateAction(keep(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
-    emit(&instructions::perform, nullptr, nullptr, copy.get());
-    code_.keep(std::move(copy));
-    return result;
-}
-
 bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     const std::string wanted = joined(name.parts);
     const types::TypeInfo* const type = types::Types()->type(wanted);
@@ -274,90 +233,6 @@ bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources), elementsOf(*type));
     result = fromSource(value, at);
     return true;
-}
-
-namespace {
-
-/** What `make` makes; in its exceptions the first argument, which the script does not write, is not counted. */
-template <class Make>
-auto withoutFirst(Make make) -> decltype(make()) {
-    try {
-        return make();
-    } catch (wrong_types_of_args_exception& e) {
-        --e.whicharg;
-        throw;
-    } catch (non_lvalue_args_exception& e) {
-        --e.whicharg;
-        throw;
-    }
-}
-
-}  // namespace
-
-bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
-    if (name.parts.size() != 2) return false;
-    const std::string& what = name.parts[1].text;
-    const bool blocking = what == "collect";
-    if (!blocking && what != "collectIfDone") return false;
-    const Scope::Entry* const entry = declared(name.parts[0].text);
-    if (!entry) return false;
-    const std::string handle = "'" + name.parts[0].text + "'";
-    if (!entry->handle)
-        error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
-    const auto operation = entry->handle->operation();
-    const Source handleSource = entry->handle->source();
-    if (!operation || !handleSource) failUnsent(name.parts[0]);
-    OperationInterfacePart::Args sources{handleSource};
-    for (const Operand& value : values(name.arguments, [](std::size_t) { return true; }))
-        sources.push_back(sourceOf(value));
-    const OperationInterfacePart& part = *operation;
-    const unsigned wanted = part.collectArity();
-    if (sources.size() != 1 && sources.size() != wanted + 1)
-        error(at, "OPS142",
-              "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
-                  counted(sources.size() - 1));
-    const auto collected = [&] {
-        return withoutFirst(
-            [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
-    };
-    result = fromSource(made(name, at, part, collected), at);
-    ++executions_;
-    return true;
-}
-
-bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
-    const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
-    if (!to || to->called || to->parts.size() != 1) return false;
-    const Scope::Entry* const entry = declared(to->parts[0].text);
-    if (!entry || !entry->handle) return false;
-    result = sendInto(*entry->handle, to->parts[0].text, *assignment.value, at);
-    return true;
-}
-
-Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at) {
-    const auto* const from = std::get_if<ast::Name>(&value.what);
-    const std::size_t count = from ? from->parts.size() : 0;
-    const bool sends = count > 1 && from->parts.back().text == "send";
-    const Callable called = sends ? callable(from->parts, count - 1, walk(from->parts, count), true) : Callable();
-    if (!called.part) {
-        if (sends) expression(value);  // says what is unknown
-        error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
-    }
-    const Operand call = sent(*called.part, *from, value.at);
-    Source source = handle.source();
-    if (handle.operation().get() != called.part) {
-        const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
-        // What was compiled before has the same variable, if it can: which operation was sent last shows at run time.
-        if (!source || !source->hasTypeOf(*own)) source = own;
-        handle.set(OperationInterfacePart::hold(called.part), source);
-    }
-    const Operand result = fromSource(source, at);
-    store(result, call, "the handle");
-    return result;
-}
-
-void Unit::failUnsent(const ast::Identifier& handle) {
-    error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
 }
 
 void Unit::failRecursive(const std::string& function, ast::Place at) {

@@ -98,7 +98,7 @@ private:
     };
     struct Callable {
         OperationInterfacePart* part = nullptr;
-        const TaskContext* of = nullptr;  ///< the component whose operation it is, if that was found along a path
+        Service* of = nullptr;  ///< whose operation it is; null for what is global
         std::shared_ptr<const FunctionDefinition> function;
     };
 
@@ -166,15 +166,10 @@ private:
     Callable callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const;
     bool call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result);
     bool construct(const ast::Name& name, ast::Place at, Operand& result);
-    bool handleCall(const ast::Name& name, ast::Place at, Operand& result);
     Operand callOperation(const Callable& called, const ast::Name& name, ast::Place at);
-    Source told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const;
     [[noreturn]] void failRecursive(const std::string& function, ast::Place at);
-    [[noreturn]] void failUnsent(const ast::Identifier& handle);
     Operand callFunction(const std::shared_ptr<const FunctionDefinition>& function, const ast::Name& name,
                          ast::Place at);
-    Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
-    Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     /** True for the index of an argument that the call assigns to. */
     typedef std::function<bool(std::size_t)> IsOutput;
     std::vector<Operand> values(const ast::Expressions& expressions, const IsOutput& isOutput,
@@ -185,14 +180,22 @@ private:
     OperationInterfacePart::Args arguments(const ast::Name& name, const OperationInterfacePart& part);
     Source argument(const ast::Name& name, const OperationInterfacePart& part, unsigned index,
                     const std::vector<Operand>& values);
-    template <class Make>
-    Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part, Make make);
+    Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
+                const std::function<Source()>& make);
     /** Does what `convert` does, and reports the conversions that lose something. */
     template <class Convert>
     auto watched(ast::Place at, Convert convert);
     void warnOfConversion(ast::Place at, const std::string& from, const std::string& to);
     /** Not where an alias is used: it was said where that is declared. */
     void warn(ast::Place at, const char* code, const std::string& message, const std::string& hint = "") const;
+
+    // compile_send.cpp
+    bool handleCall(const ast::Name& name, ast::Place at, Operand& result);
+    static bool givesReasons(const Callable& called);
+    Source told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const;
+    [[noreturn]] void failUnsent(const ast::Identifier& handle);
+    Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     bool assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result);
     Operand sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at);
 
