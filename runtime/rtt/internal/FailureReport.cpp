@@ -3,6 +3,7 @@
 #include <rtt/internal/FailureReport.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/Sending.hpp>
 
 #include <atomic>
 #include <mutex>
@@ -16,6 +17,7 @@ namespace {
 // Initial-exec: a real-time thread asks for the second one with each error, and must not allocate then.
 thread_local FailureReport* innermostReport __attribute__((tls_model("initial-exec"))) = nullptr;
 thread_local KeptErrors* innermostErrors __attribute__((tls_model("initial-exec"))) = nullptr;
+thread_local FailureReport* reportOfSent __attribute__((tls_model("initial-exec"))) = nullptr;
 std::atomic<bool> strict{false};
 
 struct Services {
@@ -47,8 +49,13 @@ bool FailureReport::give(const std::string& reason) {
 
 bool FailureReport::isWanted() noexcept { return innermostReport != nullptr; }
 
-FailureReport::Pause::Pause() noexcept : paused_(innermostReport) { innermostReport = nullptr; }
+FailureReport::Pause::Pause() noexcept : paused_(innermostReport) {
+    innermostReport = std::exchange(reportOfSent, nullptr);
+}
 FailureReport::Pause::~Pause() { innermostReport = paused_; }
+
+FailureReport::OfSent::OfSent(FailureReport& report) noexcept { reportOfSent = &report; }
+FailureReport::OfSent::~OfSent() { reportOfSent = nullptr; }
 
 void FailureReport::add(const Service& service) {
     const std::lock_guard<std::mutex> lock(services().mutex);
@@ -67,6 +74,9 @@ bool FailureReport::comesFrom(const Service& service) {
 
 void FailureReport::setStrict(bool yes) noexcept { strict.store(yes, std::memory_order_relaxed); }
 bool FailureReport::isStrict() noexcept { return strict.load(std::memory_order_relaxed); }
+
+Sending::Watcher::~Watcher() = default;
+void Sending::announce(Sending next) noexcept { announced = next; }
 
 KeptErrors::KeptErrors() noexcept : outer_(innermostErrors) { innermostErrors = this; }
 

@@ -44,6 +44,15 @@ public:
         FailureReport* const paused_;
     };
 
+    /** While one lives, the next call of the queue that this thread executes gives its reasons to that report. On the stack. */
+    class RTT_API OfSent {
+    public:
+        explicit OfSent(FailureReport& report) noexcept;
+        ~OfSent();
+        OfSent(const OfSent&) = delete;
+        OfSent& operator=(const OfSent&) = delete;
+    };
+
     /** Services whose operations give reasons. Any thread; these wait for each other. */
     static void add(const Service& service);
     static void remove(const Service& service);

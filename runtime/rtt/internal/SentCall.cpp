@@ -11,6 +11,7 @@
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/Sending.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/fosi.h>
@@ -252,8 +253,10 @@ bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
     call.setEngines(caller_, gate.engine());
     if (owner_ && owner_.get() != &gate) call.setProvider(owner_, generic_);
     call.ref();  // the queue's
-    if (ExecutionEngine::process(gate, &call)) return true;
-    call.dispose();
+    DisposableInterface* queued = &call;
+    if (internal::Sending::Watcher* const watcher = internal::Sending::take(callee())) queued = watcher->queued(call);
+    if (ExecutionEngine::process(gate, queued)) return true;
+    queued->dispose();
     return false;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What a script that runs tells: places in front, operations of the deployer that fail, --strict.
-#include "deployer_program.hpp"
+#include "reporting_script.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,27 +11,13 @@
 namespace {
 
 using namespace oroforge::test;
+using deployer_test::kTwo;
+using deployer_test::ReportingScript;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-const std::string kTwo =
-    "import(\"deploytest\")\nvar string none = \"none\"\nloadComponent(\"one\", \"deploytest::Consumer\")\n"
-    "loadComponent(\"two\", \"deploytest::Producer\")\n";
-
-class ReportingScript : public deployer_test::DeployerInDirectory {
-protected:
-    Outcome outcome(const std::vector<std::string>& options, const std::string& text) {
-        directory_.write("app.ops", text);
-        std::vector<std::string> words = options;
-        words.insert(words.end(), {"-s", "app.ops"});
-        Command program = command(words);
-        program.program = RTTSCRIPT_PROGRAM;
-        return run(program);
-    }
-};
 
 TEST_F(ReportingScript, ErrorsBeginWithFileLineAndColumnOnTheConsoleAndInTheLogFile) {
     const Outcome found = outcome({}, kTwo + "var int a = 0\na = 1 / a\n");

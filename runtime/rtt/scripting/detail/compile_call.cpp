@@ -169,8 +169,8 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
         result = callFunction(called.function, name, at);
     } else if (called.part) {
         result = last == "call"   ? callOperation(called, name, at)
-                 : last == "send" ? sent(*called.part, name, at)
-                                  : command(*called.part, name, at);
+                 : last == "send" ? sent(called, name, at)
+                                  : command(called, name, at);
     } else {
         return false;
     }

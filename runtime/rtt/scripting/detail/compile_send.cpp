@@ -9,8 +9,13 @@
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/scripting/detail/instructions.hpp>
 #include <rtt/scripting/detail/told_call.hpp>
+#include <rtt/scripting/detail/told_send.hpp>
+
+#include <typeinfo>
 
 namespace RTT {
 namespace scripting {
@@ -21,6 +26,12 @@ namespace {
 /** True for what each component has to load services. */
 bool isLoadService(Service& of, const OperationInterfacePart& part) {
     return of.getOwner() && of.getOwner()->provides().get() == &of && part.getName() == "loadService";
+}
+
+/** Of what it returns. */
+const std::type_info& resultOf(const OperationInterfacePart& part) {
+    const types::TypeInfo* const type = part.getArgumentType(0);
+    return type ? *type->getTypeId() : typeid(void);
 }
 
 }  // namespace
@@ -35,9 +46,45 @@ Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& na
     if (!givesReasons(called)) return call;
     internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
     if (!success) return call;
+    return new ToldCall(success, placeOfCall(at), ignored_.count(&name) != 0);
+}
+
+CallPlace Unit::placeOfCall(ast::Place at) const {
     // An alias may stand in another file.
     const bool isHere = where_.text && !alias_;
-    return new ToldCall(success, locate(at), isHere ? lineOf(*where_.text, at.line) : "", ignored_.count(&name) != 0);
+    return {locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
+}
+
+/** Null if nothing of the call is told. */
+std::shared_ptr<ToldSend> Unit::toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
+                                         bool forgotten) {
+    if (!givesReasons(called) || resultOf(*called.part) != typeid(bool)) return nullptr;
+    const auto local = boost::dynamic_pointer_cast<base::OperationCallerInterface>(called.part->getLocalOperation());
+    if (!local) return nullptr;
+    if (last) last->use();
+    return std::make_shared<ToldSend>(local->callee(), placeOfCall(at), std::move(last), where_.sent, forgotten);
+}
+
+/** Sends, and the handle is that of the call. */
+void Unit::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
+                  const std::shared_ptr<ToldSend>& told) {
+    const Operand call = sent(*called.part, name, at);
+    if (told) {
+        code_.keep(told);
+        emit(&instructions::announce, nullptr, nullptr, told.get());
+    }
+    store(handle, call, "the handle");
+    if (told) emit(&instructions::announce);
+}
+
+/** Nobody collects it, unless the value is assigned to something. */
+Operand Unit::sent(const Callable& called, const ast::Name& name, ast::Place at) {
+    const auto told = toldSend(called, at, nullptr, true);
+    if (!told) return sent(*called.part, name, at);
+    Operand result = fromSource(made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
+    sendTo(result, called, name, at, told);
+    result.sent = true;
+    return result;
 }
 
 Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
@@ -50,15 +97,17 @@ Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Pla
 }
 
 /** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
-Operand Unit::command(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
-    const Operand call = sent(part, name, at);
+Operand Unit::command(const Callable& called, const ast::Name& name, ast::Place at) {
+    const OperationInterfacePart& part = *called.part;
+    const auto last = std::make_shared<LastSent>();
     const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
-    Operand target = fromSource(handle, at);
-    store(target, call, "the handle");
+    const auto told = toldSend(called, at, last, false);
+    sendTo(fromSource(handle, at), called, name, at, told);
     const Source status = made(
         name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
-    auto* const polled = internal::DataSource<SendStatus>::narrow(keep(status));
+    auto* polled = internal::DataSource<SendStatus>::narrow(keep(status));
     if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
+    if (told) keep(polled = new ToldCollect(polled, last, true, false));
     emit(&instructions::await, nullptr, nullptr, polled);
     const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
     // Not collected again: the source keeps what it gave last.
@@ -114,7 +163,11 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
         return withoutFirst(
             [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
     };
-    result = fromSource(made(name, at, part, collected), at);
+    Source status = made(name, at, part, collected);
+    auto* const collect = internal::DataSource<SendStatus>::narrow(status.get());
+    const auto& last = entry->handle->lastSent();
+    if (collect && last->isUsed()) status = new ToldCollect(collect, last, sources.size() == 1, true);
+    result = fromSource(status, at);
     ++executions_;
     return true;
 }
@@ -137,7 +190,6 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
         if (sends) expression(value);  // says what is unknown
         error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
     }
-    const Operand call = sent(*called.part, *from, value.at);
     Source source = handle.source();
     if (handle.operation().get() != called.part) {
         const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
@@ -146,7 +198,7 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
     const Operand result = fromSource(source, at);
-    store(result, call, "the handle");
+    sendTo(result, called, *from, value.at, toldSend(called, value.at, handle.lastSent(), false));
     return result;
 }
 

@@ -119,6 +119,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     auto activation = std::make_unique<Activation>();
     activation->name = definition.name;
     activation->file = definition.file;
+    activation->text = definition.text;
     Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
     Unit unit(*this, there, activation->code, scope, activation.get());
     unit.function(tree, !(callsOnly && quiet != 0));

@@ -9,6 +9,7 @@
 #include <rtt/scripting/detail/code.hpp>
 #include <rtt/scripting/detail/peers.hpp>
 #include <rtt/scripting/detail/process.hpp>
+#include <rtt/scripting/detail/told_send.hpp>
 
 #include <diag/sink.hpp>
 
@@ -41,11 +42,14 @@ public:
         base::DataSourceBase::shared_ptr source() const;
         void set(boost::shared_ptr<const OperationInterfacePart> operation, base::DataSourceBase::shared_ptr source);
         void clear() { set(nullptr, nullptr); }
+        /** What is told of calls that were sent by it. */
+        const std::shared_ptr<LastSent>& lastSent() const { return last_sent_; }
 
     private:
         mutable std::mutex mutex_;
         boost::shared_ptr<const OperationInterfacePart> operation_;
         base::DataSourceBase::shared_ptr source_;
+        const std::shared_ptr<LastSent> last_sent_ = std::make_shared<LastSent>();
     };
     /** When something was declared: later ones are greater, whatever their scopes. */
     typedef std::uint64_t Time;
@@ -141,8 +145,9 @@ struct Surroundings {
     /** How often loops of a program, function or state machine may go round in one step (0: no limit); read in each step.
         Null without limit. */
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit;
-    bool checkOnly = false;         ///< nothing is evaluated while it is compiled
-    NamesToCome* toCome = nullptr;  ///< of a check; or null
+    bool checkOnly = false;           ///< nothing is evaluated while it is compiled
+    NamesToCome* toCome = nullptr;    ///< of a check; or null
+    std::shared_ptr<SentCalls> sent;  ///< gets what statements send, where failures are strict; or null
     /** Gets those it refers to, for the process that executes it; or null. */
     std::shared_ptr<Peers> peers;
 };

@@ -171,17 +171,23 @@ std::string FunctionCall::failure() const {
 }
 
 void FunctionCall::reportFailure() const {
-    const ast::Place place = process_.place();
     oroforge::diag::Sink sink;
-    sink.error({owner_->file, place.line, place.column}, "OPS400",
-               owner_->describe() + " failed: " + process_.message());
+    process_.report(sink, owner_->file, owner_->describe());
     oroforge::diag::SourceCache lines;
-    lines.add(owner_->file, "");  // no thread of a component reads files for this
+    // No thread of a component reads files for this.
+    const auto text = owner_->text.lock();
+    lines.add(owner_->file, text && process_.failedCall() ? *text : "");
     logDiagnostics(sink, lines);
 }
 
 void FunctionCall::checkFailure() const {
-    if (state_.load() == Failed) throw std::runtime_error(failure());
+    if (state_.load() != Failed) return;
+    if (!process_.failedCall()) throw std::runtime_error(failure());
+    FailedCall failed = *process_.failedCall();
+    const auto text = owner_->text.lock();
+    failed.isFrom(owner_->file, text ? *text : "");
+    failed.leaves(owner_->describe() + " is called here");
+    throw failed;
 }
 
 // -- The thread that executes ---------------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ class FunctionPool;
 struct FunctionOwner {
     std::string function, component;
     oroforge::diag::FileName file;
+    std::weak_ptr<const std::string> text;                  ///< of the file
     boost::intrusive_ptr<const internal::EngineGate> gate;  ///< of the engine that executes it
     decltype(Surroundings::roundLimit) roundLimit;
     std::atomic<bool> warned{false};  ///< that it yields where nobody expects it

@@ -49,6 +49,7 @@ FunctionPool::FunctionPool(std::shared_ptr<const FunctionDefinition> definition,
     owner_->function = definition_->name;
     owner_->component = where.component->getName();
     owner_->file = definition_->file;
+    owner_->text = definition_->text;
     owner_->gate = where.component->engine()->gate();
     owner_->roundLimit = where.roundLimit;
 }

@@ -4,6 +4,7 @@
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/os/TimeService.hpp>
+#include <rtt/scripting/detail/told_send.hpp>
 
 namespace RTT {
 namespace scripting {
@@ -48,6 +49,12 @@ const Instruction* now(const Instruction& self, Process&) {
 const Instruction* await(const Instruction& self, Process& process) {
     auto* const status = static_cast<internal::DataSource<SendStatus>*>(self.to);
     if (status->get() == SendNotReady) return process.idleTo(&self);
+    return &self + 1;
+}
+
+const Instruction* announce(const Instruction& self, Process&) {
+    auto* const told = static_cast<ToldSend*>(self.to);
+    internal::Sending::announce(told ? told->announcement() : internal::Sending());
     return &self + 1;
 }
 

@@ -36,6 +36,9 @@ const Instruction* now(const Instruction& self, Process& process);
 /** Evaluates the DataSource<SendStatus> `to`; yields, to be executed again, until it is not SendNotReady. */
 const Instruction* await(const Instruction& self, Process& process);
 
+/** What is sent next is told by the ToldSend `to`; null: no more. */
+const Instruction* announce(const Instruction& self, Process& process);
+
 const Instruction* failEvaluation(Process& process);
 
 /** The value of the DataSourceBase `a`, of type T, to `to`. */

@@ -29,6 +29,7 @@ Routine::Outcome CodeRoutine::runStatement() {
 unsigned CodeRoutine::line() const { return process_.started() ? process_.line() : first_line_; }
 
 oroforge::diag::Location CodeRoutine::where() const {
+    if (process_.failedCall()) return process_.failedCall()->place().where;
     const ast::Place place = process_.place();
     return {file_, place.line, place.column};
 }

@@ -6,6 +6,7 @@
 #include <rtt/base/TaskCore.hpp>
 #include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/Sending.hpp>
 
 #include <diag/print.hpp>
 
@@ -48,6 +49,8 @@ Process::Outcome Process::execute(Until until) {
             break;
         } catch (const internal::Interrupted& thrown) {
             next = interrupt(thrown.what());
+        } catch (const FailedCall& thrown) {
+            next = fail(thrown);
         } catch (const std::exception& thrown) {
             next = fail(thrown.what());
         } catch (...) {
@@ -87,6 +90,7 @@ void Process::restart() {
     function_ = nullptr;
     started_ = failed_ = interrupted_ = false;
     message_.clear();
+    failed_call_.reset();
     pause_.store(false, std::memory_order_relaxed);
     show(nullptr);
 }
@@ -94,6 +98,7 @@ void Process::restart() {
 void Process::retry() {
     failed_ = interrupted_ = false;
     message_.clear();
+    failed_call_.reset();
 }
 
 ast::Place Process::place() const {
@@ -141,8 +146,27 @@ const Instruction* Process::exceed() {
 }
 
 const Instruction* Process::fail(std::string message) {
+    internal::Sending::announce({});  // what it was about to send
     message_ = std::move(message);
     return catchFailure();
+}
+
+const Instruction* Process::fail(const FailedCall& call) {
+    failed_call_ = std::make_unique<FailedCall>(call);
+    return fail(std::string(call.what()));
+}
+
+CallPlace Process::placeIn(const Activation* function, const Instruction* at) const {
+    const ast::Place place = codeOf(function).placeOf(at);
+    CallPlace found{{function ? function->file : oroforge::diag::FileName(), place.line, place.column}, ""};
+    if (const auto text = function ? function->text.lock() : nullptr) found.line = lineOf(*text, place.line);
+    return found;
+}
+
+void Process::report(oroforge::diag::Sink& sink, const oroforge::diag::FileName& file, const std::string& whole) const {
+    const oroforge::diag::Location here{file, place().line, place().column};
+    if (failed_call_) return failed_call_->report(sink, here, whole);
+    sink.error(here, interrupted_ ? "" : "OPS400", (whole.empty() ? whole : whole + " failed: ") + message_);
 }
 
 namespace {
@@ -164,12 +188,15 @@ const Instruction* Process::catchFailure() {
         const Code& code = codeOf(function_);
         if (const Instruction* const handler = code.handlerOf(at)) {
             message_.clear();
+            failed_call_.reset();
             return componentFailed() ? yieldTo(handler) : handler;
         }
+        if (failed_call_) failed_call_->passes(placeIn(function_, at));
         if (!function_) break;
-        const ast::Place place = code.placeOf(at);
-        message_ += " (at " + toString(oroforge::diag::Location{function_->file, place.line, place.column}) +
-                    ", in function '" + function_->name + "')";
+        if (failed_call_)
+            failed_call_->leaves("function '" + function_->name + "' is called here");
+        else
+            message_ += " (at " + toString(placeIn(function_, at).where) + ", in function '" + function_->name + "')";
         at = function_->returnTo - 1;
         function_ = function_->caller;
     }

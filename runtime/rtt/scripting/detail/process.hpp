@@ -5,6 +5,7 @@
 #define ORO_SCRIPTING_DETAIL_PROCESS_HPP
 
 #include <rtt/scripting/detail/code.hpp>
+#include <rtt/scripting/detail/failed_call.hpp>
 #include <rtt/scripting/detail/peers.hpp>
 
 #include <diag/diagnostic.hpp>
@@ -58,6 +59,10 @@ public:
     /** Why it failed, without place. */
     const std::string& message() const { return message_; }
     bool failed() const { return failed_; }
+    /** The call that failed it; null: something else. */
+    const FailedCall* failedCall() const { return failed_call_.get(); }
+    /** After Failed: why, where, and what was called where. `whole`: "program 'p'"; empty: a statement of that file. */
+    void report(oroforge::diag::Sink& sink, const oroforge::diag::FileName& file, const std::string& whole) const;
     /** It failed because the thread was asked to end what it does, see internal::Interruption. */
     bool interrupted() const { return interrupted_; }
 
@@ -106,7 +111,9 @@ private:
     const Instruction* pauseAt(const Instruction* next);
     const Instruction* exceed();
     const Instruction* loseSight(const std::string& peer);
+    const Instruction* fail(const FailedCall& call);
     const Instruction* catchFailure();
+    CallPlace placeIn(const Activation* function, const Instruction* at) const;
     const Instruction* interrupt(const char* why);
     template <class Until>
     Outcome execute(Until until);
@@ -124,6 +131,7 @@ private:
     bool idles_ = false;
     bool finishing_ = false;  // a statement within which pause() was called
     std::string message_;
+    std::unique_ptr<FailedCall> failed_call_;
 };
 
 /** What a function needs while it is executed: its code, with arguments and variables. Functions cannot call themselves, so
@@ -136,6 +144,7 @@ struct Activation {
     const Instruction* returnTo = nullptr;
     Activation* caller = nullptr;
     oroforge::diag::FileName file;
+    std::weak_ptr<const std::string> text;  ///< of the file, which it does not keep
 };
 
 }  // namespace detail

@@ -169,14 +169,16 @@ bool Program::settle(Process::Outcome outcome) {
 }
 
 void Program::reportFailure() {
-    const ast::Place place = process_.place();
     oroforge::diag::Sink sink;
-    sink.error({text_.file, place.line, place.column}, "OPS400",
-               "program '" + name_ + "' of component '" + component_ + "' failed: " + process_.message());
+    process_.report(sink, text_.file, "program '" + name_ + "' of component '" + component_ + "'");
     oroforge::diag::SourceCache lines;
-    if (text_.at.line != 0)
-        lines.add(text_.file,
-                  std::string(text_.at.line - 1, '\n') + std::string(text_.at.column - 1, ' ') + text_.letters);
+    const std::string text = text_.at.line == 0 ? ""
+                                                : std::string(text_.at.line - 1, '\n') +
+                                                      std::string(text_.at.column - 1, ' ') + text_.letters;
+    if (process_.failedCall())
+        process_.failedCall()->addLines(lines, text_.file, text);
+    else if (!text.empty())
+        lines.add(text_.file, text);
     logDiagnostics(sink, lines);
     const os::MutexLock lock(error_lock_);
     error_ = oroforge::diag::toString(sink.all().front());

@@ -58,7 +58,7 @@ std::string nameTaken(const TaskContext& component, const char* kind) {
 }
 
 ScriptReader::ScriptReader(TaskContext& component, std::shared_ptr<SourceFile> file)
-    : component_(component), file_(std::move(file)), compiler_(surroundings(internal::GlobalEngine::Instance())) {}
+    : component_(component), file_(std::move(file)), compiler_(atTopLevel()) {}
 
 ScriptReader::~ScriptReader() = default;
 
@@ -87,7 +87,7 @@ bool ScriptReader::execute(const Code& code) {
         const Process::Outcome outcome = process.run();
         if (outcome == Process::Outcome::Finished) return true;
         if (outcome == Process::Outcome::Failed) {
-            error(process.place(), process.interrupted() ? "" : "OPS400", process.message());
+            process.report(sink_, file_->name, "");
             return false;
         }
         counted += !process.idles();
@@ -142,6 +142,12 @@ Surroundings ScriptReader::surroundings(ExecutionEngine* caller) {
     where.file = file_->name;
     where.text = partOf(file_, file_->text);
     where.sink = &sink_;
+    return where;
+}
+
+Surroundings ScriptReader::atTopLevel() {
+    Surroundings where = surroundings(internal::GlobalEngine::Instance());
+    where.sent = sent_;
     return where;
 }
 

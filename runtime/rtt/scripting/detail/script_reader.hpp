@@ -52,6 +52,7 @@ protected:
     bool execute(const Code& code);
 
     Surroundings surroundings(ExecutionEngine* caller);
+    Surroundings atTopLevel();
     /** Of what is executed by the component's engine and may call these functions, which stay alive as long as it is used. */
     Surroundings inEngine(const Functions& functions);
     oroforge::diag::Location at(ast::Place place) const { return {file_->name, place.line, place.column}; }
@@ -63,6 +64,7 @@ protected:
     TaskContext& component_;
     const std::shared_ptr<SourceFile> file_;
     oroforge::diag::Sink sink_;
+    const std::shared_ptr<SentCalls> sent_ = std::make_shared<SentCalls>();
     Compiler compiler_;  // of the statements between the definitions
 
 private:

@@ -73,6 +73,7 @@ bool ScriptRunner::run(Contents contents) {
         good = take(*item) && !unwinding;
         report();
     }
+    good = sent_->settle() && good;
     if (!good && contents != Contents::Everything) unload();
     return good;
 }

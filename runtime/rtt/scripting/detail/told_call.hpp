@@ -4,8 +4,7 @@
 #define ORO_SCRIPTING_DETAIL_TOLD_CALL_HPP
 
 #include <rtt/internal/DataSource.hpp>
-
-#include <diag/diagnostic.hpp>
+#include <rtt/scripting/detail/failed_call.hpp>
 
 #include <map>
 #include <string>
@@ -20,8 +19,7 @@ namespace detail {
  */
 class ToldCall final : public internal::DataSource<bool> {
 public:
-    /** `line`: the text of the line of the call; empty if it is not known. */
-    ToldCall(internal::DataSource<bool>* call, oroforge::diag::Location where, std::string line, bool ignored);
+    ToldCall(internal::DataSource<bool>* call, CallPlace place, bool ignored);
 
     bool evaluate() const override;
     bool get() const override;
@@ -34,13 +32,9 @@ private:
     void tell(const std::string& reasons) const;
 
     const internal::DataSource<bool>::shared_ptr call_;
-    const oroforge::diag::Location where_;
-    const std::string line_;
+    const CallPlace place_;
     const bool ignored_;
 };
-
-/** Empty if the text has no such line. */
-std::string lineOf(const std::string& text, unsigned line);
 
 }  // namespace detail
 }  // namespace scripting

@@ -194,7 +194,13 @@ private:
     static bool givesReasons(const Callable& called);
     Source told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const;
     [[noreturn]] void failUnsent(const ast::Identifier& handle);
-    Operand command(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
+    CallPlace placeOfCall(ast::Place at) const;
+    std::shared_ptr<ToldSend> toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
+                                       bool forgotten);
+    void sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
+                const std::shared_ptr<ToldSend>& told);
+    Operand command(const Callable& called, const ast::Name& name, ast::Place at);
+    Operand sent(const Callable& called, const ast::Name& name, ast::Place at);
     Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
     bool assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result);
     Operand sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at);
