@@ -3,6 +3,7 @@
 #include "script_forecast.hpp"
 
 #include "lookup.hpp"
+#include "scripts.hpp"
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -56,12 +57,21 @@ bool isThere(const std::filesystem::path& file) {
     return std::filesystem::exists(file, unknown) || unknown;
 }
 
+/** Where a script that another one runs is; empty if there is none. */
+std::string fileOf(const std::string& script, const std::string& caller) {
+    if (isThere(script)) return script;
+    const std::filesystem::path beside = std::filesystem::path(caller).parent_path() / script;
+    return isThere(beside) ? beside.string() : std::string();
+}
+
 }  // namespace
 
 RTT::scripting::CallProblem ScriptForecast::foresee(const Call& call, Expectations& expected) {
     std::vector<std::string> path = call.path;
     while (path.size() > 1 && session_.isDeployer(path.front())) path.erase(path.begin());
     if (path.size() > 1 && path.front() == "task") path.erase(path.begin());
+    const bool isService = path.size() == 2 && path.front() == "scripting" && path.back() == "runScript";
+    if (isService) path.erase(path.begin());
     if (path.size() == 1) return callOfDeployer(path.front(), call, expected);
     callOfOthers(path, expected);
     expected.begun = true;
@@ -305,10 +315,14 @@ RTT::scripting::CallProblem ScriptForecast::description(const Call& call, Expect
 
 RTT::scripting::CallProblem ScriptForecast::script(const Call& call, Expectations& expected) const {
     const std::string* const file = textOf(call, 0);
-    const bool tell = !isRun() && file && tells(call, expected) && !isThere(*file) &&
-                      !isThere(std::filesystem::path(call.script).parent_path() / *file);
-    if (!tell) anyOperation(expected);
-    return tell ? problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0) : Problem();
+    const bool isKnown = file && !isRun() && serviceFor(ScriptPlan::Run, *file) == "scripting";
+    Problem found;
+    if (isKnown) found.script = fileOf(*file, call.script);
+    if (isKnown && !found.script.empty()) return found;
+    if (isKnown && tells(call, expected))
+        return problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0);
+    anyOperation(expected);
+    return {};
 }
 
 /** What comes through a port may be a reason to do something, for a component that is to come as well. */

@@ -42,13 +42,15 @@ struct ForeseenCall {
     std::string script;    ///< the file in which it stands
 };
 
-/** What is wrong with a call. */
+/** What is wrong with a call, or what it runs. */
 struct CallProblem {
     static constexpr std::size_t kNoArgument = ~std::size_t{0};
     std::string text;                    ///< empty: nothing
     const char* code = "";               ///< "DEP031"
     std::size_t argument = kNoArgument;  ///< which argument that is about
     bool isWarning = false;
+    std::string
+        script;  ///< nothing is wrong: the component that is checked runs this file, which is looked through as well
 };
 
 /** What calls lead to, for somebody who knows the operations. One thread. */
@@ -66,7 +68,7 @@ public:
  * If its syntax is right, names, types and arguments are looked up: in the component, its peers and services as they are
  * now, and among what the script itself defines. As soon as a statement calls an operation, which may create components,
  * types or services, a name that nobody knows is no error any more; wrong arguments and types still are. A forecast can
- * tell more of such calls.
+ * tell more of such calls, and of scripts that the script runs.
  *
  * While this is being executed nobody else may use the interface of the component, which gets a service for each program and
  * state machine of the script, and loses it at the end. Any thread; not real-time safe; calls no operation, but for what the

@@ -223,7 +223,7 @@ TEST_F(CheckedScript, NamesThatAreLikeKnownOnesAreDoubtedWhereTheyAreNotCertain)
         {"one.configure()\nloadComponent(\"two\", \"deploytest::Consmer\")\n",
          "app.ops:4:22: warning: [DEP031] could not load component 'two': unknown component type "
          "'deploytest::Consmer'; did you mean 'deploytest::Consumer'?"},
-        {"runScript(\"other.ops\")\nimport(\"deploytset\")\n", "app.ops:4:8: warning: [DEP030]"}};
+        {"runScript(\"oth\" + \"er.ops\")\nimport(\"deploytset\")\n", "app.ops:4:8: warning: [DEP030]"}};
     directory_.write("other.ops", "");
     for (const auto& [text, warning] : cases) {
         EXPECT_THAT(checked(kOne + text), StartsWith(warning));

@@ -114,7 +114,7 @@ TEST_F(CheckedScript, WhatCannotBeKnownIsNoError) {
         "var string name = \"two\"\nloadComponent(name, \"deploytest::Consumer\")\ntwo.confgure()\n",
         "var string type = \"deploytest::Late\"\nloadComponent(\"two\", type)\ntwo.confgure()\nvar int v = "
         "two.number\n",
-        "runScript(\"other.ops\")\nmade.confgure()\n",
+        "var string other = \"other.ops\"\nrunScript(other)\nmade.confgure()\n",
         "loadComponents(\"made.xml\")\nmade.confgure()\n",
         "scripting.eval(\"loadComponent(\\\"made\\\", \\\"deploytest::Consumer\\\")\")\nmade.confgure()\n",
         // What may be executed or not.

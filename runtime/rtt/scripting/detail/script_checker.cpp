@@ -56,6 +56,13 @@ ScriptChecker::ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile>
                              Expectations& expected)
     : ScriptReader(component, std::move(file)), forecast_(forecast), expected_(expected) {}
 
+ScriptChecker::ScriptChecker(ScriptChecker& outer, std::shared_ptr<SourceFile> file, bool certain)
+    : ScriptReader(outer.component_, std::move(file)),
+      outer_(&outer),
+      certain_(certain && outer.certain_),
+      forecast_(outer.forecast_),
+      expected_(outer.expected_) {}
+
 ScriptChecker::~ScriptChecker() {
     for (const auto& [service, name] : operations_) service->removeOperation(name);
     for (const std::string& name : services_) component_.provides()->removeService(name);
@@ -113,7 +120,7 @@ bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name, b
 bool ScriptChecker::isToCome(const std::string& peer) { return expected_.components.count(peer) && gap(); }
 
 bool ScriptChecker::mayReplace(const std::string& function, bool isOfThis) {
-    if (expected_.names) return gap();
+    if (expected_.names || replaced_.count(function)) return gap();
     // One that this script defines again has the operation it had before.
     return !isOfThis && (bodies_.count(function) || expected_.definitions.count(function)) && gap();
 }

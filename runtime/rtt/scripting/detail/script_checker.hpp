@@ -26,6 +26,8 @@ class ScriptChecker final : private ScriptReader, private NamesToCome {
 public:
     ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
                   Expectations& expected);
+    /** Of a script that the outer one runs; `certain`: whenever that runs itself. */
+    ScriptChecker(ScriptChecker& outer, std::shared_ptr<SourceFile> file, bool certain);
     /** Removes the operations of functions, and the services of programs and state machines. */
     ~ScriptChecker() override;
 
@@ -63,9 +65,14 @@ private:
     };
     void foresee(const std::vector<FoundCall>& calls, Made made, oroforge::diag::Sink& found);
     void foresee(const FoundCall& call, oroforge::diag::Sink& found);
+    void follow(const std::string& script, bool certain, oroforge::diag::Sink& found);
+    bool isWithin(const std::string& script) const;
     bool isCallOfOperation(const FoundCall& call) const;
     bool isOwnOperation(const ast::Name& name) const;
 
+    ScriptChecker* const outer_ = nullptr;  // the script that runs this one
+    const bool certain_ = true;             // whenever the first of them runs
+    unsigned followed_ = 0;                 // by the first of them
     CallForecast& forecast_;
     Expectations& expected_;
     Definitions definitions_;
@@ -73,6 +80,7 @@ private:
     std::vector<std::pair<boost::shared_ptr<Service>, std::string>> operations_;
     std::map<std::string, const ast::Block*> bodies_;  // of functions and programs of this script
     std::set<const ast::Block*> entered_;              // of these
+    std::set<std::string> replaced_;                   // functions that scripts which this one ran defined
     std::set<std::string> missed_;                     // names that the script would have declared
     bool incomplete_ = false;                          // something was not compiled
 };

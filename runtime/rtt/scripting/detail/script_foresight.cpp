@@ -5,8 +5,10 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/script_text.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <initializer_list>
 
 namespace RTT {
@@ -16,6 +18,9 @@ namespace detail {
 namespace diag = oroforge::diag;
 
 namespace {
+
+// Scripts that run each other again and again are looked through no more often.
+constexpr unsigned kMostFollowed = 500;
 
 bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -105,10 +110,11 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
     ForeseenCall foreseen;
     for (const ast::Identifier& part : path) foreseen.path.push_back(part.text);
     foreseen.texts = textsOf(call.name->arguments);
-    foreseen.certain = certain;
+    foreseen.certain = certain && certain_;
     foreseen.ignored = call.ignored;
     foreseen.script = file_->name;
     const CallProblem problem = forecast_.foresee(foreseen, expected_);
+    if (!problem.script.empty()) follow(problem.script, certain, found);
     if (problem.text.empty()) return;
     const ast::Place place =
         problem.argument < call.name->arguments.size() ? call.name->arguments[problem.argument]->at : call.at;
@@ -116,6 +122,32 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
         found.warning(at(place), problem.code, problem.text);
     else
         found.error(at(place), problem.code, problem.text);
+}
+
+/** What the other script defines is there afterwards. */
+void ScriptChecker::follow(const std::string& script, bool certain, diag::Sink& found) {
+    ScriptChecker* first = this;
+    while (first->outer_) first = first->outer_;
+    diag::Sink unread;
+    const auto text = readScript(script, unread);
+    if (!text || isWithin(script) || first->followed_ == kMostFollowed) return expected_.anything();
+    ++first->followed_;
+    const auto file = std::make_shared<SourceFile>(script, *text, file_);
+    ScriptChecker inner(*this, file, certain);
+    const diag::Sink inside = inner.check();
+    for (const diag::Diagnostic& each : inside.all()) found.add(each);
+    for (const ast::Item& item : file->tree.items)
+        if (const auto* const function = std::get_if<ast::Function>(&item.what)) replaced_.insert(function->name.text);
+    replaced_.insert(inner.replaced_.begin(), inner.replaced_.end());
+}
+
+/** True for this script, and for one that leads to it. */
+bool ScriptChecker::isWithin(const std::string& script) const {
+    std::error_code unknown;
+    for (const ScriptChecker* each = this; each; each = each->outer_)
+        if (each->file_->name.str() == script || std::filesystem::equivalent(each->file_->name.str(), script, unknown))
+            return true;
+    return false;
 }
 
 }  // namespace detail
