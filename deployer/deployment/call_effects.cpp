@@ -5,6 +5,7 @@
 #include "lookup.hpp"
 
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/standard_operations.hpp>
 
 #include <algorithm>
 #include <initializer_list>
@@ -71,10 +72,9 @@ const std::map<std::string, CallEffect>& effects() {
     return all;
 }
 
-/** What every component has. */
 bool isQueryOfComponent(const std::string& operation) {
-    return isOneOf(operation, {"getPeriod", "setPeriod", "getCpuAffinity", "setCpuAffinity", "isActive", "isConfigured",
-                               "isRunning", "inFatalError", "inException", "inRunTimeError"});
+    const RTT::internal::StandardOperation* const standard = RTT::internal::standardOperation(operation);
+    return standard && standard->isQuery;
 }
 
 }  // namespace

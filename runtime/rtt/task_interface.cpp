@@ -3,24 +3,11 @@
 // The operations that every component has.
 #include <rtt/TaskContext.hpp>
 
-#include <algorithm>
-#include <iterator>
+#include <rtt/internal/standard_operations.hpp>
 
 namespace RTT {
 
-namespace {
-
-const char* const kStandardOperations[] = {
-    "activate",     "cleanup",        "configure", "error",        "getCpuAffinity", "getPeriod",   "inException",
-    "inFatalError", "inRunTimeError", "isActive",  "isConfigured", "isRunning",      "loadService", "setCpuAffinity",
-    "setPeriod",    "start",          "stop",      "trigger",      "update"};
-
-}  // namespace
-
-bool TaskContext::isStandardOperation(const std::string& name) {
-    return std::find(std::begin(kStandardOperations), std::end(kStandardOperations), name) !=
-           std::end(kStandardOperations);
-}
+bool TaskContext::isStandardOperation(const std::string& name) { return internal::standardOperation(name) != nullptr; }
 
 void TaskContext::addStandardOperations() {
     // Called through pointers to members of the base, so that overriding functions are found.

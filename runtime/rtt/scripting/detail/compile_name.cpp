@@ -5,6 +5,7 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/internal/standard_operations.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/Types.hpp>
@@ -45,10 +46,11 @@ std::string text(const std::vector<ast::Identifier>& parts, std::size_t count) {
     return joined;
 }
 
-/** Operations of which no component has another one with almost the same name. Short names are none: `step` is no `stop`. */
-std::vector<std::string> callsOfEveryComponent() {
-    return {"activate",  "cleanup",     "configure", "isActive", "isConfigured",
-            "isRunning", "loadService", "setPeriod", "trigger"};
+std::vector<std::string> unmistakableOperations() {
+    std::vector<std::string> names;
+    for (const internal::StandardOperation& each : internal::kStandardOperations)
+        if (each.isUnmistakable) names.push_back(each.name);
+    return names;
 }
 
 /** True if `name` is one of those with a slip of the pen, and not with something appended. */
@@ -294,7 +296,7 @@ bool Unit::isToCome(const Node& last, const ast::Name& name) const {
     if (!where_.toCome->mayHave(last.service->getOwner(), unknown, mayBeGlobal)) return false;
     if (!where_.toCome->tellsDoubts() || last.used == parts.size()) return true;
     const bool isCall = last.component && name.called && last.used + 1 == parts.size();
-    if (isCall && isSlipOf(unknown, callsOfEveryComponent())) return false;
+    if (isCall && isSlipOf(unknown, unmistakableOperations())) return false;
     doubt(last, name);
     return true;
 }
