@@ -4,7 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/failed.hpp>
+#include <rtt/internal/FailureReport.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt/scripting/detail/loaded.hpp>
 #include <rtt/scripting/detail/log_diagnostics.hpp>
@@ -51,6 +51,18 @@ bool runFile(ScriptingService& service, const std::string& file, Contents conten
     detail::logDiagnostics(sink, none);
     if (why && !sink.empty()) *why = diag::toString(sink.all().front());
     return false;
+}
+
+/** What `run` returns, which logs why it fails; a script that called gets `why`. */
+template <class Run>
+bool told(const std::string& why, Run run) {
+    bool done = false;
+    {
+        const internal::FailureReport::Pause others;
+        done = run();
+    }
+    if (!done && !detail::ScriptRunner::isUnwinding()) (void)internal::FailureReport::give(why);
+    return done;
 }
 
 /** `done`; throws if it is false and that is wanted. */
@@ -131,13 +143,11 @@ bool ScriptingService::eval(const std::string& code) {
 }
 
 bool ScriptingService::evalInternal(const std::string& name, const std::string& code) {
-    return internal::reported("could not run all of the text",
-                              [&] { return runText(*this, name, code, Contents::Everything); });
+    return told("could not run all of the text", [&] { return runText(*this, name, code, Contents::Everything); });
 }
 
 bool ScriptingService::runScript(const std::string& file) {
-    return internal::reported("could not run script '" + file + "'",
-                              [&] { return runFile(*this, file, Contents::Everything); });
+    return told("could not run script '" + file + "'", [&] { return runFile(*this, file, Contents::Everything); });
 }
 
 int ScriptingService::execute(const std::string& code) { return eval(code) ? 0 : -1; }
@@ -146,16 +156,15 @@ bool ScriptingService::doExecute(const std::string& code) { return eval(code); }
 bool ScriptingService::load(const std::string& file, Kind kind, bool do_throw) {
     std::string why;
     const Contents contents = kind == Kind::Programs ? Contents::Programs : Contents::StateMachines;
-    const bool done = internal::reported("could not load script '" + file + "'",
-                                         [&] { return runFile(*this, file, contents, &why); });
+    const bool done =
+        told("could not load script '" + file + "'", [&] { return runFile(*this, file, contents, &why); });
     return orThrow(done, do_throw, why);
 }
 
 bool ScriptingService::load(const std::string& code, const std::string& name, Kind kind, bool do_throw) {
     std::string why;
     const Contents contents = kind == Kind::Programs ? Contents::Programs : Contents::StateMachines;
-    const bool done =
-        internal::reported("could not load the text", [&] { return runText(*this, name, code, contents, &why); });
+    const bool done = told("could not load the text", [&] { return runText(*this, name, code, contents, &why); });
     return orThrow(done, do_throw, why);
 }
 

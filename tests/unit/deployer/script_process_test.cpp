@@ -85,8 +85,9 @@ TEST_F(DeployerScripts, AreCheckedWithoutBeingRun) {
 
 TEST_F(DeployerScripts, OperationsForScriptsAreKnownWhereTheyAreOnlyChecked) {
     directory_.write("app.ops",
-                     "program p { nothing }\nunloadProgram(\"p\")\neval(\"var int a = 1\")\nrunScript(\"b.ops\")\n");
+                     "program p { nothing }\nunloadProgram(\"p\")\neval(\"var int a = 1\")\nrunScript(\"c.ops\")\n");
     directory_.write("b.ops", "eval(1, 2)\n");
+    directory_.write("c.ops", "eval(\"\")\n");
     for (const char* option : {"--check", "--dry-run"}) {
         const Outcome good = run(command({option, "-s", "app.ops"}));
         EXPECT_EQ(0, good.status) << good.err;

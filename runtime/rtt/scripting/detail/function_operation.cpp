@@ -63,6 +63,12 @@ oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
 
 }  // namespace
 
+void letGoOfFunctions(const Scope& script) {
+    for (const auto& named : script.entries())
+        if (named.second.handle && dynamic_cast<const FunctionSignature*>(named.second.handle->operation().get()))
+            named.second.handle->clear();
+}
+
 Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component) {
     switch (scope) {
         case ast::Function::Scope::Exported: return component.provides().get();

@@ -81,6 +81,10 @@ public:
         const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const override;
 };
 
+/** At the end of a script: a handle of one of its functions keeps the function, which keeps the file in which the handle
+    stands. The code that uses it has what it needs. */
+void letGoOfFunctions(const Scope& script);
+
 /** The service that has the functions of that scope as operations; null for the service `scripting` if that is. */
 Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component);
 

@@ -66,9 +66,7 @@ ScriptChecker::ScriptChecker(ScriptChecker& outer, std::shared_ptr<SourceFile> f
 ScriptChecker::~ScriptChecker() {
     for (const auto& [service, name] : operations_) service->removeOperation(name);
     for (const std::string& name : services_) component_.provides()->removeService(name);
-    // A handle keeps its function, and that the file in which the handle stands.
-    for (const auto& named : file_->scope.entries())
-        if (named.second.handle) named.second.handle->clear();
+    letGoOfFunctions(file_->scope);
 }
 
 diag::Sink ScriptChecker::check() {

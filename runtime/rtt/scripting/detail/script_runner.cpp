@@ -40,15 +40,13 @@ ScriptRunner::ScriptRunner(ScriptingService& service, diag::FileName name, std::
     innermost = this;
 }
 
-// A handle of a function that this script defined keeps the function, which keeps the script with the handle. The code
-// that uses it has what it needs.
 ScriptRunner::~ScriptRunner() {
     innermost = outer_;
     if (!outer_) unwinding = false;
-    for (const auto& named : file_->scope.entries())
-        if (named.second.handle && dynamic_cast<const FunctionPart*>(named.second.handle->operation().get()))
-            named.second.handle->clear();
+    letGoOfFunctions(file_->scope);
 }
+
+bool ScriptRunner::isUnwinding() { return unwinding; }
 
 SourceFilePtr ScriptRunner::runningIn(const ScriptingService& service) {
     const ScriptRunner* runner = innermost;

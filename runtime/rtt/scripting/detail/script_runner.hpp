@@ -34,6 +34,9 @@ public:
     /** Where that file is: as it is called or, if there is none, beside the script that this thread is running. */
     static std::string locate(const std::string& file);
 
+    /** Scripts went too deep: all of them end, which was told once. */
+    static bool isUnwinding();
+
 private:
     /** The script of that service that this thread is running; null if there is none. */
     static SourceFilePtr runningIn(const ScriptingService& service);
