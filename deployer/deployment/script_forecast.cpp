@@ -73,8 +73,27 @@ RTT::scripting::CallProblem ScriptForecast::foresee(const Call& call, Expectatio
     const bool isService = path.size() == 2 && path.front() == "scripting" && path.back() == "runScript";
     if (isService) path.erase(path.begin());
     if (path.size() == 1) return callOfDeployer(path.front(), call, expected);
-    callOfOthers(path, expected);
+    const Problem wrong = callOfService(path, call, expected);
     expected.begun = true;
+    return wrong;
+}
+
+/** Services are loaded, and scripts run, as the deployer does it for itself. */
+RTT::scripting::CallProblem ScriptForecast::callOfService(const std::vector<std::string>& path, const Call& call,
+                                                          Expectations& expected) {
+    const bool isCheck = !isRun() && known(path.front(), expected);
+    if (isCheck && path.size() == 2 && path.back() == "loadService" && call.texts.size() == 1) {
+        Call same = call;
+        same.texts.insert(same.texts.begin(), &path.front());
+        Problem found = service(same, expected);
+        found.argument = 0;
+        return found;
+    }
+    if (isCheck && path.size() == 3 && path[1] == "scripting" && path.back() == "runScript") {
+        const Problem missing = missingScript(call, expected);
+        if (!missing.text.empty()) return missing;
+    }
+    callOfOthers(path, expected);
     return {};
 }
 
@@ -319,10 +338,15 @@ RTT::scripting::CallProblem ScriptForecast::script(const Call& call, Expectation
     Problem found;
     if (isKnown) found.script = fileOf(*file, call.script);
     if (isKnown && !found.script.empty()) return found;
-    if (isKnown && tells(call, expected))
-        return problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0);
-    anyOperation(expected);
-    return {};
+    found = missingScript(call, expected);
+    if (found.text.empty()) anyOperation(expected);
+    return found;
+}
+
+RTT::scripting::CallProblem ScriptForecast::missingScript(const Call& call, const Expectations& expected) const {
+    const std::string* const file = textOf(call, 0);
+    if (isRun() || !file || !tells(call, expected) || !fileOf(*file, call.script).empty()) return {};
+    return problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0);
 }
 
 /** What comes through a port may be a reason to do something, for a component that is to come as well. */

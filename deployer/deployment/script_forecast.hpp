@@ -37,6 +37,7 @@ private:
 
     Problem callOfDeployer(const std::string& operation, const Call& call, Expectations& expected);
     void callOfOthers(const std::vector<std::string>& path, Expectations& expected) const;
+    Problem callOfService(const std::vector<std::string>& path, const Call& call, Expectations& expected);
     Problem import(const Call& call, bool isLibrary, Expectations& expected);
     void path(const Call& call, Expectations& expected);
     Problem component(const Call& call, Expectations& expected);
@@ -48,6 +49,7 @@ private:
     Problem unload(const Call& call, Expectations& expected);
     Problem description(const Call& call, Expectations& expected) const;
     Problem script(const Call& call, Expectations& expected) const;
+    Problem missingScript(const Call& call, const Expectations& expected) const;
     void wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const;
 
     Problem wrongName(const std::vector<NamedArgument>& names, const Call& call, const Expectations& expected) const;

@@ -91,8 +91,20 @@ TEST_F(CheckedScript, AScriptThatIsMissingInAScriptThatItRunsIsAnErrorThere) {
     directory_.write("sub/b.ops", "isRunning()\n  runScript(\"nope.ops\")\n");
     EXPECT_THAT(checked("runScript(\"sub/a.ops\")\n"),
                 StartsWith("sub/b.ops:2:13: error: [OPS411] cannot read the script 'nope.ops': No such file"));
+    EXPECT_THAT(checked(kOne + "loadService(\"one\", \"scripting\")\none.scripting.runScript(\"nope.ops\")\n"),
+                StartsWith("app.ops:4:25: error: [OPS411] cannot read the script 'nope.ops'"));
     directory_.write("more.lua", "no OPS at all");
     EXPECT_THAT(checked("runScript(\"more.lua\")\n"), IsEmpty());
+}
+
+TEST_F(CheckedScript, AServiceThatAComponentIsToLoadIsLookedFor) {
+    EXPECT_THAT(
+        checked(kOne + "one.loadService(\"marshaling\")\n"),
+        StartsWith("app.ops:3:17: error: [DEP033] could not load service 'marshaling' into component 'one': there "
+                   "is no service or plugin of that name; did you mean 'marshalling'?"));
+    EXPECT_THAT(checked(kOne + "one.loadService(\"marshalling\")\none.marshalling.loadPropertis(\"x\")\n"),
+                StartsWith("app.ops:4:17: error: [OPS134]"));
+    EXPECT_THAT(checked(kOne + "if !one.loadService(\"nope\") then nothing\n"), IsEmpty());
 }
 
 }  // namespace
