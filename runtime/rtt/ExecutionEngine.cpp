@@ -94,7 +94,10 @@ void ExecutionEngine::setActivity(base::ActivityInterface* activity) {
     const_cast<EngineGate&>(*gate_).setActivity(activity);
 }
 
-bool ExecutionEngine::initialize() { return true; }
+bool ExecutionEngine::initialize() {
+    internal::Presence::prepare();  // in the thread of the activity, before its first step
+    return true;
+}
 void ExecutionEngine::step() {}
 void ExecutionEngine::loop() {}
 bool ExecutionEngine::breakLoop() {

@@ -5,9 +5,9 @@
 #ifndef OROFORGE_MODEL_THREADLESS_ACTIVITY_HPP
 #define OROFORGE_MODEL_THREADLESS_ACTIVITY_HPP
 
-#include <model/checked_presence.hpp>
 #include <rtt/os/fosi.h>
 #define rtos_get_time_ns() NANO_TIME(0)  // time stands still
+#include <model/checked_presence.hpp>
 #include <rtt/base/ActivityInterface.cpp>
 #include <rtt/base/DisposableInterface.cpp>
 #include <rtt/base/RunnableInterface.cpp>

@@ -10,6 +10,7 @@
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/detail/priority_lock.hpp>
 
 #include <exception>
 
@@ -202,7 +203,7 @@ base::ActivityInterface::Direct SlaveActivity::claim() {
 
 // False if another thread executes.
 bool SlaveActivity::takeOver() {
-    const os::MutexLock lock(handover_);
+    const os::detail::PriorityLock only(handover_);
     const int last = owner_.exchange(0);
     if (internal::Presence::Waiter(this).others()) {
         owner_ = last;

@@ -4,9 +4,9 @@
 #define ORO_EXTRAS_SLAVE_ACTIVITY_HPP
 
 #include <rtt/base/ActivityInterface.hpp>
-#include <rtt/os/Mutex.hpp>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -102,9 +102,9 @@ private:
     // Linux ids of threads: the one that executes it, 0 for none; the one that may enter without asking others; and the one that
     // made the last step, 0 for main.
     std::atomic<int> executor_{0}, owner_{0}, updater_{0};
-    os::Mutex handover_;                // of owner_
-    std::atomic<bool> pending_{false};  // work(Trigger) is due
-    TriggerMessage* message_;           // shared with the queue of the master's engine
+    std::atomic<std::uint32_t> handover_{0};  // locked while owner_ changes
+    std::atomic<bool> pending_{false};        // work(Trigger) is due
+    TriggerMessage* message_;                 // shared with the queue of the master's engine
 };
 
 }  // namespace extras

@@ -2,7 +2,6 @@
 // Copyright Oroforge contributors
 #include <rtt/os/Thread.hpp>
 
-#include <rtt/internal/Presence.hpp>
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
@@ -120,7 +119,6 @@ void* Thread::entry(void* self) {
     Thread* const thread = static_cast<Thread*>(self);
     thread->state_->task.pid = detail::currentTid();
     pthread_setname_np(pthread_self(), detail::shortThreadName(thread->state_->name).c_str());
-    internal::Presence::prepare();
     if (inRealTimeThread()) detail::beginRealTimeThread();
     thread->state_->born.signal();
     thread->run();

@@ -45,6 +45,14 @@ TEST_F(ReportingScript, OperationsOfServicesThatAreSentTellTheirPlaces) {
     }
 }
 
+TEST_F(ReportingScript, WhatWasSentBeforeByTheSameHandleIsNotCollectedWithIt) {
+    const std::string text = kTwo + "var SendHandle s\ns = " + kSent + "s = one.isRunning.send()\ns.collect()\n";
+    const Outcome strict = outcome({"--strict"}, text);
+    EXPECT_EQ("app.ops:6:5: error: [OPS420] " + kReason + "s = " + kSent + "    ^\n", strict.err);
+    EXPECT_EQ(255, strict.status);
+    EXPECT_EQ(0, outcome({}, text).status);
+}
+
 TEST_F(ReportingScript, WhatIsSentAndCollectedFailsTheStatementThatIgnoresTheResult) {
     const std::string send = kTwo + "var SendHandle s\ns = " + kSent;
     for (const std::string collect : {"s.collect()\n", "while s.collectIfDone() == SendNotReady do yield\n"}) {

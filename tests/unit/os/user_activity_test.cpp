@@ -148,7 +148,8 @@ TEST(UserActivity, SeesEachWakeUpOfItsRunner) {
     together([&](int) {
         for (int i = 0; i != 50; ++i) EXPECT_TRUE(a.trigger());
     });
-    EXPECT_TRUE(eventually([&] { return a.triggers >= 2; }));
+    // One wake-up may serve all of those.
+    EXPECT_TRUE(eventually([&] { return a.trigger() && a.triggers >= 2; }));
     EXPECT_TRUE(a.setPeriod(0.0));
     EXPECT_TRUE(a.timeout());
     EXPECT_TRUE(eventually([&] { return a.stop(); }));

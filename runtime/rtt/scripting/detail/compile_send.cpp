@@ -198,7 +198,12 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
     const Operand result = fromSource(source, at);
-    sendTo(result, called, *from, value.at, toldSend(called, value.at, handle.lastSent(), false));
+    const auto told = toldSend(called, value.at, handle.lastSent(), false);
+    sendTo(result, called, *from, value.at, told);
+    if (!told && handle.lastSent()->isUsed()) {
+        code_.keep(handle.lastSent());
+        emit(&instructions::forgetSent, nullptr, nullptr, handle.lastSent().get());
+    }
     return result;
 }
 

@@ -58,6 +58,11 @@ const Instruction* announce(const Instruction& self, Process&) {
     return &self + 1;
 }
 
+const Instruction* forgetSent(const Instruction& self, Process&) {
+    static_cast<LastSent*>(self.to)->set(nullptr);
+    return &self + 1;
+}
+
 const Instruction* failEvaluation(Process& process) {
     return process.fail("an expression has no value, or a call was not accepted");
 }

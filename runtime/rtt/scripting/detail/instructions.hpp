@@ -38,6 +38,8 @@ const Instruction* await(const Instruction& self, Process& process);
 
 /** What is sent next is told by the ToldSend `to`; null: no more. */
 const Instruction* announce(const Instruction& self, Process& process);
+/** What was sent last, of which the LastSent `to` tells, is collected no more. */
+const Instruction* forgetSent(const Instruction& self, Process& process);
 
 const Instruction* failEvaluation(Process& process);
 
