@@ -147,7 +147,7 @@ struct Surroundings {
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit;
     bool checkOnly = false;           ///< nothing is evaluated while it is compiled
     NamesToCome* toCome = nullptr;    ///< of a check; or null
-    std::shared_ptr<SentCalls> sent;  ///< gets what statements send, where failures are strict; or null
+    std::shared_ptr<SentCalls> sent;  ///< gets what statements send; or null
     /** Gets those it refers to, for the process that executes it; or null. */
     std::shared_ptr<Peers> peers;
 };

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/told_send.hpp>
 
+#include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/internal/SentCall.hpp>
 
@@ -107,7 +108,9 @@ void SentCalls::add(std::shared_ptr<SentOutcome> outcome) {
 }
 
 bool SentCalls::settle() {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
+    // A component that only wants to log does not stand still for it: it may have to execute the call itself.
+    const bool waits = FailureReport::isStrict() || !internal::EngineGate::ofThisThread();
+    const auto end = std::chrono::steady_clock::now() + (waits ? kPatience : std::chrono::seconds(0));
     bool good = true;
     for (const auto& each : all_) good = each->settle(end) && good;
     all_.clear();
@@ -124,7 +127,7 @@ ToldSend::ToldSend(const internal::CalleeBase* callee, CallPlace place, std::sha
 
 base::DisposableInterface* ToldSend::queued(SentCall& call) {
     const auto outcome = std::make_shared<SentOutcome>(place_, !forgotten_);
-    if (calls_ && FailureReport::isStrict()) calls_->add(outcome);
+    if (calls_) calls_->add(outcome);
     if (last_) last_->set(outcome);
     return new ToldMessage(call, outcome);
 }

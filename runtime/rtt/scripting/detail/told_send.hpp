@@ -69,11 +69,12 @@ private:
     std::shared_ptr<SentOutcome> outcome_;
 };
 
-/** What the statements of a script sent, where failures are strict. One thread. */
+/** What the statements of a script sent. One thread. */
 class SentCalls {
 public:
     void add(std::shared_ptr<SentOutcome> outcome);
-    /** False, and told, if one failed of which the script does not know. Waits a little for those under way. */
+    /** Waits a little for those under way: their component may be gone after the script. False, and told, if one failed, that is
+        strict, and the script does not know of it. */
     bool settle();
 
 private:
