@@ -108,8 +108,8 @@ std::string described(Service& service) {
     return isMain ? component : "service '" + service.getName() + "' of " + component;
 }
 
-/** What `use` does with a loader of that service. What the file says stands in the log; a script that calls is told what
-    failed: "could not", `todo`, the service, `file`. */
+/** Calls `use` with a loader of that service and returns its result. The loader logs errors of the file. If `use` fails, the
+    calling script gets the reason: "could not", then `todo`, the name of the service and `file`. */
 template <class Use>
 bool used(Service* service, const std::string& todo, const std::string& file, Use use) {
     return service && internal::toldOr("could not " + todo + " of " + described(*service) + file,

@@ -13,8 +13,8 @@ namespace marsh {
 /**
  * The service "marshalling": the functions of PropertyLoader as operations of a component, for the properties of the
  * service it was loaded into (normally the component itself) and of that service's sub-services. All run in the
- * caller's thread and return false, with the reasons in the log, if nothing was changed; a script that calls is told the
- * place of the call as well.
+ * caller's thread and return false, with the reasons in the log, if nothing was changed; for a calling
+ * script the log names the place of the call as well.
  */
 class RTT_API MarshallingService : public Service {
 public:

@@ -55,7 +55,7 @@ CallPlace Unit::placeOfCall(ast::Place at) const {
     return {locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
 }
 
-/** Null if nothing of the call is told. */
+/** What reports the failure of the call; null if the operation gives no reasons. */
 std::shared_ptr<ToldSend> Unit::toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
                                          bool forgotten) {
     if (!givesReasons(called) || resultOf(*called.part) != typeid(bool)) return nullptr;

@@ -42,7 +42,7 @@ public:
         base::DataSourceBase::shared_ptr source() const;
         void set(boost::shared_ptr<const OperationInterfacePart> operation, base::DataSourceBase::shared_ptr source);
         void clear() { set(nullptr, nullptr); }
-        /** What is told of calls that were sent by it. */
+        /** The call that was sent with it last, for reporting its failure. */
         const std::shared_ptr<LastSent>& lastSent() const { return last_sent_; }
 
     private:

@@ -36,9 +36,9 @@ const Instruction* now(const Instruction& self, Process& process);
 /** Evaluates the DataSource<SendStatus> `to`; yields, to be executed again, until it is not SendNotReady. */
 const Instruction* await(const Instruction& self, Process& process);
 
-/** What is sent next is told by the ToldSend `to`; null: no more. */
+/** The ToldSend `to` reports how the next call that is sent ends; null: nothing reports it. */
 const Instruction* announce(const Instruction& self, Process& process);
-/** What was sent last, of which the LastSent `to` tells, is collected no more. */
+/** The script collects another call from now on than the one in the LastSent `to`. */
 const Instruction* forgetSent(const Instruction& self, Process& process);
 
 const Instruction* failEvaluation(Process& process);
