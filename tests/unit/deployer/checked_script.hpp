@@ -3,10 +3,9 @@
 #ifndef OROFORGE_TESTS_CHECKED_SCRIPT_HPP
 #define OROFORGE_TESTS_CHECKED_SCRIPT_HPP
 
-#include "deployer_program.hpp"
+#include "reporting_script.hpp"
 
 #include <string>
-#include <vector>
 
 namespace deployer_test {
 
@@ -14,17 +13,8 @@ const std::string kImport = "import(\"deploytest\")\n";
 const std::string kOne = kImport + "loadComponent(\"one\", \"deploytest::Consumer\")\n";
 
 /** Runs and checks scripts. */
-class CheckedScript : public DeployerInDirectory {
+class CheckedScript : public ReportingScript {
 protected:
-    oroforge::test::Outcome outcome(const std::vector<std::string>& options, const std::string& text) {
-        directory_.write("app.ops", text);
-        std::vector<std::string> words = options;
-        words.insert(words.end(), {"-s", "app.ops"});
-        oroforge::test::Command program = command(words);
-        program.program = RTTSCRIPT_PROGRAM;
-        return run(program);
-    }
-
     /** What both kinds of check say of a script. */
     std::string checked(const std::string& text) {
         const oroforge::test::Outcome check = outcome({"--check"}, text), dryRun = outcome({"--dry-run"}, text);
