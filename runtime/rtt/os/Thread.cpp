@@ -9,8 +9,10 @@
 #include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <new>
 
 #include <signal.h>
@@ -34,6 +36,22 @@ std::string formatted(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
+}
+
+/** Why no thread can be created; a bad_alloc for those who know no other reason. */
+class NoThread final : public std::bad_alloc {
+public:
+    explicit NoThread(const std::string& text) : text_(std::make_shared<const std::string>(text)) {}
+    const char* what() const noexcept override { return text_->c_str(); }
+
+private:
+    std::shared_ptr<const std::string> text_;
+};
+
+std::string whyNot(int error) {
+    const std::string text = std::strerror(error);
+    if (error != EAGAIN) return text;
+    return text + " (EAGAIN): the limit of threads (ulimit -u, pids.max of the control group) or of memory is reached";
 }
 
 /** A stack for signal handlers of this thread: a report of the crash where its own stack is used up needs one. */
@@ -92,8 +110,9 @@ Thread::Thread(int scheduler, int priority, unsigned cpuAffinity, const std::str
     const int error =
         detail::createThread(state_->task.thread, scheduler, priority, stackSize, &Thread::entry, this, state_->name);
     if (error != 0) {
-        detail::log(detail::LogCritical, "Thread", "cannot create thread " + quoted + ": " + std::strerror(error));
-        throw std::bad_alloc();
+        const NoThread failure("cannot create thread " + quoted + ": " + whyNot(error));
+        detail::log(detail::LogCritical, "Thread", failure.what());
+        throw failure;
     }
     state_->joinable = true;
     state_->scheduler = scheduler;

@@ -27,7 +27,7 @@ public:
      * process may use (CheckScheduler, CheckPriority).
      * @param period seconds; 0 makes the thread non-periodic
      * @param cpuAffinity bit n allows CPU n; 0 allows all
-     * @throw std::bad_alloc if no thread can be created
+     * @throw std::bad_alloc, with the reason in what(), if no thread can be created
      */
     Thread(int scheduler, int priority, Seconds period, unsigned cpuAffinity, const std::string& name);
     ~Thread() override;
