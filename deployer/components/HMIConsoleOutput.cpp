@@ -30,10 +30,7 @@ HMIConsoleOutput::HMIConsoleOutput(const std::string& name)
     addOperation("logDouble", &HMIConsoleOutput::logDouble, this).doc("Logs a number.").arg("double", "The number");
 }
 
-HMIConsoleOutput::~HMIConsoleOutput() {
-    stop();
-    getActivity()->stop();
-}
+HMIConsoleOutput::~HMIConsoleOutput() { stopForGood(); }
 
 void HMIConsoleOutput::enableColor(bool on) {
     const RTT::os::MutexLock lock(mutex_);

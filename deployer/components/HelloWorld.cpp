@@ -41,10 +41,7 @@ HelloWorld::HelloWorld(std::string name)
         .arg("the_arg", "Whom; for \"World\" the answer is true");
 }
 
-HelloWorld::~HelloWorld() {
-    stop();
-    getActivity()->stop();
-}
+HelloWorld::~HelloWorld() { stopForGood(); }
 
 std::string HelloWorld::theMethod() { return "Hello World"; }
 

@@ -136,7 +136,7 @@ TimerComponent::TimerComponent(std::string name)
 }
 
 TimerComponent::~TimerComponent() {
-    stop();
+    stopForGood();
     thread_->stop();
 }
 

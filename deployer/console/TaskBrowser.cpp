@@ -63,7 +63,7 @@ TaskBrowser::TaskBrowser(RTT::TaskContext* component)
     setColorTheme(wantsColors() ? darkbg : nocolors);
 }
 
-TaskBrowser::~TaskBrowser() = default;
+TaskBrowser::~TaskBrowser() { stopForGood(); }
 
 bool TaskBrowser::failed() const { return !impl_->typed && impl_->console.screen().failed; }
 

@@ -64,7 +64,7 @@ DeploymentComponent::~DeploymentComponent() {
     if (impl_->autoUnload) (void)kickOutAll();
     RTT::internal::FailureReport::remove(*provides());
     // Hooks of a derived class must not run while this part is taken apart.
-    stop();
+    stopForGood();
     clear();
 }
 

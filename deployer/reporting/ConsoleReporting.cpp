@@ -9,7 +9,7 @@ namespace OCL {
 ConsoleReporting::ConsoleReporting(std::string name, std::ostream& console)
     : ReportingComponent(name), console_(console) {}
 
-ConsoleReporting::~ConsoleReporting() { stop(); }
+ConsoleReporting::~ConsoleReporting() { stopForGood(); }
 
 bool ConsoleReporting::startHook() {
     writeTo(reporting::useStream(console_));

@@ -15,7 +15,7 @@ FileReporting::FileReporting(const std::string& name) : ReportingComponent(name)
     addProperty("ReportFile", reportFile_).doc("The file to write to; it begins anew with each start.");
 }
 
-FileReporting::~FileReporting() { stop(); }
+FileReporting::~FileReporting() { stopForGood(); }
 
 bool FileReporting::startHook() {
     std::string error;

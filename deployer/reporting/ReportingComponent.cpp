@@ -74,8 +74,7 @@ ReportingComponent::ReportingComponent(std::string name) : RTT::TaskContext(name
 }
 
 ReportingComponent::~ReportingComponent() {
-    stop();
-    if (getActivity()) getActivity()->stop();
+    stopForGood();
     impl_->sources.clear();  // their ports leave this component while it is whole
 }
 

@@ -52,7 +52,7 @@ public:
         addEventPort("in", in).doc("what is added");
         addPort("out", out).doc("the sum so far");
     }
-    ~Sum() override { stop(); }
+    ~Sum() override { stopForGood(); }
 
     InputPort<int> in;
     OutputPort<int> out;

@@ -22,7 +22,7 @@ namespace {
 class Counter : public TaskContext {
 public:
     explicit Counter(const std::string& name) : TaskContext(name) {}
-    ~Counter() override { stop(); }
+    ~Counter() override { stopForGood(); }
 
     int steps() const { return steps_; }
     /** Seconds from the first step to the last, on the clock of components. */
@@ -70,7 +70,7 @@ void sequential() {
 class Master : public TaskContext {
 public:
     explicit Master(const std::string& name) : TaskContext(name) {}
-    ~Master() override { stop(); }
+    ~Master() override { stopForGood(); }
 
 private:
     void updateHook() override {
@@ -100,7 +100,7 @@ public:
     Reader(const std::string& name, int fd) : TaskContext(name), fd_(fd) {
         setActivity(new extras::FileDescriptorActivity(ORO_SCHED_OTHER, os::LowestPriority));
     }
-    ~Reader() override { stop(); }
+    ~Reader() override { stopForGood(); }
 
     std::atomic<bool> done{false};
 

@@ -23,7 +23,7 @@ public:
         addProperty("inputs", inputs_).doc("how many ports to make");
         addPort("sum", sum_).doc("of the newest sample of each input");
     }
-    ~Sum() override { stop(); }
+    ~Sum() override { stopForGood(); }
 
 private:
     bool configureHook() override {

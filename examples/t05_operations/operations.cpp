@@ -29,7 +29,7 @@ public:
         provides("limits")->addOperation("maximum", [] { return 1.0; }).doc("in m");
         arrive_ = getOperation("arrived");
     }
-    ~Axis() override { stop(); }
+    ~Axis() override { stopForGood(); }
 
     Operation<void(double)> arrived;  // only a signal
 
@@ -55,7 +55,7 @@ public:
         requires("limits")->addOperationCaller(maximum_);
         addOperation("plan", &Planner::plan, this, OwnThread);
     }
-    ~Planner() override { stop(); }
+    ~Planner() override { stopForGood(); }
 
 private:
     double plan() { return move_(maximum_()); }

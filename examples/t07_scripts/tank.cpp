@@ -20,7 +20,7 @@ public:
         addOperation("outlet", [this](bool open) { outletOpen = open; }).doc("the lower valve").arg("open", "");
         addOperation("say", &Tank::say, this).doc("prints a line").arg("what", "");
     }
-    ~Tank() override { stop(); }
+    ~Tank() override { stopForGood(); }
 
 private:
     bool configureHook() override { return capacity > 0 && flow > 0; }

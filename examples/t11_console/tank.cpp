@@ -22,7 +22,7 @@ public:
         addOperation("empty", &Tank::empty, this).doc("Lets all out");
         level_.keepLastWrittenValue(true);
     }
-    ~Tank() override { stop(); }
+    ~Tank() override { stopForGood(); }
 
 private:
     bool configureHook() override { return capacity_ > 0; }
@@ -49,7 +49,7 @@ private:
 class Pump : public RTT::TaskContext {
 public:
     explicit Pump(const std::string& name) : TaskContext(name) { addPort("flow", flow_).doc("what it moves [m3/s]"); }
-    ~Pump() override { stop(); }
+    ~Pump() override { stopForGood(); }
 
 private:
     RTT::OutputPort<double> flow_;

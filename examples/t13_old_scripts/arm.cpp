@@ -18,7 +18,7 @@ public:
         addPort("pose", pose).doc("where the arm is");
         addOperation("say", &Arm::say, this).doc("prints a line").arg("what", "");
     }
-    ~Arm() override { stop(); }
+    ~Arm() override { stopForGood(); }
 
 private:
     void updateHook() override {

@@ -29,7 +29,8 @@ bool isTaskContextMember(const std::string& name) {
         "loadService",    "operations",     "ports",           "properties",   "provides",
         "ready",          "recover",        "removePeer",      "requires",     "resetException",
         "setActivity",    "setCpuAffinity", "setPeriod",       "start",        "startHook",
-        "stop",           "stopHook",       "trigger",         "update",       "updateHook"};
+        "stop",           "stopForGood",    "stopHook",        "trigger",      "update",
+        "updateHook"};
     return members.count(name) != 0;
 }
 

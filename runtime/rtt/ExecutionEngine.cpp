@@ -83,10 +83,15 @@ bool ExecutionEngine::stopTask() {
 bool ExecutionEngine::startActivity() {
     const EngineGate::Visit visit(*gate_);
     base::ActivityInterface* const activity = visit.activity();
-    if (!activity || !activity->start()) return false;
+    if (!activity || gate_->retired() || !activity->start()) return false;
     gate_->waitPoint.mark();
     if (hasWork()) activity->trigger();
     return true;
+}
+
+void ExecutionEngine::retire() {
+    const_cast<EngineGate&>(*gate_).retire();
+    disposeQueued();
 }
 
 void ExecutionEngine::setActivity(base::ActivityInterface* activity) {

@@ -103,8 +103,11 @@ public:
     /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop, or if this is called
         within a hook and breakUpdateHook() is false. */
     bool stopTask();
-    /** Starts the activity and sees to it that it executes what was queued meanwhile. */
+    /** Starts the activity and sees to it that it executes what was queued meanwhile. False after retire(). */
     bool startActivity();
+    /** Other threads find no engine from now on: what they sent or send is disposed of. Blocks until they have left. For a
+        thread that has stopped the activity and is about to destroy the component. */
+    void retire();
 
     base::ActivityInterface* getActivity() const override { return gate_->activity(); }
     /** Called by the activity; blocks until no other thread uses the previous one. */

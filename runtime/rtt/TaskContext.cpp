@@ -11,6 +11,9 @@
 #include <rtt/internal/failed.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 
+#include <exception>
+#include <new>
+
 namespace RTT {
 
 namespace {
@@ -53,9 +56,9 @@ TaskContext::~TaskContext() {
     // Without a thread of its own nobody executes it now.
     if (isRunning() && isActive() && activity_->thread() && !activity_->thread()->isSelf())
         log(Warning) << getName()
-                     << " is destroyed while it is running: its thread may meet what is left of it. Call stop() "
+                     << " is destroyed while it is running: its thread may meet what is left of it. Call stopForGood() "
                      << "in the destructor of its class" << endlog();
-    if (activity_) activity_->stop();
+    endExecution();
     // Others may hold these pointers longer than the component lives.
     service_->setOwner(nullptr);
     requester_->setOwner(nullptr);
@@ -156,13 +159,44 @@ void TaskContext::releaseActivity() {
     activity_.reset();
 }
 
-// Who looks at it may want to do so as an Activity.
+// Who looks at it may want to do so as an Activity; but a destructor that stops it shall make none.
 base::ActivityInterface* TaskContext::getActivity() {
     auto* const deferred = dynamic_cast<internal::DeferredActivity*>(activity_.get());
-    return deferred ? deferred->made() : activity_.get();
+    return deferred && !engine()->gate()->retired() ? deferred->made() : activity_.get();
 }
 
-bool TaskContext::start() { return !isRunning() && TaskCore::start(); }
+void TaskContext::endExecution() {
+    if (activity_) activity_->stop();
+    if (!engine()->gate()->retired()) engine()->retire();
+}
+
+void TaskContext::stopForGood() noexcept {
+    if (engine()->gate()->retired()) return;
+    try {
+        if (isRunning()) stop();
+    } catch (const std::exception& thrown) {
+        log(Error) << getName() << " is stopped for good, though stop() threw: " << thrown.what() << endlog();
+    } catch (...) {
+        log(Error) << getName() << " is stopped for good, though stop() threw something that is no std::exception"
+                   << endlog();
+    }
+    endExecution();
+}
+
+bool TaskContext::start() {
+    if (isRunning()) return false;
+    if (engine()->gate()->retired()) {
+        log(Error) << getName() << " cannot be started: it was stopped for good" << endlog();
+        return false;
+    }
+    try {
+        if (mTriggerOnStart) (void)getActivity();  // it needs its thread now
+    } catch (const std::bad_alloc& thrown) {
+        log(Error) << getName() << " cannot be started: " << thrown.what() << endlog();
+        return false;
+    }
+    return TaskCore::start();
+}
 bool TaskContext::stop() { return TaskCore::stop(); }
 bool TaskContext::ready() { return true; }
 
@@ -225,6 +259,9 @@ bool TaskContext::loadService(const std::string& name) {
 bool TaskContext::dataOnPortHook(base::PortInterface*) { return isRunning(); }
 
 void TaskContext::dataOnPort(base::PortInterface* port) {
+    // The hook is one of a class that may be under destruction.
+    const internal::EngineGate::Visit visit(*engine()->gate());
+    if (!visit.engine()) return;
     // The component may be started, and stopped, while the hook decides.
     const unsigned starts = mStartCounter;
     const bool running = isRunning();

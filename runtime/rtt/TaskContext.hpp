@@ -25,8 +25,8 @@ namespace RTT {
  * activity that executes it, and peers it knows by name.
  *
  * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use its
- * members should call stop() and then getActivity()->stop() in its own destructor: its thread runs until ~TaskContext, and
- * stop() waits for nothing if the component is not running.
+ * members calls stopForGood() first in its destructor, because its thread executes operations also after stop(). Components that
+ * a ComponentLoader unloads, and those that ORO_CREATE_COMPONENT makes, are stopped for good before any destructor runs.
  *
  * Changing the interface or the activity is for one thread at a time and not real-time safe; others may call operations,
  * send, trigger and write to the ports meanwhile. Peers may be changed by any thread. A component may be destroyed in any
@@ -54,6 +54,15 @@ public:
 
     bool start() override;
     bool stop() override;
+    /**
+     * Stops the component and its activity; from then on no other thread executes its operations, callbacks or hooks: what was
+     * sent fails, what they send is refused. The first statement of a destructor, or of a program before it deletes a
+     * component; afterwards the component can only be destroyed. Later calls do nothing. Blocks until threads that are
+     * executing the component have finished; makes no thread. Throws nothing: what a hook throws is logged.
+     *
+     * A ClientThread operation that a caller executes itself, without send(), at that moment is not waited for.
+     */
+    void stopForGood() noexcept;
     virtual void clear();
     /** True if the component can be used; for sub-classes. */
     virtual bool ready();
@@ -197,6 +206,7 @@ private:
     static bool isStandardOperation(const std::string& name);
     void addStandardOperations();
     void exchangeActivity(base::ActivityInterface::shared_ptr next);
+    void endExecution();
     void releaseActivity();
     void releaseProviders();
     void forgetPeer(const std::string& name);

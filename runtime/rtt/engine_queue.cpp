@@ -46,7 +46,7 @@ bool ExecutionEngine::accepts() const { return !(task_ && task_->base::TaskCore:
 
 // In a visit to the gate, so that neither the engine nor its activity go away.
 bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activity) {
-    if (!item.what || !activity || !accepts()) return false;
+    if (!item.what || !activity || gate_->retired() || !accepts()) return false;
     if (!mailbox_.put(item)) {
         if (item.kind != Mailbox::Kind::Port) return false;
         // An exchange, so that who takes the flag away sees what all those have done who set it.

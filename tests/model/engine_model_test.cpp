@@ -146,6 +146,36 @@ void destroying(Trial& trial) {
     require(message.ended == (accepted ? 1 : 0), "a message is forgotten, or ended twice");
 }
 
+/** A thread retires the engine and goes on to destroy what calls touch that another engine executes. */
+void retiring(Trial& trial) {
+    prepare();
+    ExecutionEngine engine;
+    ActivityInterface activity(&engine);
+    const boost::intrusive_ptr<const EngineGate> gate = engine.gate();
+    std::atomic<int> freed{0};
+    model::Plain<int> member{0};
+    struct Touching : Call {
+        Touching(std::atomic<int>& count, model::Plain<int>& place) : Call(count), touched(place) {}
+        void run() override { touched = 1; }
+        model::Plain<int>& touched;
+    };
+    Message message;
+    bool accepted = false;
+    trial.thread([&] {
+        engine.retire();
+        member = 2;
+    });
+    trial.thread([&] {
+        const SentCall::shared_ptr call(new Touching(freed, member));
+        call->setProvider(gate, false);
+        call->ref();
+        call->executeAndDispose();
+        accepted = ExecutionEngine::process(*gate, &message);
+    });
+    trial.go();
+    require(message.ended == (accepted ? 1 : 0), "a message is forgotten, or ended twice");
+}
+
 /** A thread that stops the activity within its own step: who sees that it is stopped waits for the end of the step. */
 void lastStep(Trial& trial) {
     prepare();
@@ -192,6 +222,7 @@ TEST(Engine, a_call_is_sent_and_forgotten) { EXPECT_TRUE(model::holds(sending));
 TEST(Engine, sending_to_a_component_that_fails) { EXPECT_TRUE(model::holds(fatal)); }
 TEST(Engine, a_waiting_component_executes_messages) { EXPECT_TRUE(model::holds(waiting)); }
 TEST(Engine, sending_to_a_component_that_is_destroyed) { EXPECT_TRUE(model::holds(destroying)); }
+TEST(Engine, sending_to_a_component_that_is_retired) { EXPECT_TRUE(model::holds(retiring)); }
 TEST(Engine, the_last_step_is_waited_for) { EXPECT_TRUE(model::holds(lastStep)); }
 
 TEST(Engine, planted_faults_are_found) {
@@ -204,6 +235,8 @@ TEST(Engine, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("engine_start_forgets", starting));
     EXPECT_TRUE(model::catches("gate_visitors_ignored", destroying));
     EXPECT_TRUE(model::catches("gate_closed_late", destroying));
+    EXPECT_TRUE(model::catches("gate_retired_late", retiring));
+    EXPECT_TRUE(model::catches("gate_visitors_ignored", retiring));
     EXPECT_TRUE(model::catches("gate_visitors_ignored", lastStep));
 }
 

@@ -141,7 +141,7 @@ def write_own_class(package, manifest):
     (package / "src/Plant.hpp").write_text("\n".join(lines))
     lines = ['#include "Plant.hpp"', "", "namespace tank {", "", "Plant::Plant(const std::string& name) : RTT::TaskContext(name) {",
              f'    addPort("level", level_).doc("{manifest.doc}");', '    addProperty("gain", gain_);', *calls, "}", "",
-             "Plant::~Plant() { this->stop(); }", "", *defined, "}  // namespace tank", ""]
+             "Plant::~Plant() { this->stopForGood(); }", "", *defined, "}  // namespace tank", ""]
     (package / "src/Plant.cpp").write_text("\n".join(lines))
     (package / "tank.xml").write_text(manifest.text())
 

@@ -54,8 +54,8 @@ def name_arguments(package, _):
 def add_conditionals(package, _):
     change(header(package), lambda text: text.replace("    ~Plant() override;",
            "    ~Plant() override;\n#ifdef TANK_EXTRA\n    void extra();\n#endif\n#if 1\n    void always() {}\n#endif"))
-    change(source(package), lambda text: text.replace("Plant::~Plant() { this->stop(); }",
-           "Plant::~Plant() { this->stop(); }\n#ifdef TANK_EXTRA\nvoid Plant::extra() {\n}\n#endif"))
+    change(source(package), lambda text: text.replace("Plant::~Plant() { this->stopForGood(); }",
+           "Plant::~Plant() { this->stopForGood(); }\n#ifdef TANK_EXTRA\nvoid Plant::extra() {\n}\n#endif"))
 
 
 def move_definition(package, rng):

@@ -158,6 +158,7 @@ bool ComponentLoader::unloadComponent(TaskContext* tc) {
     }
     const std::string name = tc->getName();
     const internal::HookInProgress here(name.c_str(), "its destructor");
+    tc->stopForGood();
     try {
         delete tc;
     } catch (const std::exception& thrown) {

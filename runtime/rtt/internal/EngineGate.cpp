@@ -27,11 +27,14 @@ EngineGate::Step::~Step() {
 
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
     if (gate.isStepping()) return true;
+    // Nobody executes it any more.
+    if (as == Self && gate.retired()) return gate.offeredToRetirer() != nullptr;
     Visit* const visit = new (visit_) Visit(gate);
     base::ActivityInterface* const activity = visit->activity();
-    const auto answer = !activity       ? base::ActivityInterface::Direct::Refused
-                        : as == Anybody ? activity->beginInStead()
-                                        : activity->beginDirect();
+    const auto answer = !activity         ? base::ActivityInterface::Direct::Refused
+                        : as == Anybody   ? activity->beginInStead()
+                        : visit->engine() ? activity->beginDirect()
+                                          : base::ActivityInterface::Direct::Refused;
     if (answer == base::ActivityInterface::Direct::Entered)
         entered_ = activity, gate_ = &gate;  // the visit keeps both
     else
@@ -73,7 +76,19 @@ void EngineGate::setActivity(base::ActivityInterface* activity) {
     if (previous && previous != activity) waitForVisitors();
 }
 
+ExecutionEngine* EngineGate::offeredToRetirer() const {
+    return retirer_ == os::detail::currentTid() ? engine_.load() : nullptr;
+}
+
+void EngineGate::retire() {
+    retirer_ = os::detail::currentTid();
+    offered_ = nullptr;
+    waitForVisitors();
+    waitForStep();
+}
+
 void EngineGate::close() {
+    offered_.store(nullptr);
     engine_.store(nullptr);
     activity_.store(nullptr);
     waitForVisitors();

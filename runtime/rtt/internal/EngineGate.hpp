@@ -36,8 +36,8 @@ public:
         }
         Visit(const Visit&) = delete;
         Visit& operator=(const Visit&) = delete;
-        /** Null: destroyed. */
-        ExecutionEngine* engine() const { return gate_.engine_.load(); }
+        /** Null: destroyed, or retired by another thread. */
+        ExecutionEngine* engine() const { return gate_.offered(); }
         /** Null: there is none. */
         base::ActivityInterface* activity() const { return gate_.activity_.load(); }
 
@@ -98,15 +98,18 @@ public:
         const bool granted_;
     };
 
-    explicit EngineGate(ExecutionEngine* engine) : engine_(engine) {}
+    explicit EngineGate(ExecutionEngine* engine) : engine_(engine), offered_(engine) {}
     EngineGate(const EngineGate&) = delete;
     EngineGate& operator=(const EngineGate&) = delete;
 
     /** The gate of the engine that this thread is executing; null if none. */
     static const EngineGate* ofThisThread() noexcept;
 
-    /** The engine was destroyed. Any thread; real-time safe, as all that follow unless they say otherwise. */
-    bool closed() const { return engine_.load(std::memory_order_acquire) == nullptr; }
+    /** The engine was destroyed, or retired by another thread. Any thread; real-time safe, as all that follow unless they say
+        otherwise. */
+    bool closed() const { return offered() == nullptr; }
+    /** retire() was called, or the engine was destroyed. */
+    bool retired() const { return offered_.load(std::memory_order_acquire) == nullptr; }
     /** For the engine and for those who know that it lives. */
     ExecutionEngine* engine() const { return engine_.load(std::memory_order_acquire); }
     base::ActivityInterface* activity() const { return activity_.load(std::memory_order_acquire); }
@@ -117,6 +120,9 @@ public:
 
     /** Blocks until no other thread uses the previous one. */
     void setActivity(base::ActivityInterface* activity);
+    /** Refuses all other threads from now on, for good, as if the engine were destroyed: for a thread that is about to destroy
+        the component. Blocks until no other thread visits the engine or is within a step of it. */
+    void retire();
     /** For the destructor of the engine. Blocks until no other thread uses it. */
     void close();
     /** Blocks until the visits of all other threads are over. A component's thread executes its messages meanwhile, because
@@ -134,9 +140,16 @@ private:
     /** What a thread within a step is using. */
     const void* step() const noexcept { return &references_; }
     void waitFor(const void* use, const char* what) const;
+    ExecutionEngine* offered() const {
+        ExecutionEngine* const engine = offered_.load();
+        return __builtin_expect(engine != nullptr, 1) ? engine : offeredToRetirer();
+    }
+    ExecutionEngine* offeredToRetirer() const;
 
     mutable std::atomic<std::uint32_t> references_{0};
     std::atomic<ExecutionEngine*> engine_;
+    std::atomic<ExecutionEngine*> offered_;  // null as soon as it is retired
+    std::atomic<int> retirer_{0};            // the thread that did so
     std::atomic<base::ActivityInterface*> activity_{nullptr};
 };
 

@@ -36,6 +36,13 @@ RemoteCollect::~RemoteCollect() = default;
 void SentCall::run() {}
 void SentCall::collectFrom(std::unique_ptr<RemoteCollect> remote) { remote_ = std::move(remote); }
 
+bool SentCall::beginAgain() {
+    if (references_.load(std::memory_order_acquire) != 1) return false;
+    state_.store(Waiting, std::memory_order_relaxed);
+    error_.reset();
+    return true;
+}
+
 // It is the thread that waits, so what counts is the engine it executes: it may be executing an operation of the caller
 // for a third component, which others then call.
 void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
@@ -63,7 +70,8 @@ void SentCall::executeAndDispose() {
     const FailureReport::Pause others;
     const boost::intrusive_ptr<const EngineGate> provider = provider_;
     std::optional<EngineGate::Visit> visit;
-    if (provider && !visit.emplace(*provider).engine()) return dispose();
+    // Nor by the thread that destroys the component, if that executes messages meanwhile.
+    if (provider && (visit.emplace(*provider), provider->retired())) return dispose();
     try {
         run();
     } catch (const std::exception& e) {

@@ -47,8 +47,11 @@ public:
     void executeAndDispose() final;
     void dispose() final;
     bool isError() const final { return state() == Threw; }
+    CalleeBase* callee() const { return callee_.get(); }
     State state() const { return static_cast<State>(state_.load(std::memory_order_acquire) & ~kParked); }
 
+    /** Makes a call that has ended a new one. False if somebody else still holds it. */
+    bool beginAgain();
     /** The engine of the component that collects, null if none, and the one that executes. */
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
@@ -86,7 +89,6 @@ public:
 protected:
     /** Runs the function and keeps its result. */
     virtual void run();
-    CalleeBase* callee() const { return callee_.get(); }
     ExecutionEngine* executor() const { return executor_; }
 
 private:

@@ -20,9 +20,12 @@ faulty_statement(engine_not_notified ${queue} [=[        @{gate_->waitPoint.noti
 faulty_value(engine_state_not_asked_again ${queue} [=[if (@{!accepts()}@) {
         disposeQueued();]=] [=[false]=])
 faulty_value(gate_visitors_ignored ${gate} [=[if (@{over()}@) return;]=] [=[true]=])
-faulty_statement(gate_closed_late ${gate} [=[    @{engine_.store(nullptr);
+faulty_statement(gate_closed_late ${gate} [=[    @{offered_.store(nullptr);
+    engine_.store(nullptr);
     activity_.store(nullptr);
-    waitForVisitors();}@]=] [=[waitForVisitors(); engine_.store(nullptr); activity_.store(nullptr);]=])
+    waitForVisitors();}@]=] [=[waitForVisitors(); offered_.store(nullptr); engine_.store(nullptr); activity_.store(nullptr);]=])
+faulty_statement(gate_retired_late ${gate} [=[    @{offered_ = nullptr;
+    waitForVisitors();}@]=] [=[waitForVisitors(); offered_ = nullptr;]=])
 faulty_statement(engine_start_not_marked ${step} [=[@{gate_->waitPoint.mark();}@
     if (hasWork())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_start_forgets ${step} [=[if (@{hasWork()}@) activity->trigger();]=] [=[false]=])

@@ -13,6 +13,7 @@ namespace {
 using namespace oroforge::test;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class Fault : public deployer_test::DeployerInDirectory {
 protected:
@@ -68,6 +69,21 @@ TEST_F(Fault, WhatThrowsWhileItIsTakenDownDoesNotKeepTheRestFromBeingTakenDown) 
         EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad"), HasSubstr("thrown in " + where))) << where;
         EXPECT_THAT(outcome.out, AllOf(HasSubstr("well: deleted\n"), HasSubstr("bad: deleted\n"))) << where;
     }
+}
+
+// As where a user may have few threads; that limit does not hold for root, so here memory for their stacks is short.
+TEST_F(Fault, WithoutEnoughThreadsTheDeploymentIsUndoneAndSaysWhy) {
+    std::string components;
+    for (int i = 0; i != 50; ++i) components += component("c" + std::to_string(i), "");
+    directory_.write("app.xml", page(components));
+    Command limited = command({});
+    limited.arguments = {"-c", "ulimit -s 65536; ulimit -v 1000000; exec " + limited.program + " -s app.xml"};
+    limited.program = "/bin/sh";
+    const Outcome outcome = run(limited);
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("cannot create thread"), HasSubstr("(EAGAIN)"), HasSubstr("ulimit -u"),
+                                   Not(HasSubstr("bad_alloc"))));
+    EXPECT_THAT(outcome.out, HasSubstr("c0: deleted\n"));
 }
 
 TEST_F(Fault, ALibraryWithUnresolvedSymbolsIsNamedWithTheSymbol) {

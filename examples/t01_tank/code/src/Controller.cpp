@@ -10,7 +10,7 @@ namespace tank {
 
 Controller::Controller(const std::string& name) : ControllerBase(name) {}
 
-Controller::~Controller() { this->stop(); }
+Controller::~Controller() { this->stopForGood(); }
 
 bool Controller::startHook() {
     received_ = 0;

@@ -6,7 +6,7 @@ namespace tank {
 
 Plant::Plant(const std::string& name) : PlantBase(name) {}
 
-Plant::~Plant() { this->stop(); }
+Plant::~Plant() { this->stopForGood(); }
 
 bool Plant::startHook() {
     // Without a controller there is nobody to report to; the plant works all the same.

@@ -8,7 +8,7 @@ namespace gripper {
 
 Hand::Hand(const std::string& name) : HandBase(name) {}
 
-Hand::~Hand() { this->stop(); }
+Hand::~Hand() { this->stopForGood(); }
 
 bool Hand::motion_moveTo(double wanted) {
     if (wanted < 0 || wanted > widest_) return false;

@@ -4,8 +4,8 @@ namespace acts {
 
 Event::Event(const std::string& name) : EventBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Event::~Event() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Event::~Event() { this->stopForGood(); }
 
 bool Event::startHook() {
     // Prepare for updateHook(). False keeps the component stopped.

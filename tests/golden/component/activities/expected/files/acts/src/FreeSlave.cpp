@@ -4,7 +4,7 @@ namespace acts {
 
 FreeSlave::FreeSlave(const std::string& name) : FreeSlaveBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-FreeSlave::~FreeSlave() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+FreeSlave::~FreeSlave() { this->stopForGood(); }
 
 }  // namespace acts

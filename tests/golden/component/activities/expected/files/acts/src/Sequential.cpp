@@ -4,8 +4,8 @@ namespace acts {
 
 Sequential::Sequential(const std::string& name) : SequentialBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Sequential::~Sequential() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Sequential::~Sequential() { this->stopForGood(); }
 
 bool Sequential::configureHook() {
     // Check properties, open devices, size buffers. False keeps the component unconfigured.

@@ -4,8 +4,8 @@ namespace acts {
 
 Slave::Slave(const std::string& name) : SlaveBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Slave::~Slave() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Slave::~Slave() { this->stopForGood(); }
 
 void Slave::updateHook() {
     // One step: read inputs, compute, write outputs. Runs in the component's thread; keep it free of blocking calls.

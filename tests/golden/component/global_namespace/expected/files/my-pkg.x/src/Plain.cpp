@@ -2,8 +2,8 @@
 
 Plain::Plain(const std::string& name) : PlainBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Plain::~Plain() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Plain::~Plain() { this->stopForGood(); }
 
 void Plain::go() {
 }

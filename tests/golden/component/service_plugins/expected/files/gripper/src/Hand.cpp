@@ -4,8 +4,8 @@ namespace gripper {
 
 Hand::Hand(const std::string& name) : HandBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Hand::~Hand() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Hand::~Hand() { this->stopForGood(); }
 
 bool Hand::motion_open() {
     return true;

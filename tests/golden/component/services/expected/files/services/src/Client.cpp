@@ -4,8 +4,8 @@ namespace services {
 
 Client::Client(const std::string& name) : ClientBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Client::~Client() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Client::~Client() { this->stopForGood(); }
 
 bool Client::configureHook() {
     // Check properties, open devices, size buffers. False keeps the component unconfigured.

@@ -4,8 +4,8 @@ namespace tank {
 
 Controller::Controller(const std::string& name) : ControllerBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Controller::~Controller() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Controller::~Controller() { this->stopForGood(); }
 
 bool Controller::reset(double /*level*/) {
     return true;

@@ -4,8 +4,8 @@ namespace pair {
 
 Sink::Sink(const std::string& name) : SinkBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Sink::~Sink() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Sink::~Sink() { this->stopForGood(); }
 
 double Sink::sum() {
     return {};

@@ -4,8 +4,8 @@ namespace pair {
 
 Source::Source(const std::string& name) : SourceBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Source::~Source() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Source::~Source() { this->stopForGood(); }
 
 bool Source::configureHook() {
     // Check properties, open devices, size buffers. False keeps the component unconfigured.

@@ -4,8 +4,8 @@ namespace values {
 
 All::All(const std::string& name) : AllBase(name) {}
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-All::~All() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+All::~All() { this->stopForGood(); }
 
 bool All::configureHook() {
     // Check properties, open devices, size buffers. False keeps the component unconfigured.

@@ -8,8 +8,8 @@ My_pkg::My_pkg(const std::string& name) : RTT::TaskContext(name) {
     std::cout << "My_pkg constructed\n";
 }
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-My_pkg::~My_pkg() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+My_pkg::~My_pkg() { this->stopForGood(); }
 
 bool My_pkg::configureHook() {
     std::cout << "My_pkg configured\n";

@@ -8,8 +8,8 @@ Mypkg::Mypkg(const std::string& name) : RTT::TaskContext(name) {
     std::cout << "Mypkg constructed\n";
 }
 
-// Stopping here keeps hooks from running in an object that is half destroyed.
-Mypkg::~Mypkg() { this->stop(); }
+// From here on no other thread executes hooks or operations of an object that is half destroyed.
+Mypkg::~Mypkg() { this->stopForGood(); }
 
 bool Mypkg::configureHook() {
     std::cout << "Mypkg configured\n";
