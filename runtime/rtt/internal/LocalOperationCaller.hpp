@@ -4,6 +4,7 @@
 #define ORO_LOCAL_OPERATION_CALLER_HPP
 
 #include <rtt/base/OperationCallerBase.hpp>
+#include <rtt/internal/SpareCalls.hpp>
 
 namespace RTT {
 namespace internal {
@@ -26,8 +27,8 @@ public:
             const EngineGate::Stand direct = this->direct();
             if (direct) return (*static_cast<Function*>(this->callee()))(std::forward<Args>(args)...);
         }
-        const typename Sent::shared_ptr held(new Sent(this->callee(), args...));
-        Sent& sent = *held.get();
+        const Held held(spares_, spares_.take(this->callee(), args...));
+        Sent& sent = *held.call;
         this->enqueueAndWait(sent);
         copyBack(sent, std::index_sequence_for<Args...>(), args...);
         return sent.result.get();
@@ -41,6 +42,24 @@ public:
     }
 
 private:
+    /** Where calls come from that are not kept. */
+    struct Pool {
+        typename Sent::shared_ptr take(CalleeBase* callee, std::remove_reference_t<Args>&... args) {
+            return new Sent(callee, args...);
+        }
+        void give(const typename Sent::shared_ptr&) {}
+    };
+    typedef std::conditional_t<keepsCalls<R(Args...)>, SpareCalls<Sent>, Pool> Spares;
+    /** Gives a call back at its end, unless the caller was interrupted and it still waits. */
+    struct Held {
+        Held(Spares& to, typename Sent::shared_ptr taken) : spares(to), call(std::move(taken)) {}
+        ~Held() {
+            if (call->state() != SentCall::Waiting) spares.give(call);
+        }
+        Spares& spares;
+        const typename Sent::shared_ptr call;
+    };
+
     LocalOperationCaller(const LocalOperationCaller& other, ExecutionEngine* caller)
         : base::OperationCallerBase<R(Args...)>(other, caller) {}
 
@@ -55,6 +74,8 @@ private:
         (void)to;
         (void)from;
     }
+
+    Spares spares_;
 };
 
 }  // namespace internal

@@ -119,7 +119,16 @@ public:
     typedef boost::intrusive_ptr<TypedCall> shared_ptr;
     using CallValues<R(Args...)>::CallValues;
 
+    /** The same call with other arguments; false if somebody else still holds it. */
+    bool begin(const std::remove_reference_t<Args>&... args) {
+        return this->beginAgain() && (assign(std::index_sequence_for<Args...>(), args...), true);
+    }
+
 private:
+    template <std::size_t... I>
+    void assign(std::index_sequence<I...>, const std::remove_reference_t<Args>&... args) {
+        (static_cast<void>(argumentAt<I>(this->arguments) = args), ...);
+    }
     void run() override { runWith(std::index_sequence_for<Args...>()); }
     template <std::size_t... I>
     void runWith(std::index_sequence<I...>) {

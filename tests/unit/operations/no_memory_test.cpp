@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // An operation throws, and there is no memory to say what. Takes the place of operator new, so it is a program of its own.
+#include "call_memory.hpp"
 #include "probe.hpp"
 
 #include <rtt/OperationCaller.hpp>
@@ -13,13 +14,17 @@
 
 namespace {
 thread_local bool nextFails = false;
+std::atomic<unsigned long> allocated{0};
 }  // namespace
+
+unsigned long oroforge::test::allocations() { return allocated; }
 
 [[gnu::noinline]] void* operator new(std::size_t size) {
     if (nextFails) {
         nextFails = false;
         throw std::bad_alloc();
     }
+    ++allocated;
     if (void* const block = std::malloc(size)) return block;
     throw std::bad_alloc();
 }

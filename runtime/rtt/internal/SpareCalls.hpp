@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef ORO_INTERNAL_SPARE_CALLS_HPP
+#define ORO_INTERNAL_SPARE_CALLS_HPP
+
+#include <rtt/internal/TypedCall.hpp>
+
+#include <atomic>
+#include <type_traits>
+
+namespace RTT {
+namespace internal {
+
+template <class T, class = void>
+struct IsPointerLike : std::is_pointer<T> {};
+template <class T>
+struct IsPointerLike<T, std::void_t<typename T::element_type>> : std::true_type {};
+
+/** True for signatures whose arguments have memory of their own, as vectors and texts have: copies of them are worth being kept.
+    Not for pointers: somebody may count on it that what they refer to is released. */
+template <class Signature>
+constexpr bool keepsCalls = false;
+template <class R, class... Args>
+constexpr bool keepsCalls<R(Args...)> =
+    !(std::is_trivially_copyable_v<ValueOf<Args>> && ...) && !IsPointerLike<ValueOf<R>>::value &&
+    ((std::is_copy_assignable_v<ValueOf<Args>> && !IsPointerLike<ValueOf<Args>>::value) && ...);
+
+/**
+ * Calls that were executed, for the next ones of the same caller: copying the arguments into them takes no memory if they
+ * are no larger than before. Two, because the thread that executed the last one may still be about to let go of it. Any thread;
+ * real-time safe but for the first call.
+ */
+template <class Sent>
+class SpareCalls {
+public:
+    SpareCalls() = default;
+    ~SpareCalls() {
+        for (auto& slot : slots_)
+            if (Sent* const call = slot.load()) call->deref();
+    }
+    SpareCalls(const SpareCalls&) = delete;
+    SpareCalls& operator=(const SpareCalls&) = delete;
+
+    template <class... Args>
+    typename Sent::shared_ptr take(CalleeBase* callee, Args&... args) {
+        for (auto& slot : slots_) {
+            const typename Sent::shared_ptr call(slot.exchange(nullptr), false);
+            if (!call || call->callee() != callee) continue;
+            if (call->begin(args...)) return call;
+            give(call);
+        }
+        if (!used_.exchange(true)) give(new Sent(callee, args...));
+        return new Sent(callee, args...);
+    }
+    /** One that was executed to its end, or never queued. */
+    void give(typename Sent::shared_ptr call) {
+        for (auto& slot : slots_) {
+            Sent* empty = nullptr;
+            if (slot.compare_exchange_strong(empty, call.get())) return static_cast<void>(call.detach());
+        }
+    }
+
+private:
+    std::atomic<Sent*> slots_[2] = {};
+    std::atomic<bool> used_{false};
+};
+
+}  // namespace internal
+}  // namespace RTT
+
+#endif
