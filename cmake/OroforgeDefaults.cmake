@@ -35,6 +35,13 @@ if(OROFORGE_SANITIZE)
     add_compile_options(-fno-sanitize=vptr)
   endif()
 endif()
+# oroforge_precompile(<target>): the headers of the runtime, once for all sources, which halves what the compiler does at -O0.
+# In sanitizer builds only: the ordinary build shows which source does not include what it uses.
+function(oroforge_precompile target)
+  if(OROFORGE_SANITIZE)
+    target_precompile_headers(${target} PRIVATE <algorithm> <iostream> <sstream> <thread> <rtt/TaskContext.hpp>)
+  endif()
+endfunction()
 # Clang links its sanitizers to programs, where the libraries find them when they are loaded.
 if(NOT OROFORGE_SANITIZE OR CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_link_options(-Wl,-z,defs)
