@@ -4,6 +4,8 @@
 #define ORO_COMPOSITION_FACTORY_HPP
 
 #include <rtt/base/DataSourceBase.hpp>
+#include <string>
+#include <vector>
 
 namespace RTT {
 namespace types {
@@ -18,6 +20,17 @@ public:
     /** Sets `target` from such a form; false, and `target` unchanged where possible, if it does not fit. */
     virtual bool composeType(base::DataSourceBase::shared_ptr source,
                              base::DataSourceBase::shared_ptr target) const = 0;
+};
+
+/** What the composition factory of an enum may be as well, so that messages can name its values. */
+class RTT_API Enumeration {
+public:
+    virtual ~Enumeration();
+
+    /** The names of its values. */
+    virtual std::vector<std::string> enumerators() const = 0;
+    /** False if property files may not give that number, because it is no value of the enum. */
+    virtual bool takesNumber(long long number) const = 0;
 };
 
 }  // namespace types

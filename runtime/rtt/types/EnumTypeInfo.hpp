@@ -22,7 +22,10 @@ RTT_API bool readNumber(const std::string& text, int& number);
  * and written to property files; for a value without text it is the number, as an int. Converts silently from and to int.
  */
 template <class T>
-class EnumTypeInfo : public TemplateTypeInfo<T, false>, public CompositionFactory, public StreamFactory {
+class EnumTypeInfo : public TemplateTypeInfo<T, false>,
+                     public CompositionFactory,
+                     public Enumeration,
+                     public StreamFactory {
 public:
     typedef std::map<T, std::string> MapType;
 
@@ -52,6 +55,14 @@ public:
         const void* number = detail::valueOfType(source, typeid(int));
         return number && set(target, fromInt(*static_cast<const int*>(number)));
     }
+    std::vector<std::string> enumerators() const override {
+        std::vector<std::string> names;
+        for (const auto& known : to_string) names.push_back(known.second);
+        return names;
+    }
+    /** The map may lack values. */
+    bool takesNumber(long long) const override { return true; }
+
     std::ostream& write(std::ostream& os, base::DataSourceBase::shared_ptr source) const override {
         const void* value = detail::valueOfType(source, typeid(T));
         if (!value) return os;

@@ -23,6 +23,7 @@ namespace types {
 
 ValueFactory::~ValueFactory() = default;
 CompositionFactory::~CompositionFactory() = default;
+Enumeration::~Enumeration() = default;
 TypeTransporter::~TypeTransporter() = default;
 TypekitPlugin::~TypekitPlugin() = default;
 TransportPlugin::~TransportPlugin() = default;

@@ -84,6 +84,9 @@ public:
     FlagsInfo() : EnumTypeInfo<Flags>("form_flags") { to_string[OneFlag] = "One"; }
 };
 
+enum class Options { Left = 1, Right = 2, Up = 4 };
+constexpr Enumerator optionValues[] = {{"Left", 1, ""}, {"Right", 2, ""}, {"Up", 4, ""}};
+
 class SimplerForms : public Cpf {
 protected:
     static void SetUpTestSuite() {
@@ -92,6 +95,7 @@ protected:
         Types()->addType(new WordInfo());
         Types()->addType(new EnumTypeInfo<Slot>("form_slot"));
         Types()->addType(new FlagsInfo());
+        Types()->addType(makeEnumType<Options>("form_options", optionValues, 3));
         Types()->addType(makeSequenceType<std::set<int>>("form_set", keyedOps<std::set<int>>()));
     }
     /** The property of the bag after it was saved, changed to `other`, and loaded. */
@@ -192,13 +196,52 @@ TEST_F(SimplerForms, EnumsWithoutNamesAreSavedAndReadBack) {
     EXPECT_EQ(6, static_cast<int>(bag.getPropertyType<Slot>("p")->get())) << "as it was written before";
 }
 
-TEST_F(SimplerForms, ValuesWithoutAnEnumeratorAreSavedAsIntAndReadBack) {
+TEST_F(SimplerForms, AnEnumTakesTheNumbersOfItsEnumeratorsOnly) {
     bag.ownProperty(new Property<sample::Mode>("p", "", static_cast<sample::Mode>(3)));
-    EXPECT_EQ(3, static_cast<int>(loadedOver(sample::Mode::Idle)));
+    ASSERT_TRUE(saveToFile(bag, file, SaveMode::store, sink)) << said();
     EXPECT_THAT(get(), HasSubstr("<simple name=\"p\" type=\"long\"><value>3</value></simple>"));
+    bag.getPropertyType<sample::Mode>("p")->set(sample::Mode::Idle);
+    EXPECT_FALSE(load());
+    EXPECT_THAT(said(), HasSubstr("[CPF020] property 'p' of type /sample/Mode cannot be '3'; expected 'Idle', "
+                                  "'Filling', 'Draining' or 'Emptying'\n"));
+    EXPECT_EQ(sample::Mode::Idle, bag.getPropertyType<sample::Mode>("p")->get());
+    put(simple("string", "3"));
+    EXPECT_FALSE(load());
+    put(simple("long", "1"));
+    EXPECT_TRUE(load()) << said();
+    EXPECT_EQ(sample::Mode::Filling, bag.getPropertyType<sample::Mode>("p")->get());
+    put(simple("string", "7"));
+    EXPECT_TRUE(load()) << said();
     bag.getPropertyType<sample::Mode>("p")->set(sample::Mode::Draining);
     EXPECT_EQ(sample::Mode::Draining, loadedOver(sample::Mode::Idle, SaveMode::update));
     EXPECT_THAT(get(), HasSubstr("<simple name=\"p\" type=\"string\"><value>Draining</value></simple>"));
+}
+
+TEST_F(SimplerForms, AnUnknownEnumeratorIsAnsweredWithTheOthersAndTheNearest) {
+    bag.ownProperty(new Property<sample::Mode>("p", ""));
+    put(simple("string", "Fillign"));
+    EXPECT_FALSE(load());
+    EXPECT_THAT(said(), HasSubstr("property 'p' of type /sample/Mode cannot be 'Fillign'; expected 'Idle', 'Filling', "
+                                  "'Draining' or 'Emptying'; did you mean 'Filling'?\n"));
+    Property<sample::Tank> tank("t", "");
+    bag.addProperty(tank);
+    for (const char* mode : {"<simple name=\"mode\" type=\"string\"><value>Idel</value></simple>",
+                             "<simple name=\"mode\" type=\"long\"><value>99</value></simple>"}) {
+        put("<struct name=\"t\" type=\"/sample/Tank\">" + std::string(mode) + "</struct>");
+        EXPECT_FALSE(load());
+    }
+    EXPECT_THAT(said(), HasSubstr("property 't.mode' of type /sample/Mode cannot be 'Idel'; expected 'Idle'"));
+    EXPECT_THAT(said(), HasSubstr("property 't.mode' of type /sample/Mode cannot be '99'; expected 'Idle'"));
+    bag.removeProperty(&tank);
+}
+
+TEST_F(SimplerForms, FlagsMayBeCombined) {
+    bag.ownProperty(new Property<Options>("p", ""));
+    put(simple("long", "5"));
+    EXPECT_TRUE(load()) << said();
+    EXPECT_EQ(5, static_cast<int>(bag.getPropertyType<Options>("p")->get()));
+    put(simple("long", "8"));
+    EXPECT_FALSE(load());
 }
 
 TEST_F(SimplerForms, TheSizeThatOldFilesPutInFrontOfElementsIsNone) {

@@ -3,11 +3,16 @@
 #include "property_update.hpp"
 
 #include <rtt/Logger.hpp>
+#include <diag/nearest_match.hpp>
+#include <rtt/types/CompositionFactory.hpp>
+#include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 #include <rtt/types/detail/member_update.hpp>
 #include <algorithm>
 #include <exception>
 #include <memory>
+
+namespace diag = oroforge::diag;
 
 namespace RTT {
 namespace internal {
@@ -110,6 +115,21 @@ bool isSequence(const types::TypeInfo& type) {
     return std::find(names.begin(), names.end(), "capacity") != names.end();
 }
 
+std::string quotedValue(const base::DataSourceBase::shared_ptr& source) { return "'" + source->toString() + "'"; }
+
+/** Why a value that is no bag is refused: " cannot …". */
+std::string refusal(const types::TypeInfo* type, const PropertyBase& source) {
+    const types::Enumeration* const values = types::detail::enumerationOf(type);
+    const auto given = source.getDataSource();
+    const bool isText = source.getType() == "string";
+    if (values && !values->enumerators().empty() && (isText || types::detail::wholeNumberIn(given))) {
+        const std::vector<std::string> names = values->enumerators();
+        return " cannot be " + quotedValue(given) + "; expected " + diag::oneOf(names) +
+               (isText ? diag::didYouMean(given->toString(), names) : std::string());
+    }
+    return " cannot take a value of type " + source.getType();
+}
+
 /** Finds those of the members given that do not fit `type`, and reports them; false if all of them fit. */
 bool reportMembers(const types::TypeInfo& type, const PropertyBag& members, const BagUpdate& how, const Trail& trail) {
     // On a value of its own, of which every member may be tried.
@@ -129,9 +149,9 @@ bool reportMembers(const types::TypeInfo& type, const PropertyBag& members, cons
             reported = true;
         } else if (!setValue(member, item.getDataSource())) {
             reported = true;
-            how.report(&item, "property '" + here.path() + "' of type " + member->getTypeName() +
-                                  (bag ? " cannot be filled from the members given"
-                                       : " cannot take a value of type " + item.getType()));
+            how.report(&item,
+                       "property '" + here.path() + "' of type " + member->getTypeName() +
+                           (bag ? " cannot be filled from the members given" : refusal(member->getTypeInfo(), item)));
         }
     }
     return reported;
@@ -141,7 +161,7 @@ void reportMismatch(const PropertyBase& target, const PropertyBase& source, cons
     const PropertyBag* bag = bagOf(source);
     const std::string start = "property '" + trail.path() + "' of type " + target.getType();
     if (!bag) {
-        how.report(&source, start + " cannot take a value of type " + source.getType());
+        how.report(&source, start + refusal(target.getTypeInfo(), source));
     } else if (!mayBecome(bag->getType(), target)) {
         how.report(&source, start + " cannot take a value of type " + bag->getType() +
                                 (types::Types()->type(bag->getType()) ? "" : ", which no typekit knows"));

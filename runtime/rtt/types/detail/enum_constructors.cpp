@@ -88,6 +88,19 @@ bool EnumNames::set(const std::string& text, void* value) const {
     return true;
 }
 
+bool EnumNames::takes(long long number) const {
+    unsigned long long all = 0;
+    bool areFlags = true;
+    for (std::size_t i = 0; i != count; ++i) {
+        if (values[i].value == number) return true;
+        const auto bits = static_cast<unsigned long long>(values[i].value);
+        areFlags = areFlags && (bits & (bits - 1)) == 0;
+        all |= bits;
+    }
+    // 0, 1 and 2 may be numbers of any kind.
+    return areFlags && all > 3 && (static_cast<unsigned long long>(number) & ~all) == 0;
+}
+
 const char* EnumNames::nameOf(const void* value) const {
     const long long number = ops.get(value);
     for (std::size_t i = 0; i != count; ++i)

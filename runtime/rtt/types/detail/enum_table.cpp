@@ -20,7 +20,7 @@ using base::DataSourceBase;
 
 namespace {
 
-class EnumTable : public TableGenerator, public CompositionFactory, public StreamFactory {
+class EnumTable : public TableGenerator, public CompositionFactory, public Enumeration, public StreamFactory {
 public:
     EnumTable(const char* name, const Enumerator* values, std::size_t count, const char* doc, const TypeOps& ops,
               const TypeThunks& thunks, const EnumOps& numbers, TypeRef type)
@@ -51,6 +51,12 @@ public:
             return setNumber(target, *static_cast<const int*>(number));
         return false;
     }
+    std::vector<std::string> enumerators() const override {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i != names_.count; ++i) names.emplace_back(names_.values[i].name);
+        return names;
+    }
+    bool takesNumber(long long number) const override { return names_.takes(number); }
 
     std::ostream& write(std::ostream& os, DataSourceBase::shared_ptr source) const override {
         if (const void* value = valueOfType(source, *ops().id)) os << names_.textOf(value);

@@ -4,19 +4,27 @@
 #define ORO_MEMBER_UPDATE_HPP
 
 #include <rtt/base/DataSourceBase.hpp>
+#include <optional>
 
 namespace RTT {
 class PropertyBag;
 namespace types {
 
 class TypeInfo;
+class Enumeration;
 
 namespace detail {
 
 /** The object registered for that C++ type, or a new one of that name. */
 RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id);
 
-/** Sets `target` from `source` whatever way there is: assignment, conversion, composition. */
+/** What is known of the values of that type; null if it is no enum. */
+RTT_API const Enumeration* enumerationOf(const TypeInfo* type);
+/** The number that the source holds, or its text spells. */
+RTT_API std::optional<long long> wholeNumberIn(const base::DataSourceBase::shared_ptr& source);
+
+/** Sets `target` from `source` whatever way there is: assignment, conversion, composition. An enum takes no number that is none of
+    its values. */
 RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
 
 /** The value of the member "size"; -1 if there is none. */
