@@ -4,7 +4,6 @@
 //     text ─► scan (places, syntax) ─► tinyxml2 (tree) ─► Element tree: the two walked side by side
 #include <xml/document.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -14,6 +13,7 @@
 
 #include <tinyxml2.h>
 
+#include <xml/detail/encoding.hpp>
 #include <xml/detail/references.hpp>
 #include <xml/detail/scanner.hpp>
 
@@ -95,15 +95,6 @@ std::string withoutInstructions(std::string text, const detail::Places& places) 
     return text;
 }
 
-/// The place of the byte at `offset`.
-diag::Location placeOf(const std::string& text, std::size_t offset, const std::string& name) {
-    const auto at = text.begin() + static_cast<std::ptrdiff_t>(offset);
-    const auto line = std::count(text.begin(), at, '\n') + 1;
-    const auto lineBegin = offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
-    return {name, static_cast<unsigned>(line),
-            static_cast<unsigned>(offset - (lineBegin == std::string::npos ? 0 : lineBegin + 1) + 1)};
-}
-
 }  // namespace
 
 std::optional<std::string> readText(const std::string& path, diag::Sink& sink) {
@@ -133,11 +124,7 @@ std::optional<Document> Document::parseFile(const std::string& path, diag::Sink&
 
 std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                             Blanks blanks) {
-    const auto zero = text.find('\0');
-    if (zero != std::string::npos) {
-        sink.error(placeOf(text, zero, name), "XML001", "found a zero byte; expected XML text in UTF-8");
-        return std::nullopt;
-    }
+    if (!detail::checkEncoding(text, name, sink)) return std::nullopt;
     detail::Places places;
     if (!detail::scan(text, name, sink, places)) return std::nullopt;
     // References are resolved here, because afterwards blanks that were written as such could not be told from others.

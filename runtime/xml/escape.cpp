@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include <xml/escape.hpp>
 
+#include <xml/detail/encoding.hpp>
+
 namespace oroforge::xml {
 
 namespace {
@@ -17,14 +19,31 @@ void appendEscaped(char c, bool inAttribute, std::string& to) {
         case '\n': to += inAttribute ? "&#10;" : "\n"; break;
         case '\t': to += inAttribute ? "&#9;" : "\t"; break;
         default:
-            if (static_cast<unsigned char>(c) >= 0x20U) to += c;
+            if (static_cast<unsigned char>(c) >= 0x20U && c != '\x7f') to += c;
     }
+}
+
+std::string reference(char c) { return "&#" + std::to_string(static_cast<int>(static_cast<unsigned char>(c))) + ';'; }
+
+bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80U; }
+
+/// Copies a letter beyond ASCII and returns how many bytes it has. A byte that is no UTF-8 becomes what it is in Latin-1.
+std::size_t appendLetter(const std::string& text, std::size_t at, std::string& to) {
+    const std::size_t length = detail::letterAt(text, at);
+    if (length == 0) to += reference(text[at]);
+    to.append(text, at, length);
+    return length == 0 ? 1 : length;
 }
 
 std::string escape(const std::string& text, bool inAttribute) {
     std::string result;
     result.reserve(text.size());
-    for (const char c : text) appendEscaped(c, inAttribute, result);
+    for (std::size_t i = 0; i < text.size();) {
+        if (isAscii(text[i]))
+            appendEscaped(text[i++], inAttribute, result);
+        else
+            i += appendLetter(text, i, result);
+    }
     return result;
 }
 
@@ -33,14 +52,19 @@ std::string escape(const std::string& text, bool inAttribute) {
 std::string escapeExactly(const std::string& text, bool inAttribute) {
     std::string result;
     result.reserve(text.size());
-    for (std::size_t i = 0; i != text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size();) {
         const char c = text[i];
+        if (!isAscii(c)) {
+            i += appendLetter(text, i, result);
+            continue;
+        }
         const bool plainSpace = c == ' ' && i != 0 && i + 1 != text.size() && text[i - 1] != ' ';
-        const bool blankOrControl = static_cast<unsigned char>(c) <= 0x20U;
+        const bool blankOrControl = static_cast<unsigned char>(c) <= 0x20U || c == '\x7f';
         if (blankOrControl && !plainSpace)
-            result += "&#" + std::to_string(static_cast<int>(c)) + ';';
+            result += reference(c);
         else
             appendEscaped(c, inAttribute, result);
+        ++i;
     }
     return result;
 }

@@ -8,6 +8,8 @@
 
 namespace oroforge::xml {
 
+// Bytes that are no UTF-8 become the letters that they are in Latin-1, so that what is written is UTF-8.
+
 /// For character data: & < > escaped; control characters XML cannot carry are dropped.
 std::string escapeText(const std::string& text);
 

@@ -24,8 +24,8 @@ TEST(Escape, ExactTextKeepsSingleSpacesReadable) {
 
 TEST(Escape, ExactTextIsReadBackHoweverBlanksAreRead) {
     std::string text;
-    for (int c = 0; c != 256; ++c) text += static_cast<char>(c);
-    text += "  x \n ";
+    for (int c = 0; c != 128; ++c) text += static_cast<char>(c);
+    text += "  x \n \xc3\xb6\xe2\x82\xac ";
     const std::string document = "<a t=\"" + escapeExactly(text, true) + "\">\n " + escapeExactly(text) + "\n</a>";
 
     for (const Blanks blanks : {Blanks::kept, Blanks::condensed}) {
@@ -34,6 +34,18 @@ TEST(Escape, ExactTextIsReadBackHoweverBlanksAreRead) {
         ASSERT_TRUE(read.has_value());
         EXPECT_EQ(read->root().text, text);
         EXPECT_EQ(read->root().attribute("t")->value, text);
+    }
+}
+
+TEST(Escape, BytesThatAreNoUtf8BecomeTheirLettersInLatin1) {
+    for (const auto& [text, utf8] : std::vector<std::pair<std::string, std::string>>{
+             {"K\xf6rper", "K\xc3\xb6rper"}, {"\x80\xff", "\xc2\x80\xc3\xbf"}, {"\xe2\x82", "\xc3\xa2\xc2\x82"}}) {
+        diag::Sink sink;
+        const auto read =
+            Document::parseText("<a t=\"" + escapeAttribute(text) + "\">" + escapeText(text) + "</a>", "f", sink);
+        ASSERT_TRUE(read.has_value());
+        EXPECT_EQ(read->root().text, utf8);
+        EXPECT_EQ(read->root().attribute("t")->value, utf8);
     }
 }
 

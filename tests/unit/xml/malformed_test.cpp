@@ -26,6 +26,34 @@ TEST_P(Malformed, GivesOneLocatedError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    Encoding, Malformed,
+    testing::Values(
+        Case{"<a>\x1b</a>", "f.xml:1:4: error: [XML009] found the control character 0x1b, expected text"},
+        Case{"<a>\n<b x='\x01'/></a>", "f.xml:2:7: error: [XML009] found the control character 0x01, expected text"},
+        Case{"<a/><!-- \x7f -->", "f.xml:1:10: error: [XML009] found the control character 0x7f, expected text"},
+        Case{"<a>K\xf6rper</a>", "f.xml:1:5: error: [XML009] found the byte 0xf6, expected text in UTF-8"},
+        Case{"<a>\xc0\xaf</a>", "f.xml:1:4: error: [XML009] found the byte 0xc0, expected text in UTF-8"},
+        Case{"<a>\xed\xa0\x80</a>", "f.xml:1:4: error: [XML009] found the byte 0xed, expected text in UTF-8"},
+        Case{"<a>\xe2\x82", "f.xml:1:4: error: [XML009] found the byte 0xe2, expected text in UTF-8"},
+        Case{"\xff\xfe<", "f.xml:1:1: error: [XML009] the text is in UTF-16, expected UTF-8"},
+        Case{"<?xml version='1.0' encoding='ISO-8859-1'?><a>\xf6</a>",
+             "f.xml:1:31: error: [XML009] the encoding is 'ISO-8859-1', expected UTF-8"},
+        Case{"<?xml version='1.0' encoding='latin1'?><a>\xc3\xb6</a>",
+             "f.xml:1:31: error: [XML009] the encoding is 'latin1', expected UTF-8"},
+        Case{"<?xml version=\"1.0\" encoding=\"EBCDIC\"?><a/>",
+             "f.xml:1:31: error: [XML009] the encoding is 'EBCDIC', expected UTF-8"}));
+
+TEST(Encoding, Utf8AndWhatIsPartOfItCanBeRead) {
+    for (const char* text : {"<a>\t\r\n K\xc3\xb6rper \xe2\x82\xac \xf0\x9f\x99\x82</a>", "\xEF\xBB\xBF<a/>",
+                             "<?xml version='1.0' encoding='utf-8'?><a>\xc3\xb6</a>",
+                             "<?xml version='1.0' encoding='ISO-8859-1'?><a>ascii</a>"}) {
+        diag::Sink sink;
+        EXPECT_TRUE(Document::parseText(text, "f.xml", sink).has_value()) << text;
+        EXPECT_TRUE(sink.empty());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
     Xml, Malformed,
     testing::Values(
         Case{"", "f.xml:1:1: error: [XML005] found no element; expected one root element"},

@@ -33,7 +33,12 @@ void readBool(SimpleValue& result, const Text& text) {
 template <class C>
 void readChar(SimpleValue& result, const Text& text) {
     result.expected = "one character";
-    if (text.value.size() <= 1) make<C>(result, text, text.value.empty() ? C() : static_cast<C>(text.value[0]));
+    const std::string& letter = text.value;
+    if (letter.size() <= 1) make<C>(result, text, letter.empty() ? C() : static_cast<C>(letter[0]));
+    // A byte beyond ASCII is written as the letter that it is in Latin-1.
+    const bool isLatin = letter.size() == 2 && (letter[0] == '\xC2' || letter[0] == '\xC3');
+    if (isLatin)
+        make<C>(result, text, static_cast<C>((letter[0] == '\xC3' ? 0x40 : 0) | static_cast<unsigned char>(letter[1])));
 }
 
 void readString(SimpleValue& result, const Text& text) { make(result, text, text.value); }
@@ -62,7 +67,7 @@ std::from_chars_result parseReal(const char* begin, const char* end, T& value) {
     return read;
 }
 
-/** Independent of the locale; files of the original may have text behind the number, which it ignored. */
+/** Independent of the locale. */
 template <class T>
 void readNumber(SimpleValue& result, const Text& text) {
     constexpr bool isReal = std::is_floating_point<T>::value;
