@@ -62,6 +62,31 @@ std::string belowLine(const std::string& line, const Location& where, const std:
 constexpr std::size_t kWidest = 300;  // bytes of a line that are shown
 constexpr std::size_t kBefore = 100;  // of them in front of the caret, if the line is longer
 
+/// Control characters in words, so that no text of a user looks like a line of this program or speaks to the terminal.
+std::string printable(const std::string& text) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string result;
+    for (const char c : text) {
+        const auto u = static_cast<unsigned char>(c);
+        if (u >= 0x20U && u != 0x7FU)
+            result += c;
+        else if (c == '\n')
+            result += "\\n";
+        else if (c == '\t')
+            result += "\\t";
+        else
+            result += std::string("\\x") + digits[u >> 4U] + digits[u & 15U];
+    }
+    return result;
+}
+
+/// The same for a line of source, whose columns stay.
+std::string printableLine(std::string line) {
+    for (char& c : line)
+        if ((static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7f') c = '?';
+    return line;
+}
+
 /// The part of a very long line that is shown, "..." where something is left out; `shift` is what goes in front.
 std::string shownPart(const std::string& line, std::size_t column, std::size_t& shift) {
     shift = 0;
@@ -81,7 +106,7 @@ void printSource(std::ostream& out, const Location& where, const std::vector<Fix
     if (!line) return;
     std::size_t shift = 0;
     const std::string shown = shownPart(*line, where.column, shift);
-    out << shown << '\n';
+    out << printableLine(shown) << '\n';
     if (where.column != 0) out << padding(shown, where.column - 1 - shift + (shift == 0 ? 0 : 3)) << "^\n";
     const std::string below = shown == *line ? belowLine(*line, where, fixes) : "";
     if (!below.empty()) out << below << '\n';
@@ -124,7 +149,7 @@ std::string toString(const Diagnostic& diagnostic) {
     std::string text = word(diagnostic.severity);
     text += ": ";
     if (!diagnostic.code.empty()) text += "[" + diagnostic.code + "] ";
-    return prefixed(diagnostic.where, text + diagnostic.message);
+    return printable(prefixed(diagnostic.where, text + diagnostic.message));
 }
 
 void print(std::ostream& out, const Diagnostic& diagnostic, SourceCache& sources) {
@@ -132,7 +157,7 @@ void print(std::ostream& out, const Diagnostic& diagnostic, SourceCache& sources
     printSource(out, diagnostic.where, diagnostic.fixes, sources);
     printFixes(out, diagnostic.fixes, sources);
     for (const Note& note : diagnostic.notes) {
-        out << prefixed(note.where, "note: " + note.message) << '\n';
+        out << printable(prefixed(note.where, "note: " + note.message)) << '\n';
         printSource(out, note.where, note.fixes, sources);
         printFixes(out, note.fixes, sources);
     }
