@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "deployer_options.hpp"
 
+#include "../deployment/component_name.hpp"
 #include "real_time_memory.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -43,6 +44,8 @@ const struct {
     {"strict", Takes::Nothing,
      "fail a script statement if an operation of the deployer, such as connect(), returns false and the script ignores "
      "the result; without the option this is a warning"},
+    {"lenient", Takes::Nothing,
+     "leave out text behind numbers in XML and property files, with a warning; without the option this is an error"},
     {"dot", Takes::Word, "write the graph of the components to this file, for Graphviz"},
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
@@ -114,6 +117,8 @@ void takeWords(const std::vector<std::string>& words, Options& options, std::str
             error = "'" + word +
                     "' is no file to deploy, whose name ends in .xml, .cpf, .ops, .osd or .lua, and no name for the "
                     "deployer";
+        } else if (const std::string why = nameFault(word); !why.empty()) {
+            error = "'" + printableName(word) + "' is no name for the deployer: " + why;
         } else {
             if (!name.empty() && word != name)
                 options.warning = "two names for the deployer, '" + name + "' and '" + word + "': the last one counts";
@@ -142,6 +147,7 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     options.check = values.count("check") != 0;
     options.dryRun = values.count("dry-run") != 0;
     options.strict = values.count("strict") != 0;
+    options.lenient = values.count("lenient") != 0;
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     options.realTimeCheck = values.count("rt-check") != 0;

@@ -22,6 +22,7 @@ struct Options {
     bool check = false;
     bool dryRun = false;
     bool strict = false;
+    bool lenient = false;
     std::string graphFile;  // for the graph of the components; empty: none wanted
     bool daemon = false;
     bool realTimeCheck = false;

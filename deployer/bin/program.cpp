@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "program.hpp"
 
+#include "../deployment/lenient.hpp"
 #include "../deployment/signals.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
@@ -104,6 +105,7 @@ int deploy(const Options& options, Stay stay) {
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
     std::optional<ScriptEnd> scriptEnd(std::in_place, *ending);
     RTT::internal::FailureReport::setStrict(options.strict);
+    setLenient(options.lenient);
     using Purpose = DeploymentComponent::Purpose;
     DeploymentComponent deployer(options.name, options.siteFile,
                                  options.dryRun  ? Purpose::PlanOnly

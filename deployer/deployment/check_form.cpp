@@ -3,6 +3,8 @@
 #include "read_value.hpp"
 #include "xml_to_plan.hpp"
 
+#include <rtt/marsh/detail/cpf_reader.hpp>
+
 #include <diag/nearest_match.hpp>
 
 #include <algorithm>
@@ -29,13 +31,6 @@ void checkAttributes(const xml::Element& element, diag::Sink& sink) {
                              diag::didYouMean(attribute.name, {"name", "type"}));
 }
 
-void checkText(const xml::Element& element, diag::Sink& sink) {
-    if (element.text.find_first_not_of(" \t\r\n") != std::string::npos)
-        sink.warning(
-            element.textWhere, "DEP061",
-            "text in <" + element.name + "> '" + nameOf(element).value + "' has no effect; a value stands in <value>");
-}
-
 void checkSimple(const xml::Element& element, diag::Sink& sink) {
     const xml::Element* value = nullptr;
     for (const xml::Element& child : element.children) {
@@ -56,6 +51,11 @@ void checkSimple(const xml::Element& element, diag::Sink& sink) {
 }
 
 }  // namespace
+
+void checkText(const xml::Element& element, diag::Sink& sink) {
+    if (element.text.find_first_not_of(" \t\r\n") != std::string::npos)
+        RTT::marsh::reportStrayText(element, "DEP062", sink);
+}
 
 void checkForm(const xml::Element& element, diag::Sink& sink) {
     if (element.name != "simple" && element.name != "struct" && element.name != "sequence") return;

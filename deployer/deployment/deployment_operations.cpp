@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 // The operations on single components: life cycle, activities.
 #include "activities.hpp"
+#include "component_name.hpp"
 #include "deployment_state.hpp"
 #include "failure.hpp"
 #include "lookup.hpp"
@@ -56,7 +57,7 @@ bool DeploymentComponent::loadComponent(const std::string& name, const std::stri
         const FailureReport::Pause others;
         made = deploy::create(impl_->session, name, type, 0, error);
     }
-    return made || failed("could not load component '" + name + "': " + error);
+    return made || failed("could not load component '" + deploy::printableName(name) + "': " + error);
 }
 
 bool DeploymentComponent::unloadComponent(const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The operations that join components: peers, ports, streams, services.
+#include "component_name.hpp"
 #include "deployment_state.hpp"
 #include "failure.hpp"
 #include "lookup.hpp"
@@ -43,6 +44,13 @@ bool DeploymentComponent::connectPeers(const std::string& one, const std::string
     return failed("could not connect peers '" + one + "' and '" + two + "': one of them has another peer of that name");
 }
 
+bool DeploymentComponent::addPeer(RTT::TaskContext* peer, std::string alias) {
+    const std::string name = alias.empty() && peer ? peer->getName() : alias;
+    if (const std::string why = deploy::nameFault(name); !why.empty())
+        return failed("could not add peer '" + deploy::printableName(name) + "': " + why);
+    return TaskContext::addPeer(peer, std::move(alias));
+}
+
 bool DeploymentComponent::addPeer(const std::string& from, const std::string& to) {
     return aliasPeer(from, to, std::string());
 }
@@ -52,6 +60,8 @@ bool DeploymentComponent::aliasPeer(const std::string& from, const std::string& 
     RTT::TaskContext* peer = deploy::findComponent(impl_->session, to, "add a peer");
     if (!component || !peer) return false;
     const std::string name = alias.empty() ? peer->getName() : alias;
+    if (const std::string why = deploy::nameFault(name); !why.empty())
+        return failed("could not add peer '" + deploy::printableName(name) + "' to component '" + from + "': " + why);
     if (component->getPeer(name) == peer) {
         log(RTT::Info) << "'" << from << "' has peer '" << name << "' already" << endlog();
         return true;

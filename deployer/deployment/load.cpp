@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include "component_name.hpp"
 #include "properties.hpp"
 #include "session.hpp"
 #include "validate.hpp"
@@ -151,6 +152,10 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
                          std::string& error) {
     if (name.empty()) {
         error = "its name is empty";
+        return nullptr;
+    }
+    if (const std::string why = nameFault(name); !why.empty()) {
+        error = why;
         return nullptr;
     }
     if (session.component(name)) {

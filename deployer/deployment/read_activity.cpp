@@ -47,10 +47,10 @@ void readScheduler(const xml::Element& element, ActivityPlan& plan, diag::Sink& 
             "unknown scheduler '" + name->value + "', expected " + diag::oneOf({"ORO_SCHED_RT", "ORO_SCHED_OTHER"}));
 }
 
-void readElement(const xml::Element& element, ActivityPlan& plan, diag::Sink& sink) {
+void readElement(const xml::Element& element, TimeUnit unit, ActivityPlan& plan, diag::Sink& sink) {
     const Text name = nameOf(element);
     if (name.value == "Period") {
-        plan.period = readReal(element, sink);
+        plan.period = readTime(element, unit, sink);
         if (plan.period && *plan.period < 0)
             sink.error(element.where, "DEP005", "the period is negative, expected seconds, or 0 for none");
     } else if (name.value == "Priority") {
@@ -109,8 +109,10 @@ ActivityPlan readActivity(const xml::Element& element, diag::Sink& sink) {
     checkTwice(element, {}, sink);
     // Whoever gives only a period wants no real-time thread; a priority asks for one.
     plan.realTime = mentions(element, "Priority");
+    const bool isTimeout = form && form->kind == ActivityKind::FileDescriptor;
+    const TimeUnit unit = isTimeout ? TimeUnit::Milliseconds : TimeUnit::Seconds;
     for (const xml::Element& child : element.children)
-        if (child.name != "description") readElement(child, plan, sink);
+        if (child.name != "description") readElement(child, unit, plan, sink);
     if (form) {
         plan.kind = form->kind;
         checkForm(element, *form, plan, sink);

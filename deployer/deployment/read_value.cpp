@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "read_value.hpp"
 
+#include <rtt/marsh/detail/cpf_reader.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -66,14 +68,19 @@ struct Digits {
     }
 };
 
-/** Files that the original read may have text behind a number. It took no notice of that; here it is told. */
-bool isNumber(const std::from_chars_result& read, const Digits& digits, const Text& text, diag::Sink& sink) {
-    if (read.ec != std::errc()) return false;
-    if (read.ptr != digits.end)
-        sink.warning(text.where, "CPF007",
-                     "text after the number in '" + text.value + "' is ignored; the value is " +
-                         std::string(text.value.data(), read.ptr));
-    return true;
+/** False, and a report, for text behind a number, which the original did not look at. */
+bool isWhole(const xml::Element& element, const char* read, const Digits& digits, const Text& text,
+             const std::string& expected, diag::Sink& sink) {
+    return read == digits.end ||
+           RTT::marsh::reportTextBehindNumber(text.where, "the value of '" + nameOf(element).value + "' is", text.value,
+                                              std::string(text.value.data(), read), expected, sink);
+}
+
+/** How many of the unit that stands from `at` to the end, perhaps behind a space, are a second; 0 if there is none of that name. */
+double perSecond(const char* at, const char* end) {
+    if (at != end && *at == ' ') ++at;
+    const std::string name(at, end);
+    return name == "s" ? 1 : name == "ms" ? 1e3 : name == "us" ? 1e6 : 0;
 }
 
 }  // namespace
@@ -112,22 +119,34 @@ std::optional<long long> readInteger(const xml::Element& element, long long leas
     const Digits digits(text->value, true);
     long long number = 0;
     const auto read = std::from_chars(digits.begin, digits.end, number, digits.base);
-    if (number >= least && number <= most && isNumber(read, digits, *text, sink)) return number;
     const std::string range = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
-    badValue(element, *text, meaning.empty() ? range : meaning, sink);
-    return std::nullopt;
+    const std::string expected = meaning.empty() ? range : meaning;
+    if (number < least || number > most || read.ec != std::errc()) {
+        badValue(element, *text, expected, sink);
+        return std::nullopt;
+    }
+    if (!isWhole(element, read.ptr, digits, *text, expected, sink)) return std::nullopt;
+    return number;
 }
 
-std::optional<double> readReal(const xml::Element& element, diag::Sink& sink) {
+std::optional<double> readTime(const xml::Element& element, TimeUnit unit, diag::Sink& sink) {
     const std::optional<Text> text = valueOf(element, kReals, "double", sink);
     if (!text) return std::nullopt;
     // Not by the C library, which follows the locale that a component may have set.
     const Digits digits(text->value, false);
     double number = 0;
     const auto read = std::from_chars(digits.begin, digits.end, number);
-    if (std::isfinite(number) && isNumber(read, digits, *text, sink)) return number;
-    badValue(element, *text, "a number", sink);
-    return std::nullopt;
+    const bool isSeconds = unit == TimeUnit::Seconds;
+    const std::string expected =
+        std::string("a number of ") + (isSeconds ? "seconds" : "milliseconds") + ", or one with the unit s, ms or us";
+    if (!std::isfinite(number) || read.ec != std::errc()) {
+        badValue(element, *text, expected, sink);
+        return std::nullopt;
+    }
+    if (const double inSecond = perSecond(read.ptr, digits.end); inSecond != 0)
+        return number * (isSeconds ? 1 : 1e3) / inSecond;
+    if (!isWhole(element, read.ptr, digits, *text, expected, sink)) return std::nullopt;
+    return number;
 }
 
 std::optional<Text> readString(const xml::Element& element, diag::Sink& sink) {

@@ -19,8 +19,9 @@ std::optional<bool> readBoolean(const xml::Element& element, diag::Sink& sink);
 /** Any of the integer types; DEP005 if outside of [least, most]. `meaning` tells users what the numbers stand for. */
 std::optional<long long> readInteger(const xml::Element& element, long long least, long long most, diag::Sink& sink,
                                      const std::string& meaning = {});
-/** A floating point or integer type. */
-std::optional<double> readReal(const xml::Element& element, diag::Sink& sink);
+enum class TimeUnit { Seconds, Milliseconds };
+/** A floating point or integer type, with the unit s, ms or us behind the number or in `unit`, as is the result. */
+std::optional<double> readTime(const xml::Element& element, TimeUnit unit, diag::Sink& sink);
 std::optional<Text> readString(const xml::Element& element, diag::Sink& sink);
 /** A string that must not be empty (DEP003). */
 std::optional<Text> readWord(const xml::Element& element, diag::Sink& sink);

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "xml_to_plan.hpp"
 
+#include "component_name.hpp"
 #include "read_value.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -27,6 +28,9 @@ bool isThere(const fs::path& path) {
     return fs::exists(path, error);
 }
 
+/** Files that include the next ones twice are soon more than anybody waits for. */
+constexpr std::size_t kMostIncludes = 1000;
+
 /** Reads a file and, in the place of each Include, the file included. */
 class PlanReader {
 public:
@@ -44,6 +48,7 @@ public:
             sink_.error(root.where, "DEP001", "found root element <" + root.name + ">, expected <properties>");
             return;
         }
+        checkText(root, sink_);
         for (const xml::Element& child : root.children)
             if (child.name != "description") readTopLevel(child);
     }
@@ -70,6 +75,8 @@ private:
             readPolicyStruct(element);
         else if (name->value == "GlobalsRepository")
             readGlobals(element);
+        else if (const std::string why = nameFault(name->value); !why.empty())
+            sink_.error(name->valueWhere, "DEP063", "component '" + name->value + "' cannot have this name: " + why);
         else if (element.requireAttribute("type", sink_))
             plan_.components.push_back(readComponent(element, sink_));
     }
@@ -119,6 +126,16 @@ private:
                         "'" + file.value + "' includes itself, directly or through the files it includes");
             return;
         }
+        if (includes_ == kMostIncludes) {
+            if (!std::exchange(tooMany_, true))
+                sink_
+                    .error(file.where, "DEP064",
+                           "this is the include after the first " + std::to_string(kMostIncludes) +
+                               ", which is as many as a deployment may have")
+                    .hint("a file that is included several times counts each time, and so do those that it includes");
+            return;
+        }
+        ++includes_;
         // One file, one name, so that places in it tell what is read again. A link to it in another directory is another file:
         // what it names is looked for there.
         const fs::path directory = fs::path(path).parent_path();
@@ -141,6 +158,8 @@ private:
 
     Plan& plan_;
     diag::Sink& sink_;
+    std::size_t includes_ = 0;
+    bool tooMany_ = false;
     std::vector<std::string> open_;             // the file being read and those that include it
     std::map<std::string, std::string> names_;  // by which included files were first read
 };

@@ -38,7 +38,9 @@ bool isPolicy(const xml::Element& element);
 std::string resolveFile(const Text& file);
 /** Why a file that is named in another cannot be read; empty if it can. A pipe can be read only once. */
 std::string whyUnreadable(const Text& file, bool readOnce = false);
-/** Warns of what stands in a struct and is not looked at: text, attributes and elements that mean nothing, a second value. */
+/** Reports text that stands between the elements of `element`. */
+void checkText(const xml::Element& element, diag::Sink& sink);
+/** Warns of what stands in a struct and is not looked at: attributes and elements that mean nothing, a second value. */
 void checkForm(const xml::Element& element, diag::Sink& sink);
 
 }  // namespace OCL::deploy

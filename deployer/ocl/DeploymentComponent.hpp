@@ -125,13 +125,14 @@ public:
     bool waitForSignal(int signal);
 
     // --- peers, ports, services ------------------------------------------------------------------------------------
-    using RTT::TaskContext::addPeer;
     using RTT::TaskContext::connectPeers;
     using RTT::TaskContext::connectPorts;
     using RTT::TaskContext::connectServices;
     using RTT::TaskContext::loadService;
     using RTT::TaskContext::setActivity;
     bool connectPeers(const std::string& one, const std::string& two);
+    /** False for a name with control characters or '/', which no component of a deployer has. */
+    bool addPeer(RTT::TaskContext* peer, std::string alias = "") override;
     bool addPeer(const std::string& from, const std::string& to);
     bool aliasPeer(const std::string& from, const std::string& to, const std::string& alias);
     /** Connects all ports of two components that have the same name. */

@@ -28,6 +28,11 @@ bool FileReporting::startHook() {
 
 bool FileReporting::screenComponent(const std::string& component) {
     if (!getPeer(component)) return screenImpl(component, std::cerr);  // which says so
+    if (component.find('/') != std::string::npos) {
+        RTT::log(RTT::Error) << "could not screen component '" << component
+                             << "': a name with a '/' would write to another folder" << RTT::endlog();
+        return false;
+    }
     const std::string name = component + ".screen";
     std::ofstream file(name);
     if (file && screenImpl(component, file) && file) return true;

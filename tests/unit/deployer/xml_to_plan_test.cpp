@@ -168,7 +168,27 @@ TEST(XmlToPlan, ValuesAreCheckedByType) {
     EXPECT_THAT(codesOf(component("<simple name='Ports' type='string'><value>x</value></simple>")),
                 ElementsAre("DEP004"));
     EXPECT_THAT(codesOf(activity("Activity", simple("Priority", "short", "high"))), ElementsAre("DEP005"));
-    EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", "0.1s"))), ElementsAre("CPF007"));
+    EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", "0,02"))), ElementsAre("CPF007"));
+}
+
+TEST(XmlToPlan, APeriodMayHaveAUnit) {
+    const auto period = [](const std::string& type, const std::string& value) {
+        Sink sink;
+        const auto plan = readPlanText(
+            "<properties>" + activity(type, simple("Period", "double", value) + simple("Priority", "short", "0")) +
+                "</properties>",
+            "test.xml", sink);
+        EXPECT_TRUE(sink.empty()) << value;
+        return plan.components.at(0).activity->period;
+    };
+    EXPECT_EQ(0.02, period("Activity", "20ms"));
+    EXPECT_EQ(0.02, period("Activity", "0.02 s"));
+    EXPECT_EQ(0.00025, period("PeriodicActivity", "250us"));
+    EXPECT_EQ(20, period("FileDescriptorActivity", "20"));
+    EXPECT_EQ(20, period("FileDescriptorActivity", "20ms"));
+    EXPECT_EQ(500, period("FileDescriptorActivity", "0.5s"));
+    for (const char* value : {"20m", "20mss", "0,02", "20 hz", "0.5.1"})
+        EXPECT_THAT(codesOf(activity("Activity", simple("Period", "double", value))), ElementsAre("CPF007")) << value;
 }
 
 TEST(XmlToPlan, EverythingWrongIsReportedInOneRun) {

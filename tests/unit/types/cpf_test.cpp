@@ -63,9 +63,35 @@ TEST_F(Cpf, AllErrorsOfAFileAreReportedWithTheirPlaces) {
         "'0'\n"
         "test.cpf:9:39: error: [CPF006] property 'f' of type long cannot be '99999999999'; expected a whole number in "
         "the range of this type\n"
-        "test.cpf:10:41: warning: [CPF007] text after the number in '1.5abc' is ignored; the value is 1.5\n"
+        "test.cpf:10:41: error: [CPF007] property 'g' of type double cannot be '1.5abc', with text after the number; "
+        "expected a number\n"
         "test.cpf:11:3: warning: [CPF002] unknown element <strange> is ignored; expected simple, struct or sequence\n",
         said());
+}
+
+TEST_F(Cpf, TextBehindANumberIsAnErrorUnlessItIsToBeLeftOut) {
+    for (const char* value : {"20ms", "0,02", "2.5 ", "1e", "0.5s"}) {
+        put("  <simple name=\"n\" type=\"long\"><value>7</value></simple>\n  <simple name=\"g\" type=\"" +
+            std::string(*value == '2' ? "long" : "double") + "\"><value>" + value + "</value></simple>");
+        PropertyBag read;
+        EXPECT_FALSE(readFile(file, read, sink)) << value;
+        EXPECT_FALSE(read.find("g")) << value;
+    }
+    EXPECT_THAT(said(), testing::HasSubstr(
+                            "test.cpf:5:39: error: [CPF007] property 'g' of type long cannot be '2.5', with text "
+                            "after the number; expected a whole number\n"));
+    const auto errors = sink.errorCount();
+    put("  <simple name=\"n\" type=\"long\"><value>7.00</value></simple>");
+    EXPECT_TRUE(readFile(file, bag, sink)) << "that is a whole number";
+    EXPECT_EQ(7, bag.getPropertyType<int>("n")->get());
+    setLenientReading(true);
+    put("  <simple name=\"g\" type=\"double\"><value>20ms</value></simple>");
+    EXPECT_TRUE(readFile(file, bag, sink));
+    setLenientReading(false);
+    EXPECT_EQ(errors, sink.errorCount());
+    EXPECT_EQ(20, bag.getPropertyType<double>("g")->get());
+    EXPECT_THAT(said(),
+                testing::HasSubstr("warning: [CPF007] text after the number in '20ms' is ignored; the value is 20\n"));
 }
 
 TEST_F(Cpf, MissingFileAndWrongRoot) {

@@ -7,10 +7,21 @@
 #include <rtt/internal/located_log.hpp>
 #include <diag/print.hpp>
 
+#include <atomic>
+
 namespace RTT {
 namespace marsh {
 
 namespace {
+
+std::atomic<bool> lenientProcess{false};
+
+/** One whose fraction is 0, which says the same without it. */
+bool isWholeNumber(const std::string& text) {
+    const std::size_t point = text.find_first_not_of("+-0123456789");
+    return point != std::string::npos && point != 0 && text[point] == '.' &&
+           text.find_first_not_of('0', point + 1) == std::string::npos;
+}
 
 class Reader {
 public:
@@ -38,11 +49,12 @@ private:
         if (places_) (*places_)[property] = element.where;
     }
 
-    void warnOfTail(const xml::Element& value, const base::PropertyBase& property) {
-        std::string type, taken;
-        writeSimple(property, type, taken);
-        sink_.warning(value.textWhere, "CPF007",
-                      "text after the number in '" + value.text + "' is ignored; the value is " + taken);
+    bool takesTail(const xml::Element& value, const std::string& type, const SimpleValue& read) {
+        std::string written, taken;
+        writeSimple(*read.property, written, taken);
+        return reportTextBehindNumber(value.textWhere,
+                                      "property '" + read.property->getName() + "' of type " + type + " cannot be",
+                                      value.text, taken, read.expected, sink_);
     }
 
     void readSimpleElement(const xml::Element& element, PropertyBag& into) {
@@ -63,8 +75,10 @@ private:
                         "property '" + name + "' of type " + type->value + " cannot be '" + value->text +
                             "'; expected " + read.expected + (read.outOfRange ? " in the range of this type" : ""));
         } else {
-            if (read.trailingText) warnOfTail(*value, *read.property);
-            keep(element, read.property, into);
+            if (!read.trailingText || takesTail(*value, type->value, read))
+                keep(element, read.property, into);
+            else
+                delete read.property;
         }
     }
 
@@ -92,7 +106,40 @@ private:
     Places* places_;
 };
 
+/** Only values and descriptions have text, of the elements that are known. */
+void checkTexts(const xml::Element& element, diag::Sink& sink) {
+    if (element.name == "value" || element.name == "description") return;
+    const bool isBag = element.name == "properties" || element.name == "struct" || element.name == "sequence";
+    if (!element.text.empty() && (isBag || element.name == "simple")) reportStrayText(element, "CPF008", sink);
+    if (isBag)
+        for (const xml::Element& child : element.children) checkTexts(child, sink);
+}
+
 }  // namespace
+
+void setLenientReading(bool lenient) { lenientProcess = lenient; }
+
+bool lenientReading() { return lenientProcess; }
+
+bool reportTextBehindNumber(const diag::Location& where, const std::string& what, const std::string& text,
+                            const std::string& taken, const std::string& expected, diag::Sink& sink) {
+    if (lenientProcess || isWholeNumber(text)) {
+        sink.warning(where, "CPF007", "text after the number in '" + text + "' is ignored; the value is " + taken);
+        return true;
+    }
+    sink.error(where, "CPF007", what + " '" + text + "', with text after the number; expected " + expected);
+    return false;
+}
+
+void reportStrayText(const xml::Element& element, const char* code, diag::Sink& sink) {
+    const std::string text = element.text.substr(0, 40) + (element.text.size() > 40 ? "..." : "");
+    const std::string found = "found the text '" + text + "' in <" + element.name + ">";
+    const std::string instead = element.name == "simple" ? "a value stands in <value>" : "expected elements only";
+    if (lenientProcess)
+        sink.warning(element.textWhere, code, found + ", which is ignored; " + instead);
+    else
+        sink.error(element.textWhere, code, found + "; " + instead);
+}
 
 bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places) {
     const auto before = sink.errorCount();
@@ -108,7 +155,10 @@ std::optional<xml::Document> readText(const std::string& text, const std::string
         sink.error(document->root().where, "CPF001", "found <" + document->root().name + ">, expected <properties>");
         return std::nullopt;
     }
-    return readBag(document->root(), into, sink, places) ? std::move(document) : std::nullopt;
+    const auto before = sink.errorCount();
+    checkTexts(document->root(), sink);
+    return readBag(document->root(), into, sink, places) && sink.errorCount() == before ? std::move(document)
+                                                                                        : std::nullopt;
 }
 
 bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places) {

@@ -34,6 +34,22 @@ RTT_API bool readFile(const std::string& file, PropertyBag& into, diag::Sink& si
 RTT_API std::optional<xml::Document> readText(const std::string& text, const std::string& name, PropertyBag& into,
                                               diag::Sink& sink, Places* places = nullptr);
 
+/** In this process, text behind a number and between elements is left out with a warning, as the original did without one; else
+    it is an error. */
+RTT_API void setLenientReading(bool lenient);
+RTT_API bool lenientReading();
+
+/**
+ * Reports text behind a number (CPF007). `what` is the value and its owner for messages, `taken` the number without that text.
+ * True if the number counts, because of
+ * setLenientReading() or because it is a whole one with the fraction 0.
+ */
+RTT_API bool reportTextBehindNumber(const diag::Location& where, const std::string& what, const std::string& text,
+                                    const std::string& taken, const std::string& expected, diag::Sink& sink);
+
+/** Reports the text of an element that has none: an error, or in a lenient process a warning. */
+RTT_API void reportStrayText(const xml::Element& element, const char* code, diag::Sink& sink);
+
 /** Writes what the sink has to the log, one line each. */
 RTT_API void logDiagnostics(const diag::Sink& sink);
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "lenient.hpp"
+
+#include <rtt/marsh/detail/cpf_reader.hpp>
+
+namespace OCL::deploy {
+
+void setLenient(bool lenient) { RTT::marsh::setLenientReading(lenient); }
+
+}  // namespace OCL::deploy
