@@ -99,6 +99,12 @@ bool writeGraph(const DeploymentComponent& deployer, const std::string& file) {
     return false;
 }
 
+/** So that somebody sees how much was looked at. */
+void tellSummary(const DeploymentComponent& deployer) {
+    const std::string planned = deployer.planSummary();
+    if (!planned.empty()) std::cout << planned << ": ok; scripts not executed" << std::endl;
+}
+
 int deploy(const Options& options, Stay stay) {
     // Caught from now on, so that a signal during start-up ends the program in order as well.
     std::optional<SignalCatcher> ending;
@@ -112,6 +118,7 @@ int deploy(const Options& options, Stay stay) {
                                  : options.check ? Purpose::Check
                                                  : Purpose::Deploy);
     const bool deployed = deployFiles(deployer, *ending, options) && writeGraph(deployer, options.graphFile);
+    if (options.dryRun && deployed) tellSummary(deployer);
     scriptEnd.reset();  // those of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {

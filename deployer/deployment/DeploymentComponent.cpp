@@ -10,6 +10,7 @@
 #include "report.hpp"
 #include "scripts.hpp"
 #include "signals.hpp"
+#include "summary.hpp"
 #include "xml_to_plan.hpp"
 
 #include <rtt/Logger.hpp>
@@ -137,6 +138,10 @@ bool DeploymentComponent::loadComponents(const std::string& file) {
 bool DeploymentComponent::planOnly(const std::string& file) {
     Sink sink;
     return impl_->plan(deploy::readPlanFile(file, sink), sink);
+}
+
+std::string DeploymentComponent::planSummary() const {
+    return impl_->session.planned.empty() ? "" : deploy::summaryOf(impl_->session);
 }
 
 bool DeploymentComponent::checkScript(const std::string& file) { return impl_->checkScript(file); }

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "check_described.hpp"
 
+#include "described_values.hpp"
 #include "read_value.hpp"
 #include "xml_to_plan.hpp"
 
@@ -142,6 +143,7 @@ private:
             if (const Described* described = find(component)) {
                 if (!described->hasMore && !described->hasLater) checkPortNames(component, *described);
                 if (!described->hasMore) checkPropertyNames(component, *described);
+                checkDescribedValues(component, *described->description, sink_);
                 for (const PropertyFilePlan& file : component.propertyFiles)
                     if (file.mode == PropertyFilePlan::Strict) checkStrictFile(component, *described, file.file);
             }

@@ -85,6 +85,35 @@ app.xml:28:19: note: port 'two.numbers' is an input
               outcome.err);
 }
 
+TEST_F(DescribedComponents, ADryRunTriesValuesOnTheTypesOfProperties) {
+    const auto given = [](const std::string& simple) {
+        return "  <struct name=\"Properties\" type=\"PropertyBag\">\n    " + simple + "\n  </struct>\n";
+    };
+    directory_.write("source.cpf",
+                     "<properties>\n<simple name=\"first\" type=\"double\"><value>2.7</value></simple>\n"
+                     "<simple name=\"label\" type=\"boolean\"><value>1</value></simple>\n</properties>\n");
+    const Outcome outcome =
+        deploy("--dry-run",
+               component("one", "described::Source",
+                         given("<simple name=\"first\" type=\"string\"><value>many</value></simple>")) +
+                   component("two", "described::Source",
+                             "<simple name=\"UpdateProperties\" type=\"string\"><value>source.cpf</value></simple>\n"));
+    EXPECT_EQ(255, outcome.status);
+    EXPECT_EQ("", outcome.out);
+    EXPECT_THAT(outcome.err,
+                HasSubstr("app.xml:5:5: error: [DEP052] component 'one': property 'first' of type int cannot "
+                          "take a value of type string\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("source.cpf:3:1: error: [CPF020] property 'label' of type string cannot take"));
+}
+
+TEST_F(DescribedComponents, ADryRunEndsWithASummary) {
+    const Outcome outcome =
+        deploy("--dry-run", component("source", "described::Source", port("numbers", "wire") + property("first")) +
+                                component("sink", "described::Sink", port("numbers", "wire")));
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_EQ("2 components, 1 connection: ok; scripts not executed\n", outcome.out);
+}
+
 TEST_F(DescribedComponents, TypesDifferBeforeAnythingIsCreatedInEveryMode) {
     const std::string elements = component("words", "described::Source", port("words", "mixed")) +
                                  component("sink", "described::Sink", port("numbers", "mixed"));

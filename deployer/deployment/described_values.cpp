@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include "described_values.hpp"
+
+#include "xml_to_plan.hpp"
+
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/marsh/detail/property_file.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/TypeInfoRepository.hpp>
+
+#include <boost/core/demangle.hpp>
+
+#include <cstring>
+#include <map>
+
+namespace OCL::deploy {
+namespace {
+
+using RTT::PropertyBag;
+using RTT::base::PropertyBase;
+
+class ValueCheck {
+public:
+    ValueCheck(const ComponentPlan& component, const RTT::internal::ComponentDescription& description, diag::Sink& sink)
+        : component_(component), sink_(sink) {
+        for (const auto& property : description.properties) {
+            if (std::strchr(property.name, '.')) continue;  // of a service
+            const auto* type = RTT::types::TypeInfoRepository::Instance()->getTypeById(property.type);
+            PropertyBase* const made = type ? type->buildProperty(property.name, "") : nullptr;
+            if (made)
+                properties_.ownProperty(made);
+            else
+                unknown_[property.name] = boost::core::demangle(property.type->name());
+        }
+    }
+
+    void checkStruct(const xml::Element& properties) {
+        PropertyBag read;
+        RTT::marsh::Places places;
+        diag::Sink reported;  // when the file was read
+        (void)RTT::marsh::readBag(properties, read, reported, &places);
+        RTT::internal::detail::BagUpdate how;
+        how.addMissing = true;  // a bag is there to be filled
+        how.report = [&](const PropertyBase* where, const std::string& text) {
+            sink_.error(places.at(where), "DEP052", owner() + ": " + text);
+        };
+        for (const PropertyBase* item : read)
+            if (PropertyBase* const target = properties_.find(item->getName()))
+                (void)RTT::internal::detail::updateOne(*target, *item, how);
+            else
+                checkType(item->getName(), places.at(item));
+    }
+
+    void checkFile(const PropertyFilePlan& file) {
+        const std::string path = resolveFile(file.file);
+        PropertyBag read;
+        RTT::marsh::Places places;
+        diag::Sink reported;  // when the plan was validated
+        if (!whyUnreadable(file.file).empty() || !RTT::marsh::readFile(path, read, reported, &places)) return;
+        for (const PropertyBase* item : read) checkType(item->getName(), places.at(item));
+        (void)RTT::marsh::loadFromFile(properties_, path, RTT::marsh::LoadMode::refresh, sink_);
+    }
+
+private:
+    std::string owner() const { return "component '" + component_.name.value + "'"; }
+
+    void checkType(const std::string& name, const diag::Location& where) {
+        const auto found = unknown_.find(name);
+        if (found == unknown_.end()) return;
+        sink_
+            .error(where, "DEP065",
+                   owner() + ": no loaded typekit has the type '" + found->second + "' of property '" + name + "'")
+            .hint("an 'Import' statement with the name of the package that has the typekit loads it");
+    }
+
+    const ComponentPlan& component_;
+    diag::Sink& sink_;
+    PropertyBag properties_;
+    std::map<std::string, std::string> unknown_;  // types in no typekit, by property
+};
+
+}  // namespace
+
+void checkDescribedValues(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
+                          diag::Sink& sink) {
+    ValueCheck check(component, description, sink);
+    for (const xml::Element& properties : component.properties) check.checkStruct(properties);
+    for (const PropertyFilePlan& file : component.propertyFiles) check.checkFile(file);
+}
+
+}  // namespace OCL::deploy

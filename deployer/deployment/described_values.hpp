@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_DEPLOYMENT_DESCRIBED_VALUES_HPP
+#define OROFORGE_DEPLOYMENT_DESCRIBED_VALUES_HPP
+
+#include "plan.hpp"
+
+#include <diag/sink.hpp>
+#include <rtt/internal/ComponentDescription.hpp>
+
+namespace OCL::deploy {
+
+/** Tries the values of a component's structs and property files on properties of the types that its description has. */
+void checkDescribedValues(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
+                          diag::Sink& sink);
+
+}  // namespace OCL::deploy
+
+#endif
