@@ -57,7 +57,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
     log(siteFile.empty() ? RTT::Info : RTT::Warning)
         << "there is no site file '" << site << "': importing 'ocl'" << endlog();
     std::string error;
-    if (!RTT::ComponentLoader::Instance()->import("ocl", std::string(), error))
+    if (!RTT::ComponentLoader::Instance()->importInstalled("ocl", error))
         log(RTT::Info) << "no component library: " << error << endlog();
 }
 

@@ -114,6 +114,14 @@ bool ComponentLoader::import(const std::string& package, const std::string& path
     return import.errors().empty();
 }
 
+bool ComponentLoader::importInstalled(const std::string& package, std::string& error) {
+    const Logger::In in("ComponentLoader");
+    plugin::PackageImport import(impl_->table);
+    import.installed(package, getComponentPath());
+    error = joined(import.errors());
+    return import.errors().empty();
+}
+
 bool ComponentLoader::loadLibrary(const std::string& path) {
     const Logger::In in("ComponentLoader");
     return succeeded("load", path, impl_->table.loadLibrary(path).error);

@@ -61,6 +61,12 @@ public:
     /** As above, but throws and logs no error: false with the reasons in `error` if anything could not be imported. */
     bool import(const std::string& package, const std::string& path_list, std::string& error);
 
+    /**
+     * Imports a package from the search path; false with the reasons in `error`. What lies in the current directory is not
+     * looked at: for packages that nobody has asked for.
+     */
+    bool importInstalled(const std::string& package, std::string& error);
+
     /** Loads one component library file. Already loaded: true. */
     bool loadLibrary(const std::string& path);
     /** As above; the reason of a failure is stored in `error` instead of being logged. */

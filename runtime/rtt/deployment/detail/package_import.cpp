@@ -75,7 +75,11 @@ void PackageImport::package(const std::string& name, const std::string& pathList
     // A folder here goes first, unless it holds no libraries: that is the source of the package, in a workspace.
     const std::vector<std::string> here = withTargetDirectory("./" + name);
     if (holdLibraries(here)) return importAll(name, here);
-    fromSearchPath(name, pathList);
+    fromSearchPath(name, splitPathList(pathList), true);
+}
+
+void PackageImport::installed(const std::string& name, const std::string& pathList) {
+    if (!table_.isImported(name)) fromSearchPath(name, splitPathList(pathList), false);
 }
 
 void PackageImport::directories(const std::vector<std::string>& directories) {
@@ -93,10 +97,10 @@ void PackageImport::libraryFile(const std::string& file) {
     if (!result.error.empty()) errors_.push_back(file + ": " + result.error);
 }
 
-void PackageImport::fromSearchPath(const std::string& name, const std::string& pathList) {
-    std::vector<std::string> paths = splitPathList(pathList);
-    const std::vector<std::string> given = paths;
-    if (std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
+/** `here`: the current folder comes last. */
+void PackageImport::fromSearchPath(const std::string& name, const std::vector<std::string>& given, bool here) {
+    std::vector<std::string> paths = given;
+    if (here && std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
     std::vector<std::string> first;
     std::string sources;
     std::string text;

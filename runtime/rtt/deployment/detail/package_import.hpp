@@ -18,6 +18,8 @@ public:
 
     /** A library file, an absolute directory, a package that is imported already, one on the search path, or of ROS. */
     void package(const std::string& name, const std::string& pathList);
+    /** A package that is imported already, or one on the search path; what lies in the current folder is not looked at. */
+    void installed(const std::string& name, const std::string& pathList);
     /** Each directory and its target sub-directory. */
     void directories(const std::vector<std::string>& directories);
 
@@ -28,7 +30,7 @@ public:
 
 private:
     void libraryFile(const std::string& file);
-    void fromSearchPath(const std::string& name, const std::string& pathList);
+    void fromSearchPath(const std::string& name, const std::vector<std::string>& given, bool here);
     /** A ROS package, with those it depends on; false if there is none of the name. */
     bool fromRos(const std::string& name);
     void importAll(const std::string& what, const std::vector<std::string>& directories);

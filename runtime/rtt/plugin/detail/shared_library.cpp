@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "shared_library.hpp"
 
+#include "trusted_file.hpp"
+
 #include <rtt/plugin/version_guard.hpp>
 
 #include <dlfcn.h>
@@ -74,7 +76,8 @@ std::string whyUnusable(const std::string& path) {
 SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& error) {
     // Without a slash the linker would search its own path instead of opening this file.
     const std::string path = file.find('/') == std::string::npos ? "./" + file : file;
-    error = whyUnusable(path);
+    error = whyNotTrusted(path);
+    if (error.empty()) error = whyUnusable(path);
     if (!error.empty()) return;
     handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
     if (!handle_) {
