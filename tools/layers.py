@@ -156,6 +156,8 @@ SHARED_DETAIL = {
     "runtime/rtt/types/detail/number_conversion.hpp": ["runtime/rtt/scripting/", "runtime/rtt/typekit/"],
     # Activities and operation calls wait on the futex that threads wait on; activities log where os logs.
     "runtime/rtt/os/detail/": ["runtime/rtt/extras/", "runtime/rtt/internal/"],
+    # Deployer and console both have handlers for the signals that end a program.
+    "runtime/rtt/os/detail/terminal_flow.hpp": ["deployer/deployment/", "deployer/console/"],
 }
 
 # "file that includes -> file included": known exceptions. Keep it short; each line says why.

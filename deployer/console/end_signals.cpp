@@ -6,6 +6,8 @@
 
 #include "kept_terminal.hpp"
 
+#include <rtt/os/detail/terminal_flow.hpp>
+
 #include <atomic>
 #include <cerrno>
 #include <system_error>
@@ -35,6 +37,7 @@ bool isOurs(int signal) {
 
 void onSignal(int signal) {
     const int kept = errno;
+    RTT::os::detail::letTerminalsWrite();
     const char byte = 0;
     int before = Waits;
     const bool first = state.compare_exchange_strong(before, Told);

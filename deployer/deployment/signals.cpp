@@ -3,6 +3,8 @@
 // The handler may only do what is safe in any thread at any point: it writes the number into a pipe.
 #include "signals.hpp"
 
+#include <rtt/os/detail/terminal_flow.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -29,6 +31,7 @@ bool ends(int signal) { return signal == SIGINT || signal == SIGTERM || signal =
 
 void SignalCatcher::onSignal(int signal) {
     const int kept = errno;
+    if (ends(signal)) RTT::os::detail::letTerminalsWrite();
     const unsigned char number = static_cast<unsigned char>(signal);
     // seq_cst, like the end of a catcher: either it sees us and waits, or we see that it is gone.
     handling.fetch_add(1);

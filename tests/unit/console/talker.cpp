@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,6 +25,9 @@ public:
         addOperation("begin", &Talker::begin, this, RTT::ClientThread).doc("Writes that something begins");
     }
     ~Talker() override { stop(); }
+
+protected:
+    void stopHook() override { close(creat("stopped", 0600)); }
 
 private:
     void begin() { std::cout << "begun" << std::endl; }
@@ -43,6 +47,8 @@ private:
             for (const char letter : text) std::cout.put(letter).flush(), usleep(2000);
         if (how == "flood")
             for (int i = 0; i != 300; ++i) std::cout << text << ' ' << i << std::endl;
+        if (how == "ever")
+            while (access("enough", F_OK) != 0) std::cout << text << std::endl;
         if (how == "abort") std::abort();
         if (how == "segv") raise(SIGSEGV);
         if (how == "die") {
