@@ -158,6 +158,8 @@ SHARED_DETAIL = {
     "runtime/rtt/os/detail/": ["runtime/rtt/extras/", "runtime/rtt/internal/"],
     # Deployer and console both have handlers for the signals that end a program.
     "runtime/rtt/os/detail/terminal_flow.hpp": ["deployer/deployment/", "deployer/console/"],
+    # The log and reports are opened alike.
+    "runtime/rtt/os/detail/own_file.hpp": ["runtime/rtt/detail/", "deployer/reporting/"],
 }
 
 # "file that includes -> file included": known exceptions. Keep it short; each line says why.

@@ -8,21 +8,30 @@
 namespace RTT {
 namespace detail {
 
-/** Writes all of it to a file descriptor; gives up at an error. May be called by a signal handler. */
-void writeAll(int descriptor, const char* text, std::size_t size) noexcept;
+/** Writes all of it to a file descriptor; false if it gives up at an error. May be called by a signal handler. */
+bool writeAll(int descriptor, const char* text, std::size_t size) noexcept;
 
 /** The log file. Not a FILE: what is not flushed yet must be written by a signal handler, too. */
 class LogFile {
 public:
-    /** Empties the file, or continues it. False if it cannot be opened. */
+    /** Empties the file, unless it is to be continued or another process writes to it, too. False if it cannot be opened. */
     bool open(const char* name, bool append) noexcept;
+    /** Another process had it open. */
+    bool isShared() const noexcept { return shared_; }
     bool isOpen() const noexcept { return descriptor_ >= 0; }
     void write(const char* text, std::size_t size) noexcept;
     void flush() noexcept;
     void close() noexcept;
+    /** The error number of the first write that failed, once; else 0. */
+    int takeFailure() noexcept;
 
 private:
+    void put(const char* text, std::size_t size) noexcept;
+
     int descriptor_ = -1;
+    bool shared_ = false;
+    int failure_ = 0;
+    bool failureTaken_ = false;
     std::size_t used_ = 0;
     char buffer_[4096];
 };

@@ -3,6 +3,7 @@
 #include <rtt/detail/log_sink.hpp>
 
 #include <rtt/detail/log_format.hpp>
+#include <rtt/os/detail/own_file.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>
@@ -107,9 +108,8 @@ void LogSink::openFile() {
     // Logging that starts again must not delete what was logged before.
     fileProblem_.clear();
     if (!file_.open(opened, fileUsed_))
-        fileProblem_ = std::string("no log file: '") + opened + "' cannot be written: " + std::strerror(errno);
-    // Who did not ask for one may be in a folder where nobody may write.
-    fileProblemLevel_ = given ? Warning : Info;
+        fileProblem_ = std::string("no log file: '") + opened + "' cannot be written: " + os::detail::openError(errno) +
+                       (given ? "" : "; ORO_LOGFILE names another one, /dev/null for none");
     fileUsed_ = true;
 }
 
@@ -119,7 +119,8 @@ void LogSink::announceStart() {
     else
         note(Info, levelGiven_ ? "log level taken from environment variable ORO_LOGLEVEL"
                                : "environment variable ORO_LOGLEVEL is not set");
-    if (!fileProblem_.empty()) note(fileProblemLevel_, fileProblem_);
+    if (!fileProblem_.empty()) note(Warning, fileProblem_);
+    if (file_.isShared()) note(Info, "the log file has lines of another process as well, which had it before");
     note(Info,
          "OROCOS version '" ORO_STRINGIFY(RTT_VERSION) "' compiled with " + compilerName() + ", running on GNU/Linux");
     note(Info, std::string("logging starts at level ") + levelTag(level()) + " (" + std::to_string(level()) + ")");
@@ -295,6 +296,9 @@ void LogSink::flush() {
 void LogSink::flushLocked() {
     if (consoleLimit_ != kNothing) (console_ ? *console_ : std::cerr).flush();
     file_.flush();
+    const int failure = file_.takeFailure();
+    if (failure != 0)
+        note(Warning, std::string("the log file lacks lines that cannot be written: ") + std::strerror(failure));
 }
 
 std::string LogSink::takeLine() {

@@ -104,7 +104,6 @@ private:
     std::string scratch_;
     std::string problem_;  // found in the environment
     std::string fileProblem_;
-    LoggerLevel fileProblemLevel_ = Info;
     bool levelGiven_ = false;
 };
 

@@ -6,10 +6,13 @@
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_list.hpp>
 
+#include <atomic>
 #include <linux/capability.h>
 #include <mutex>
+#include <pwd.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <utility>
 
 namespace RTT {
 namespace os {
@@ -33,7 +36,28 @@ rlim_t priorityLimit() {
     return getrlimit(RLIMIT_RTPRIO, &limit) == 0 ? limit.rlim_cur : 0;
 }
 
+std::string userName() {
+    passwd entry, *found = nullptr;
+    char text[4096];
+    const bool known = getpwuid_r(geteuid(), &entry, text, sizeof text, &found) == 0 && found;
+    return known ? found->pw_name : std::to_string(geteuid());
+}
+
 std::string threadOf(const std::string& name) { return name.empty() ? "" : "thread '" + name + "': "; }
+
+// What was said of a scheduler covers the priority that was meant for it: both are checked by one thread, in this order.
+thread_local bool privilegeMissed = false;
+std::atomic<bool> privilegeTold{false};
+
+/** With the cure, once; how it is for each thread stands in the log file. */
+void tellMissingPrivilege(int scheduler, const std::string& name) {
+    const std::string what = threadOf(name) + detail::schedulerName(scheduler) +
+                             " needs the capability CAP_SYS_NICE or an rtprio limit above 0, using ORO_SCHED_OTHER";
+    if (privilegeTold.exchange(true)) return detail::log(detail::LogInfo, "Thread", what);
+    detail::log(detail::LogWarning, "Thread",
+                what + "; the cure: a file in /etc/security/limits.d with the line '" + userName() +
+                    " - rtprio 99', and to log in again (systemd: LimitRTPRIO=99); this is told once");
+}
 
 bool force(int& priority, int value, const std::string& name, const std::string& why) {
     detail::log(
@@ -49,6 +73,7 @@ bool CheckScheduler(int& scheduler) { return detail::checkScheduler(scheduler, s
 bool CheckPriority(int& scheduler, int& priority) { return detail::checkPriority(scheduler, priority, std::string()); }
 
 bool detail::checkScheduler(int& scheduler, const std::string& name) {
+    privilegeMissed = false;
     if (scheduler == ORO_SCHED_OTHER) return true;
     if (scheduler != SCHED_FIFO && scheduler != SCHED_RR) {
         detail::log(detail::LogError, "Thread",
@@ -58,16 +83,17 @@ bool detail::checkScheduler(int& scheduler, const std::string& name) {
         return false;
     }
     if (maySetAnyPriority() || priorityLimit() != 0) return true;
-    detail::log(detail::LogWarning, "Thread",
-                threadOf(name) + detail::schedulerName(scheduler) +
-                    " needs the capability CAP_SYS_NICE or an rtprio limit above 0, using ORO_SCHED_OTHER");
+    tellMissingPrivilege(scheduler, name);
+    privilegeMissed = true;
     scheduler = ORO_SCHED_OTHER;
     return false;
 }
 
 bool detail::checkPriority(int& scheduler, int& priority, const std::string& name) {
+    const bool missed = std::exchange(privilegeMissed, false);
     if (scheduler == ORO_SCHED_OTHER) {
         if (priority == 0) return true;
+        if (missed) priority = LowestPriority;
         // "The lowest" is how callers say that they do not care.
         if (priority != LowestPriority) return force(priority, 0, name, "has no meaning for ORO_SCHED_OTHER");
         priority = 0;
