@@ -51,6 +51,9 @@ const struct {
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
      "the exit status is 255"},
     {"daemon,d", Takes::Nothing, "run in the background, without the console"},
+    {"lock-memory", Takes::Nothing,
+     "keep all memory of the process in RAM (mlockall); where that is not allowed, a warning says so, and the program "
+     "goes on"},
     {"minNumberCPU", Takes::Number, "end with exit status 254 if this process has fewer processors"},
     {"require-name-service", Takes::Nothing, "for programs with CORBA; has no effect here"},
     {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
@@ -151,6 +154,7 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     options.realTimeCheck = values.count("rt-check") != 0;
+    options.lockMemory = values.count("lock-memory") != 0;
     if (options.realTimeCheck && options.endsAtOnce())
         error = "--rt-check watches components that run, which --check and --dry-run do not start";
     if (values.count("rtalloc-mem-size")) {

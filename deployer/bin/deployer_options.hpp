@@ -26,6 +26,7 @@ struct Options {
     std::string graphFile;  // for the graph of the components; empty: none wanted
     bool daemon = false;
     bool realTimeCheck = false;
+    bool lockMemory = false;
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
 

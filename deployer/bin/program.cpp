@@ -195,6 +195,9 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
         std::cerr << program << ": error: " << error << "\n";
         return kFailure;
     }
+    if (options.lockMemory)  // after the fork, which locks do not survive
+        if (const std::string problem = lockMemory(); !problem.empty())
+            std::cerr << program << ": warning: " << problem << "\n";
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
     int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);

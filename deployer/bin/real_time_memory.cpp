@@ -5,9 +5,16 @@
 #include <rtt/os/tlsf/tlsf.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+
+#include <linux/capability.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace OCL::deploy {
 
@@ -37,6 +44,30 @@ std::string setRealTimeMemoryAside(std::size_t size) {
     }
     std::cout << "Real-time memory: " << free << " bytes free of " << size << std::endl;
     return {};
+}
+
+namespace {
+
+bool mayLockAnything() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) return true;
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct data[_LINUX_CAPABILITY_U32S_3] = {};
+    if (syscall(SYS_capget, &header, data) != 0) return false;
+    return (data[CAP_TO_INDEX(CAP_IPC_LOCK)].effective & CAP_TO_MASK(CAP_IPC_LOCK)) != 0;
+}
+
+}  // namespace
+
+std::string lockMemory() {
+    static const std::string kNot = "--lock-memory: the memory is not locked: ";
+    static const std::string kCure =
+        "; allow it by a line '<user or @group> - memlock unlimited' in a file in /etc/security/limits.d, and log in "
+        "again (systemd: LimitMEMLOCK=infinity, docker: --ulimit memlock=-1)";
+    // With a limit, locking might succeed now, and the memory that a thread or a component needs would be refused later.
+    if (!mayLockAnything()) return kNot + "the memlock limit of this user is not 'unlimited'" + kCure;
+    if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return {};
+    return kNot + std::strerror(errno) + (errno == EPERM ? kCure : "");
 }
 
 void reportRealTimeMemory() {

@@ -21,6 +21,9 @@ std::string setRealTimeMemoryAside(std::size_t size);
 /** Says on stdout how much of the pool was used at most. */
 void reportRealTimeMemory();
 
+/** Keeps what the process has and will have in RAM. Returns why that is not done, with the cure; empty if it is. */
+std::string lockMemory();
+
 }  // namespace OCL::deploy
 
 #endif
