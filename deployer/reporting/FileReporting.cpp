@@ -6,8 +6,8 @@
 
 #include <rtt/Logger.hpp>
 
-#include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace OCL {
 
@@ -34,9 +34,13 @@ bool FileReporting::screenComponent(const std::string& component) {
         return false;
     }
     const std::string name = component + ".screen";
-    std::ofstream file(name);
-    if (file && screenImpl(component, file) && file) return true;
-    RTT::log(RTT::Error) << "could not write file '" << name << "'" << RTT::endlog();
+    std::string error;
+    std::ostringstream text;
+    if (!screenImpl(component, text)) return false;
+    if (const std::unique_ptr<reporting::TextTarget> file = reporting::openFile(name, error))
+        error = file->write(text.str().data(), text.str().size());
+    if (error.empty()) return true;
+    RTT::log(RTT::Error) << "could not write file '" << name << "': " << error << RTT::endlog();
     return false;
 }
 

@@ -110,6 +110,7 @@ reporting::ReportOptions ReportingComponent::Impl::options() const {
     result.header = writeHeader;
     result.repeatHeader = repeatHeader;
     result.onlyNewData = onlyNewData;
+    result.onFailure = [this] { (void)self.trigger(); };  // updateHook() looks
     result.digits = std::max(1, std::min(precision, std::numeric_limits<double>::max_digits10));
     result.begin =
         synchronize ? RTT::Logger::Instance()->getReferenceTime() : RTT::os::TimeService::Instance()->getTicks();
@@ -151,6 +152,8 @@ void ReportingComponent::updateHook() {
         if (!impl_->writeNewRows(report)) (void)trigger();
     }
     impl_->lostRows = static_cast<unsigned int>(report.lost());
+    // Nothing goes on until somebody has made room, and starts the report anew.
+    if (report.failed()) error();
 }
 
 void ReportingComponent::snapshot() {

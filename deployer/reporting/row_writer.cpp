@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 namespace OCL::reporting {
 namespace {
@@ -34,8 +35,13 @@ void takeNoSignalsOfWriting() {
 
 }  // namespace
 
-RowWriter::RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits)
-    : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, name), target_(std::move(target)), digits_(digits), queue_(room) {
+RowWriter::RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits,
+                     std::function<void()> onFailure)
+    : RTT::Activity(ORO_SCHED_OTHER, 0, 0.0, nullptr, name),
+      target_(std::move(target)),
+      digits_(digits),
+      queue_(room),
+      onFailure_(std::move(onFailure)) {
     text_.reserve(2 * kChunk);
     started_ = start();
 }
@@ -107,6 +113,7 @@ void RowWriter::writeOut() {
         RTT::log(RTT::Error) << "could not write to " << target_->name() << ": " << error
                              << "; no further rows are written" << RTT::endlog();
         failed_ = true;  // a part of a line may be there: nothing may follow it
+        if (onFailure_) onFailure_();
     }
     if (failed_) lose(rows_);
     rows_ = 0;

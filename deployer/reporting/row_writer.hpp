@@ -10,6 +10,7 @@
 #include <rtt/os/Semaphore.hpp>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,8 +28,10 @@ class Record;
  */
 class RowWriter final : public RTT::Activity {
 public:
-    /** Starts the thread. @param room for records, in bytes  @param digits of numbers */
-    RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits);
+    /** Starts the thread. @param room for records, in bytes  @param digits of numbers  @param onFailure called once by the
+        thread, when it has failed() */
+    RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits,
+              std::function<void()> onFailure = {});
     /** As finish(). */
     ~RowWriter() override;
 
@@ -44,6 +47,8 @@ public:
     void finish();
     /** Rows for which there was no room, or that could not be written. */
     unsigned long lost() const { return lost_.load(std::memory_order_relaxed); }
+    /** Nothing more is written, because something could not be. */
+    bool failed() const { return failed_.load(std::memory_order_relaxed); }
 
 protected:
     void loop() override;
@@ -67,7 +72,8 @@ private:
     // Of the thread:
     std::vector<char> record_, text_;
     unsigned long rows_ = 0;  // in text_
-    bool failed_ = false;
+    std::atomic<bool> failed_{false};
+    const std::function<void()> onFailure_;
 };
 
 }  // namespace OCL::reporting

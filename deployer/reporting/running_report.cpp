@@ -44,8 +44,8 @@ RunningReport::RunningReport(const Sources& sources, const ReportOptions& option
     if (target) {
         encodeRow(0.0);
         record_.expect(2 * record_.size());
-        writer_.reset(
-            new RowWriter(options.component + ".Writer", std::move(target), roomFor(record_.size()), options.digits));
+        writer_.reset(new RowWriter(options.component + ".Writer", std::move(target), roomFor(record_.size()),
+                                    options.digits, options.onFailure));
     }
     if (options.header) writeHeader();
 }

@@ -12,6 +12,7 @@
 #include <rtt/marsh/MarshallInterface.hpp>
 #include <rtt/os/TimeService.hpp>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct ReportOptions {
     bool onlyNewData = false;   ///< leave out what has not changed since the last row
     int digits = 6;
     RTT::os::TimeService::ticks begin = 0;  ///< zero of the time stamps
+    std::function<void()> onFailure;        ///< called once, by another thread, when the target takes no more
 };
 
 /** A report from start() to stop() of its component: fixed sources, a header, rows. Used by one thread at a time. */
@@ -53,6 +55,8 @@ public:
     /** Waits until everything is written. */
     void finish();
     unsigned long lost() const { return writer_ ? writer_->lost() : 0; }
+    /** Its target takes no more rows. */
+    bool failed() const { return writer_ && writer_->failed(); }
 
 private:
     struct Entry {

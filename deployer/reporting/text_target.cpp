@@ -2,10 +2,13 @@
 // Copyright Oroforge contributors
 #include "text_target.hpp"
 
+#include <rtt/os/detail/own_file.hpp>
+
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
 #include <ostream>
+#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -38,18 +41,32 @@ public:
 
     // No buffer of ours: what was written survives the end of this process, whatever ends it.
     std::string write(const char* text, std::size_t size) override {
-        while (size != 0) {
-            const ssize_t done = ::write(file_, text, size);
+        const std::string_view lines(text, size);
+        for (std::size_t written = 0; written != size;) {
+            const ssize_t done = ::write(file_, text + written, size - written);
             if (done < 0 && errno == EINTR) continue;
-            if (done < 0) return systemError();
-            text += done;
-            size -= static_cast<std::size_t>(done);
+            if (done < 0) {
+                const std::string error = systemError();
+                takeBack(lines.substr(0, written));
+                return error;
+            }
+            written += static_cast<std::size_t>(done);
         }
         return {};
     }
     std::string name() const override { return "file '" + name_ + "'"; }
 
 private:
+    /** The row that is there in part, after the last whole one. What else took the bytes, a pipe, has them. */
+    void takeBack(std::string_view written) {
+        const std::size_t whole = written.rfind('\n') + 1;  // npos + 1 is none
+        struct stat status {};
+        if (whole == written.size() || ::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return;
+        if (::ftruncate(file_, status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {
+            // It ends within a row, and the component says that it does.
+        }
+    }
+
     const int file_;
     const std::string name_;
 };
@@ -74,15 +91,15 @@ private:
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
     // To open a pipe that nobody reads from would last until somebody does, and start() with it.
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK;
-    int file = ::open(name.c_str(), kFlags, 0666);
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK;
+    int file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
     // Whoever is to read may just be starting.
     for (int times = 0; file < 0 && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
         std::this_thread::sleep_for(kPause);
-        file = ::open(name.c_str(), kFlags, 0666);
+        file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
     }
     if (file < 0) {
-        error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : systemError();
+        error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : RTT::os::detail::openError(errno);
         return nullptr;
     }
     (void)::fcntl(file, F_SETFL, O_APPEND);  // written to it is as fast as it takes it

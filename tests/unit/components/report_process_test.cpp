@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include <unistd.h>
+
 namespace {
 
 using namespace oroforge::test;
@@ -209,6 +211,49 @@ TEST_F(FileReporter, FullDiskIsReportedOnceAndTheApplicationGoesOn) {
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("could not write to file '/dev/full': No space left on device"));
     EXPECT_THAT(outcome.err, HasSubstr("rows of the report of 'reporter' are lost"));
+}
+
+TEST_F(FileReporter, FullDiskEndsTheReportAtAWholeRowAndTheComponentInAnErrorState) {
+    constexpr std::size_t kRoom = 20000;
+    for (const double period : {0.001, 0.0}) {
+        Application application;
+        application.ports = 3;
+        application.reporterPeriod = period;
+        directory_.write("app.xml", xmlOf(application));
+        directory_.write("report.cpf", cpfOf(simple("Component", "string", "counter")));
+        Command limited = deployer();
+        limited.program = "prlimit";
+        limited.arguments = {"--fsize=" + std::to_string(kRoom), DEPLOYER_PROGRAM, "-s", "app.xml"};
+        limited.environment["ORO_LOGFILE"] = "/dev/null";
+        limited.inputStaysOpen = false;
+        limited.input = "while !reporter.inRunTimeError() { yield }\nreporter.inRunTimeError()\n";
+        const Outcome outcome = run(limited);
+        EXPECT_EQ(0, outcome.status) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr(" = true")) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("could not write to file 'reports.dat': File too large"));
+        const std::string text = reports();
+        EXPECT_GT(text.size(), kRoom - 200);
+        ASSERT_EQ('\n', text.back());
+        const std::vector<std::string> lines = linesOf(text);
+        EXPECT_EQ(numbersIn(lines.at(1)).size(), numbersIn(lines.back()).size());
+    }
+}
+
+TEST_F(FileReporter, ReportFollowsNoLinkOfAnotherUser) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root can give links away";
+    directory_.write("precious", "kept");
+    ASSERT_EQ(0, symlink("precious", (directory_ / "reports.dat").c_str()));
+    ASSERT_EQ(0, lchown((directory_ / "reports.dat").c_str(), 65534, 65534));
+    directory_.write("app.xml", xmlOf({}));
+    directory_.write("report.cpf", cpfOf(simple("Component", "string", "counter")));
+    const Outcome refused = run(deployer());
+    EXPECT_EQ(255, refused.status);
+    EXPECT_THAT(refused.err, HasSubstr("could not open file 'reports.dat' for reporting: it is a symbolic link of "
+                                       "another user"));
+    EXPECT_EQ("kept", readFile(directory_ / "precious"));
+    ASSERT_EQ(0, lchown((directory_ / "reports.dat").c_str(), 0, 0));
+    EXPECT_EQ(0, again(SIGTERM, 100).status);
+    EXPECT_NE("kept", readFile(directory_ / "precious"));
 }
 
 }  // namespace
