@@ -3,6 +3,7 @@
 #include "real_time_check.hpp"
 
 #include "../rt_check/interface.h"
+#include "real_time_findings.hpp"
 #include "source_lines.hpp"
 
 #include <diag/print.hpp>
@@ -14,6 +15,7 @@
 #include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -146,17 +148,19 @@ std::string times(unsigned long count, const char* one, const char* many) {
 }
 
 /** No sink: it would take two places for one that are told of in the same words. */
-using Findings = std::vector<oroforge::diag::Diagnostic>;
+using Findings = std::vector<RealTimeFinding>;
 
 void add(void* to, const oroforge_rt_finding* finding) {
-    oroforge::diag::Diagnostic diagnostic;
+    RealTimeFinding made;
     const Fault fault = describe(finding->fault);
-    diagnostic.code = fault.code;
-    diagnostic.message = std::string("component '") + finding->component + "' " + fault.verb + " in " +
-                         kPlaces[finding->place].where + ": " + finding->function + "(), " +
-                         times(finding->count, "time", "times");
-    for (unsigned i = 0; i != finding->depth; ++i) diagnostic.hint(finding->frames[i]);
-    static_cast<Findings*>(to)->push_back(std::move(diagnostic));
+    made.component = finding->component;
+    made.where = kPlaces[finding->place].where;
+    made.verb = fault.verb;
+    made.code = fault.code;
+    made.function = finding->function;
+    made.count = finding->count;
+    for (unsigned i = 0; i != finding->depth; ++i) made.frames.push_back({{}, finding->frames[i], {}});
+    static_cast<Findings*>(to)->push_back(std::move(made));
 }
 
 /** "300 executions of updateHook(), 2 of scripts"; empty if there were none. */
@@ -184,22 +188,20 @@ std::pair<std::string, unsigned long> placeIn(const std::string& frame) {
 void addPlaces(Findings& found) {
     SourceLines lines;
     const auto forEachFrame = [&found](const auto& visit) {
-        for (oroforge::diag::Diagnostic& finding : found)
-            for (oroforge::diag::Note& frame : finding.notes) visit(frame, placeIn(frame.message));
+        for (RealTimeFinding& finding : found)
+            for (oroforge::diag::Note& frame : finding.frames) visit(frame, placeIn(frame.message));
     };
     forEachFrame([&lines](const auto&, const auto& place) {
         if (!place.first.empty()) lines.want(place.first, place.second);
     });
     lines.find();
     forEachFrame([&lines](oroforge::diag::Note& frame, const auto& place) {
-        if (!place.first.empty()) {
-            const SourceLines::Place& known = lines.at(place.first, place.second);
-            frame.where = known.where;
-            // A function that its library does not export.
-            if (frame.message[0] != '\'' && !known.function.empty())
-                frame.message = "'" + known.function + "' (" + frame.message + ")";
-        }
-        frame.message = "called by " + frame.message;
+        if (place.first.empty()) return;
+        const SourceLines::Place& known = lines.at(place.first, place.second);
+        frame.where = known.where;
+        // A function that its library does not export.
+        if (frame.message[0] != '\'' && !known.function.empty())
+            frame.message = "'" + known.function + "' (" + frame.message + ")";
     });
 }
 
@@ -222,11 +224,17 @@ std::string startRealTimeCheck(char** words) {
 
 bool reportRealTimeCheck(const std::string& program) {
     HookInProgress::setWatch(nullptr);
-    Findings found;
-    const oroforge_rt_totals totals = findings(&add, &found);
-    addPlaces(found);
+    Findings calls;
+    const oroforge_rt_totals totals = findings(&add, &calls);
+    addPlaces(calls);
+    const std::vector<oroforge::diag::Diagnostic> found = arranged(calls);
     oroforge::diag::SourceCache sources;
     for (const oroforge::diag::Diagnostic& finding : found) oroforge::diag::print(std::cerr, finding, sources);
+    if (std::any_of(found.begin(), found.end(), &lacksLines))
+        std::cerr << program
+                  << ": note: --rt-check knows no lines for some of these: they are shown for libraries that are built "
+                     "with debug information (-g, or CMAKE_BUILD_TYPE RelWithDebInfo), if the program addr2line of "
+                     "binutils is there\n";
     if (totals.lost != 0)
         std::cerr << program << ": warning: --rt-check had no room for "
                   << times(totals.lost, "more call", "more calls") << "\n";

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_DEPLOYER_REAL_TIME_FINDINGS_HPP
+#define OROFORGE_DEPLOYER_REAL_TIME_FINDINGS_HPP
+
+#include <diag/diagnostic.hpp>
+
+#include <string>
+#include <vector>
+
+namespace OCL::deploy {
+
+/** What --rt-check tells of one call. */
+struct RealTimeFinding {
+    std::string component;
+    std::string where;  // "updateHook()"
+    std::string verb;   // "allocates memory"
+    std::string code;
+    std::string function;
+    unsigned long count = 0;
+    std::vector<oroforge::diag::Note> frames;  // innermost first, "'function()' (file+0x1234)"
+};
+
+/**
+ * For readers: each finding stands at the line of the component that leads to it, where that is known; frames of the standard
+ * library are folded; what one line leads to is one finding.
+ */
+std::vector<oroforge::diag::Diagnostic> arranged(const std::vector<RealTimeFinding>& findings);
+
+/** Of these no line is known. */
+bool lacksLines(const oroforge::diag::Diagnostic& finding);
+
+}  // namespace OCL::deploy
+
+#endif
