@@ -5,6 +5,7 @@
 # Longest matching prefix wins; a file may be named to take it out of its folder's layer.
 LAYER_OF = {
     "runtime/diag/": "diag",
+    "runtime/files/": "files",
     "runtime/xml/": "xml",
     "runtime/rtt/os/": "os",
     "runtime/rtt/rtt-config.h": "os",       # made by CMake from rtt-config.h.in
@@ -59,7 +60,7 @@ LAYER_OF = {
     "templates/": "templates",
 }
 
-LEAFS = {"diag", "xml"}
+LEAFS = {"diag", "files", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
 GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "merge", "view", "render", "emit", "banner", "report", "flags"}
@@ -70,6 +71,7 @@ UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
 # layer -> the other layers it may include
 MAY_INCLUDE = {
     "diag": set(),
+    "files": set(),
     "xml": {"diag"},
     "os": set(),
     "plugin_api": {"os"},
@@ -104,12 +106,12 @@ MAY_INCLUDE = {
     "banner": set(),
     "view": LEAFS | {"model", "banner"},
     "render": {"diag"},
-    "emit": {"diag", "banner"},
+    "emit": {"diag", "files", "banner"},
     "report": {"diag"},
     "driver": GENERATOR | {"xml"},
     "collect": {"diag", "model", "clang", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
-    "typegen": GENERATOR | {"collect", "plan"},
+    "typegen": GENERATOR | {"files", "collect", "plan"},
     # Text that ends up in the user's package: installed headers only.
     "templates": API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting", "ocl"},
 }
@@ -136,7 +138,7 @@ FOREIGN = {
 
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
-NOT_INSTALLED = ["runtime/diag/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
+NOT_INSTALLED = ["runtime/diag/", "runtime/files/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/"]
 

@@ -5,11 +5,12 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <set>
 #include <sstream>
 
-#include <unistd.h>
-
 #include <emit/banner.hpp>
+#include <emit/transaction.hpp>
+#include <files/draft_file.hpp>
 
 namespace fs = std::filesystem;
 
@@ -36,90 +37,15 @@ bool isForeign(const fs::path& file) {
     return !text.empty() && !hasBanner(text);
 }
 
-/// Undoes what was done so far unless it is kept: temporary files, new directories, renamed files.
-class Transaction {
-public:
-    explicit Transaction(diag::Sink& sink) : sink_(sink) {}
-    ~Transaction() {
-        if (!done_) rollBack();
+/// What processes left beside these files when they died.
+void removeAbandoned(const Outputs& outputs, const fs::path& directory) {
+    std::map<fs::path, std::set<std::string>> folders;
+    for (const auto& [name, text] : outputs) {
+        const fs::path target = directory / name;
+        folders[target.parent_path()].insert(target.filename().string());
     }
-
-    bool makeDirectories(const fs::path& directory) {
-        std::error_code error;
-        if (directory.empty() || fs::is_directory(directory, error)) return true;
-        if (!makeDirectories(directory.parent_path())) return false;
-        if (fs::create_directory(directory, error)) {
-            directories_.push_back(directory);
-            return true;
-        }
-        return fs::is_directory(directory) || fail(directory, "cannot make the directory", error);
-    }
-
-    bool stage(const fs::path& target, const std::string& text) {
-        std::error_code error;
-        if (fs::is_directory(target, error)) return fail(target, "found a directory, expected a file or nothing", {});
-        if (!makeDirectories(target.parent_path())) return false;
-        // The process id keeps two runs into one directory apart.
-        const fs::path temporary = target.string() + ".new" + std::to_string(::getpid());
-        staged_.push_back({target, temporary, {}});
-        std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-        out << text;
-        out.close();
-        return out || fail(target, "cannot write the file", {});
-    }
-
-    bool commit() {
-        for (Staged& file : staged_) {
-            std::error_code error;
-            if (fs::exists(file.target, error)) {
-                // A second name for the old file: the target itself never disappears, even for a moment.
-                file.backup = file.temporary.string() + ".old";
-                fs::create_hard_link(file.target, file.backup, error);
-                if (error) fs::copy_file(file.target, file.backup, error);
-                if (error) return fail(file.target, "cannot replace the file", error);
-            }
-            fs::rename(file.temporary, file.target, error);
-            if (error) return fail(file.target, "cannot write the file", error);
-            file.temporary.clear();
-        }
-        for (const Staged& file : staged_) {
-            std::error_code ignored;
-            if (!file.backup.empty()) fs::remove(file.backup, ignored);
-        }
-        done_ = true;
-        return true;
-    }
-
-private:
-    struct Staged {
-        fs::path target;
-        fs::path temporary;  // empty once renamed
-        fs::path backup;     // empty if there was nothing before
-    };
-
-    bool fail(const fs::path& path, const std::string& what, const std::error_code& error) {
-        sink_.error({path.string(), 0, 0}, "EMIT001", error ? what + ": " + error.message() : what);
-        return false;
-    }
-
-    void rollBack() {
-        std::error_code ignored;
-        for (const Staged& file : staged_) {
-            if (file.temporary.empty()) {
-                fs::remove(file.target, ignored);
-            } else {
-                fs::remove(file.temporary, ignored);
-            }
-            if (!file.backup.empty()) fs::rename(file.backup, file.target, ignored);
-        }
-        for (auto it = directories_.rbegin(); it != directories_.rend(); ++it) fs::remove(*it, ignored);
-    }
-
-    diag::Sink& sink_;
-    std::vector<Staged> staged_;
-    std::vector<fs::path> directories_;
-    bool done_ = false;
-};
+    for (const auto& [folder, names] : folders) files::removeAbandoned(folder, names);
+}
 
 /// The first line that differs, and what it is to be.
 Difference differenceOf(const std::string& found, const std::string& expected, const std::string& tool) {
@@ -139,6 +65,7 @@ Difference differenceOf(const std::string& found, const std::string& expected, c
 }  // namespace
 
 bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, Written* written) {
+    removeAbandoned(outputs, directory);
     Transaction transaction(sink);
     Written result;
     for (const auto& [name, text] : outputs) {

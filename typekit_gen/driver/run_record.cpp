@@ -3,7 +3,6 @@
 #include "run_record.hpp"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <files/draft_file.hpp>
 #include <plan/output_names.hpp>
 
 namespace fs = std::filesystem;
@@ -99,26 +99,24 @@ void RunRecord::keep(const std::vector<std::string>& inputs) const {
     if (file_.empty()) return;
     std::error_code error;
     fs::create_directories(fs::path(file_).parent_path(), error);
-    // Renamed when it is complete: another run may read it.
-    const std::string draft = file_ + "." + std::to_string(::getpid());
-    {
-        std::ofstream file(draft);
-        file << request_ << "\n";
-        for (const auto* files : {&inputs, &outputs_}) {
-            for (const std::string& path : *files) {
-                const std::string absolute = fs::absolute(path, error).string();
-                const State state = stateOf(absolute);
-                // What was changed since we began may not be what we have read.
-                const bool tooNew = files == &inputs && state.time > began_ - kTick;
-                if (state.text.empty() || tooNew || !isOneLine(absolute)) file.setstate(std::ios::failbit);
-                file << state.text << " " << absolute << "\n";
-            }
+    std::string text = request_ + "\n";
+    for (const auto* files : {&inputs, &outputs_}) {
+        for (const std::string& path : *files) {
+            const std::string absolute = fs::absolute(path, error).string();
+            const State state = stateOf(absolute);
+            // What was changed since we began may not be what we have read.
+            const bool tooNew = files == &inputs && state.time > began_ - kTick;
+            if (state.text.empty() || tooNew || !isOneLine(absolute)) return forget();
+            text += state.text + " " + absolute + "\n";
         }
-        file.flush();
-        if (!file) {
-            fs::remove(draft, error);
-            return forget();
-        }
+    }
+    // Renamed when it is complete: another run may read it. A draft that is left here becomes old, as records do.
+    std::string draft;
+    const int descriptor = files::openDraft(file_, draft);
+    if (descriptor < 0) return forget();
+    if (files::writeAndClose(descriptor, text, files::Durability::process)) {
+        fs::remove(draft, error);
+        return forget();
     }
     fs::rename(draft, file_, error);
     removeOld(fs::path(file_).parent_path());

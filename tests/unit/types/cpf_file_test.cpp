@@ -3,6 +3,7 @@
 // How property files are replaced.
 #include "cpf_fixture.hpp"
 
+#include <rtt/marsh/PropertyMarshaller.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/marsh/detail/replace_file.hpp>
 
@@ -151,6 +152,63 @@ TEST_F(CpfFile, DevicesAreWrittenTo) {
     EXPECT_FALSE(replaceFile("/dev/null", "x"));
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_EQ(std::errc::no_space_on_device, replaceFile("/dev/full", "x"));
+}
+
+namespace {
+
+/** What stood in the file when the disk was waited for, and how long the text was that was written by then. */
+std::string watchedFile, atSync;
+off_t sizeAtSync = -1;
+
+}  // namespace
+
+/** Instead of the C library's. */
+extern "C" int fsync(int descriptor) {
+    struct stat is {};
+    sizeAtSync = ::fstat(descriptor, &is) == 0 ? is.st_size : -1;
+    std::ifstream in(watchedFile);
+    std::getline(in, atSync, '\0');
+    return 0;
+}
+
+TEST_F(CpfFile, TheDiskIsWaitedForBeforeTheFileIsReplaced) {
+    putText("old");
+    watchedFile = file;
+    sizeAtSync = -1;
+    ASSERT_FALSE(replaceFile(file, "new text"));
+    EXPECT_EQ("old", atSync);
+    EXPECT_EQ(8, sizeAtSync);
+    EXPECT_EQ("new text", get());
+
+    sizeAtSync = -1;
+    ASSERT_TRUE(saveToFile(bag, file, SaveMode::store, sink));
+    EXPECT_LT(0, sizeAtSync);
+    sizeAtSync = -1;
+    PropertyMarshaller marshaller(file);
+    marshaller.serialize(bag);
+    marshaller.flush();
+    EXPECT_LT(0, sizeAtSync);
+}
+
+TEST_F(CpfFile, WhatDeadProcessesLeftIsRemoved) {
+    const pid_t dead = fork();
+    if (dead == 0) _exit(0);
+    ASSERT_EQ(dead, waitpid(dead, nullptr, 0));
+    std::ofstream(file + "." + std::to_string(dead) + ".7.new") << "<?xml";
+    std::ofstream(file + "." + std::to_string(getppid()) + ".7.new") << "<?xml";
+    ASSERT_FALSE(replaceFile(file, "x"));
+    EXPECT_EQ(2, filesIn(folder)) << "only the one of a process that lives may stay";
+}
+
+TEST_F(CpfFile, LinksThatWerePlantedAreNotFollowed) {
+    const std::string victim = (folder / "victim").string();
+    std::ofstream(victim) << "mine";
+    for (int i = 0; i != 60; ++i)
+        fs::create_symlink(victim, file + "." + std::to_string(getpid()) + "." + std::to_string(i) + ".new");
+    ASSERT_FALSE(replaceFile(file, "x"));
+    std::string text;
+    std::getline(std::ifstream(victim), text);
+    EXPECT_EQ("mine", text);
 }
 
 TEST_F(CpfFile, ReadOnlyFilesAreRefused) {
