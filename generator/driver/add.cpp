@@ -72,7 +72,7 @@ Additions additionsFor(const std::string& package, const Options& options, const
     }
     part.skeletons.push_back(*skeletonOf(kind, name, options));
     additions.files = skeletonFiles(part, renderer);
-    if (part.skeletons.front().kind == model::SkeletonKind::Component && !fs::exists("tests/test_main.cpp")) {
+    if (part.skeletons.front().kind == model::SkeletonKind::Component && !emit::exists("tests/test_main.cpp")) {
         additions.files["tests/test_main.cpp"] = renderer.render("package/test_main.cpp", nlohmann::json::object());
     }
     additions.targets = renderer.render("package/targets", view::skeletonsView(part));
@@ -102,7 +102,7 @@ void addPart(const Options& options, const render::Renderer& renderer, std::ostr
 
     Additions additions = additionsFor(project->first, options, renderer);
     for (const auto& [file, text] : additions.files) {
-        if (fs::exists(file)) sink.error({file, 0, 0}, "OC010", "the file is there already; nothing was written");
+        if (emit::exists(file)) sink.error({file, 0, 0}, "OC010", "the file is there already; nothing was written");
     }
     additions.files[kBuildFile] = withTargets(cmake, additions, sink);
     if (!sink.hadErrors()) writeOutputs(additions.files, ".", options.dryRun, out, sink);

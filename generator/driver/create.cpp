@@ -27,7 +27,7 @@ bool isOnly(const Options& options, const char* kind) { return options.words.siz
 /// Headers that stand beside the manifest are taken along; if there is none, one is made with a struct per type.
 void addTypekitHeaders(const model::Package& package, const fs::path& manifest, Scaffold& files, diag::Sink& sink) {
     const fs::path directory = manifest.parent_path();
-    const auto stands = [&](const model::Text& header) { return fs::is_regular_file(directory / header.value); };
+    const auto stands = [&](const model::Text& header) { return emit::isFile(directory / header.value); };
     const auto& headers = package.typekitHeaders;
     if (std::none_of(headers.begin(), headers.end(), stands)) {
         if (headers.size() > 1) {
@@ -45,7 +45,7 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
 /// "CMakeLists.txt.old", or with a number if that is taken: no version of a file gets lost.
 std::string backupName(const fs::path& directory, const std::string& name) {
     std::string backup = name + ".old";
-    for (int i = 2; fs::exists(directory / backup); ++i) backup = name + ".old" + std::to_string(i);
+    for (int i = 2; emit::exists(directory / backup); ++i) backup = name + ".old" + std::to_string(i);
     return backup;
 }
 
@@ -54,12 +54,12 @@ std::string backupName(const fs::path& directory, const std::string& name) {
 emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::vector<std::string>& kept) {
     emit::Outputs outputs = files.shared;
     for (const auto& [name, text] : files.shared) {
-        if (!fs::exists(directory / name)) continue;
+        if (!emit::exists(directory / name)) continue;
         const std::string old = emit::textOf(directory / name);
         if (old != text) outputs[backupName(directory, name)] = old;
     }
     for (const auto& [name, text] : files.user) {
-        if (fs::exists(directory / name)) {
+        if (emit::exists(directory / name)) {
             kept.push_back(name);
         } else {
             outputs[name] = text;
@@ -70,7 +70,7 @@ emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::ve
 
 void writePackage(const Scaffold& files, const std::string& name, const Options& options, std::ostream& out,
                   diag::Sink& sink) {
-    if (fs::exists(name) && !options.force) {
+    if (emit::exists(name) && !options.force) {
         sink.error(kHere, "OC004", "'" + name + "' already exists; nothing was written. Use -f to write into it");
     }
     if (sink.hadErrors()) return;
@@ -95,7 +95,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     addTypekitHeaders(*package, options.from, files, sink);
     files.shared[manifest] = emit::textOf(options.from);
     // Sources that are there already were not written from this manifest.
-    const std::string record = fs::exists(name) ? std::string() : firstRecord(*package, manifest, renderer);
+    const std::string record = emit::exists(name) ? std::string() : firstRecord(*package, manifest, renderer);
     if (!record.empty()) files.shared[merge::kRecordFile] = record;
     writePackage(files, name, options, out, sink);
 }

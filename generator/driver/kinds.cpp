@@ -8,6 +8,7 @@
 
 #include <check/check.hpp>
 #include <diag/nearest_match.hpp>
+#include <emit/outputs.hpp>
 #include <model/cpp_type.hpp>
 #include <view/cpp_text.hpp>
 
@@ -143,7 +144,7 @@ model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
     package.name = {name, given};
     for (const Kind& kind : kinds()) {
         if (*kind.source == '\0') continue;
-        const bool has = fault.empty() && fs::exists(fs::path(name) / withName(kind.source, name));
+        const bool has = fault.empty() && emit::exists(fs::path(name) / withName(kind.source, name));
         if (!(all && kind.inAll) && !asks(kind.word) && !has) continue;
         if (const auto skeleton = skeletonOf(kind.word, name, options)) {
             package.skeletons.push_back(*skeleton);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include <exception>
 #include <iostream>
 
+#include <diag/print.hpp>
 #include <driver/add.hpp>
 #include <driver/create.hpp>
 #include <driver/describe.hpp>
@@ -22,12 +24,12 @@ using namespace oroforge;
 
 void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
     if (options.explain) return report::explanations().print(options.words, {"orocreate-pkg", "OC001"}, out, sink);
-    render::Templates templates(embedded::componentTemplates());
-    if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
-    if (options.list) return driver::listKinds(templates, out);
-    if (options.upgrade) return driver::upgradePackages(options, out, sink);
-    const render::Renderer renderer(templates);
     try {
+        render::Templates templates(embedded::componentTemplates());
+        if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
+        if (options.list) return driver::listKinds(templates, out);
+        if (options.upgrade) return driver::upgradePackages(options, out, sink);
+        const render::Renderer renderer(templates);
         if (!options.add.empty()) {
             driver::addPart(options, renderer, out, sink);
         } else if (options.describe) {
@@ -41,6 +43,9 @@ void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
         }
     } catch (const render::RenderError& error) {
         sink.error({"orocreate-pkg", 0, 0}, "OC007", std::string("template ") + error.what());
+    } catch (const std::exception& failure) {
+        sink.error({"orocreate-pkg"}, "OC042",
+                   std::string("stopped by a failure that was not expected: ") + failure.what());
     }
 }
 
@@ -53,7 +58,9 @@ int main(int argc, char** argv) {
     const auto options = driver::parseOptions(argc, argv, sink, status);
     // A document for programs stands alone on standard output.
     if (options) work(*options, format == report::Format::Text ? std::cout : std::cerr, sink);
-    if (!options && status == 0) return 0;  // --help, --version
-    if (!report::write(format, {"orocreate-pkg", OROFORGE_VERSION}, sink, std::cout, std::cerr)) return 1;
-    return sink.hadErrors() ? 1 : status;
+    const bool toldOnly = !options && status == 0;  // --help, --version
+    const bool written =
+        toldOnly || report::write(format, {"orocreate-pkg", OROFORGE_VERSION}, sink, std::cout, std::cerr);
+    const bool arrived = diag::arrived(std::cout, std::cerr, "orocreate-pkg", "EMIT004");
+    return !written || !arrived || sink.hadErrors() ? 1 : status;
 }

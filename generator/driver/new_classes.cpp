@@ -58,7 +58,7 @@ void addNewClasses(const NewClasses& input, const render::Renderer& renderer, em
         }
         for (const std::string& file :
              {"src/" + name + ".hpp", "src/" + name + ".cpp", "tests/" + name + "_test.cpp"}) {
-            if (fs::exists(input.root / file)) {
+            if (emit::exists(input.root / file)) {
                 if (file.compare(0, 4, "src/") == 0)
                     sink.error({input.shown + file, 0, 0}, "OC030",
                                "this file is there already, but class '" + wanted.name + "' was not found in it")

@@ -94,7 +94,7 @@ std::map<std::string, std::string> generatedHeaders(const Package& package, cons
     for (const model::Text& header : package.model.typekitHeaders) {
         const std::string included = view::includeName(header.value, package.model.name.value);
         // The build offers them by that name, wherever they lie.
-        if (!fs::exists(package.root / "include" / included))
+        if (!emit::exists(package.root / "include" / included))
             headers[(folder / included).string()] = "#include \"" + (package.root / header.value).string() + "\"\n";
     }
     return headers;

@@ -21,18 +21,23 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+bool exists(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+bool isFile(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
+
 namespace {
 
-bool hasText(const fs::path& file, const std::string& text) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return false;
-    return textOf(file) == text;
-}
+bool hasText(const fs::path& file, const std::string& text) { return isFile(file) && textOf(file) == text; }
 
 /// Something stands there that nobody generated. An empty file is nothing that could be lost.
 bool isForeign(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return false;
+    if (!isFile(file)) return false;
     const std::string text = textOf(file);
     return !text.empty() && !hasBanner(text);
 }
@@ -85,8 +90,7 @@ bool write(const Outputs& outputs, const fs::path& directory, diag::Sink& sink, 
 std::vector<Difference> compare(const Outputs& outputs, const fs::path& directory, const std::string& tool) {
     std::vector<Difference> result;
     for (const auto& [name, text] : outputs) {
-        std::error_code ignored;
-        if (!fs::is_regular_file(directory / name, ignored)) {
+        if (!isFile(directory / name)) {
             result.push_back({name, 0, "missing: " + tool + " would write this file"});
         } else if (const std::string found = textOf(directory / name); found != text) {
             result.push_back(differenceOf(found, text, tool));

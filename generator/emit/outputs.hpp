@@ -32,6 +32,10 @@ bool write(const Outputs& outputs, const std::filesystem::path& directory, diag:
 bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
                     Written* written = nullptr);
 
+/// What cannot be looked at (a name that is too long, a folder that is closed) counts as missing: writing there says why.
+bool exists(const std::filesystem::path& path);
+bool isFile(const std::filesystem::path& path);
+
 /// The bytes of a file; nothing if there is none.
 std::string textOf(const std::filesystem::path& file);
 

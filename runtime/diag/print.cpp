@@ -3,7 +3,9 @@
 #include <diag/print.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <ostream>
+#include <system_error>
 
 namespace oroforge::diag {
 
@@ -170,6 +172,26 @@ void print(std::ostream& out, const Sink& sink, SourceCache& sources) {
 void print(std::ostream& out, const Sink& sink) {
     SourceCache sources;
     print(out, sink, sources);
+}
+
+bool arrived(std::ostream& out, std::ostream& err, const std::string& program, const std::string& code) {
+    errno = 0;
+    if (out.flush()) return true;
+    int reason = errno;
+    if (reason == 0) {
+        // It failed earlier, and nobody kept the reason: that of another try is the same.
+        out.clear();
+        out.put('\n').flush();
+        reason = errno;
+        out.setstate(std::ios::badbit);
+    }
+    Diagnostic failure;
+    failure.code = code;
+    failure.where.file = program;
+    failure.message = "cannot write to standard output";
+    if (reason != 0) failure.message += ": " + std::generic_category().message(reason);
+    err << toString(failure) << '\n';
+    return false;
 }
 
 }  // namespace oroforge::diag

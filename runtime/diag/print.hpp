@@ -35,6 +35,10 @@ std::string toString(const Location& where);
 /// One line, "error: [CODE] message" with its place in front, for logs.
 std::string toString(const Diagnostic& diagnostic);
 
+/// True if all that was written to `out` has arrived; otherwise a diagnostic of `program` on `err` says why not. To be
+/// called at the end of a program: nothing before it notices a disk that is full.
+bool arrived(std::ostream& out, std::ostream& err, const std::string& program, const std::string& code = {});
+
 }  // namespace oroforge::diag
 
 #endif

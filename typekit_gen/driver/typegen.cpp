@@ -13,6 +13,7 @@
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <collect/import_package.hpp>
+#include <diag/print.hpp>
 #include <diff/compare_models.hpp>
 #include <diff/tell_changes.hpp>
 #include <emit/depfile.hpp>
@@ -215,11 +216,8 @@ int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& 
     const bool complete = told && !sink.hadErrors();
     const bool written = complete || report::write(format, {"typegen", OROFORGE_VERSION}, sink, out, err);
     (isText ? out : err) << last.str();
-    if (!written || !out.flush()) {
-        err << "typegen: error: cannot write to standard output\n";
-        return 1;
-    }
-    return sink.hadErrors() ? 1 : 0;
+    const bool arrived = diag::arrived(out, err, "typegen", "EMIT004");
+    return !written || !arrived || sink.hadErrors() ? 1 : 0;
 }
 
 }  // namespace oroforge::typekit

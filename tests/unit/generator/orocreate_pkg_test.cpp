@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What orocreate-pkg does to a directory; the texts it writes are goldens.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <support/child_process.hpp>
 #include <support/golden.hpp>
@@ -181,6 +183,92 @@ TEST_F(OrocreatePkg, UnwritableDirectoryIsReported) {
 
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("[EMIT001]"), std::string::npos);
+}
+
+TEST_F(OrocreatePkg, NamesThatAreTooLongAreReported) {
+    const std::string name(300, 'x');
+    dir_.write("long.xml", "<package name=\"" + name + "\"/>");
+
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{name}, {name, "component"}, {"--from", "long.xml"}, {name, "-f"}}) {
+        const auto outcome = run(words);
+        EXPECT_EQ(outcome.status, 1) << words.back();
+        EXPECT_NE(outcome.err.find("error: [EMIT001] cannot make the directory: File name too long"), std::string::npos)
+            << outcome.err;
+    }
+    EXPECT_EQ(test::readTree(dir_.path()).size(), 1U);
+}
+
+TEST_F(OrocreatePkg, NothingThatTheSystemRefusesAborts) {
+    const std::string name(300, 'x');
+    dir_.write("a.cpp", "int i;\n");
+    ASSERT_EQ(run({"pkg", "cmake"}).status, 0);
+    fs::create_directory(dir_ / "closed");
+    fs::create_directory_symlink("loop", dir_ / "loop");
+
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--describe", ""},
+                                                  {"--describe", name},
+                                                  {"--describe", "a.cpp", "--package", "a", "-o", name},
+                                                  {"--describe", "a.cpp", "-p", name},
+                                                  {"--generate", name, "-o", "x"},
+                                                  {"--update", name},
+                                                  {"--update", "loop/m.xml"},
+                                                  {"--upgrade", name},
+                                                  {"--upgrade", "loop"},
+                                                  {"pkg2", "--template-dir", name},
+                                                  {"pkg2", "--template-dir", "loop"},
+                                                  {"pkg2", "--from", name}}) {
+        const auto outcome = run(words);
+        EXPECT_EQ(outcome.status, 1) << words.front() << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find("error: ["), std::string::npos) << words.front() << ": " << outcome.err;
+    }
+}
+
+TEST_F(OrocreatePkg, AWorkingFolderThatIsGoneIsReported) {
+    test::Command command;
+    command.program = "/bin/sh";
+    command.directory = dir_.path();
+    for (const char* words : {"pkg", "--update", "--add component x", "--upgrade .", "--describe a.cpp"}) {
+        command.arguments = {"-c", "mkdir gone; cd gone; rmdir ../gone; exec \"$0\" " + std::string(words),
+                             OROCREATE_PKG};
+        const auto outcome = test::run(command);
+        EXPECT_EQ(outcome.status, 1) << words << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find("error: ["), std::string::npos) << words << ": " << outcome.err;
+    }
+}
+
+TEST_F(OrocreatePkg, OutputThatDoesNotArriveIsAFailure) {
+    dir_.write("tank.xml", kManifest);
+    test::Command command;
+    command.program = "/bin/sh";
+    command.directory = dir_.path();
+    for (const char* words :
+         {"--list", "--explain", "--explain OC001", "--help", "--version", "pkg cmake", "pkg2 cmake --format json",
+          "--generate tank.xml --dump view", "--generate tank.xml -o gen --list-outputs"}) {
+        command.arguments = {"-c", "exec \"$0\" " + std::string(words) + " > /dev/full", OROCREATE_PKG};
+        const auto outcome = test::run(command);
+        EXPECT_EQ(outcome.status, 1) << words;
+        const std::string told =
+            "orocreate-pkg: error: [EMIT004] cannot write to standard output: No space left on device\n";
+        EXPECT_EQ(outcome.err.substr(outcome.err.size() - std::min(outcome.err.size(), told.size())), told) << words;
+    }
+}
+
+TEST_F(OrocreatePkg, LinksPlantedForItsProcessAreNotFollowed) {
+    dir_.write("tank.xml", kManifest);
+    dir_.write("victim", "mine");
+    test::Command command;
+    command.program = "/bin/sh";
+    command.directory = dir_.path();
+    command.arguments = {"-c",
+                         "mkdir -p gen/tank; for f in ControllerBase.hpp ControllerBase.cpp; do\n"
+                         "ln -s ../../victim gen/tank/$f.new$$; ln -s ../../victim gen/tank/$f.$$.0.new; done\n"
+                         "exec \"$0\" --generate tank.xml -o gen",
+                         OROCREATE_PKG};
+    const auto outcome = test::run(command);
+
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(read("victim"), "mine");
 }
 
 }  // namespace
