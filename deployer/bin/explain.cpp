@@ -50,7 +50,7 @@ bool explain(const std::vector<std::string>& codes, const std::string& program) 
     }
     if (codes.empty() || !own.empty()) all.print(own, {program, ""}, std::cout, sink);
     diag::print(std::cerr, sink);
-    return !sink.hadErrors();
+    return diag::arrived(std::cout, std::cerr, program) && !sink.hadErrors();
 }
 
 }  // namespace OCL::deploy

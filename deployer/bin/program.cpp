@@ -10,6 +10,7 @@
 #include "real_time_memory.hpp"
 #include "script_end.hpp"
 
+#include <diag/print.hpp>
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/internal/FailureReport.hpp>
@@ -177,7 +178,7 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
     if (options.action == Options::Explain) return explain(options.codes, program) ? 0 : kFailure;
     if (options.action != Options::Run) {
         std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
-        return 0;
+        return oroforge::diag::arrived(std::cout, std::cerr, program) ? 0 : kFailure;
     }
     if (processors() < options.minimumProcessors) {
         std::cerr << program << ": error: " << options.minimumProcessors
