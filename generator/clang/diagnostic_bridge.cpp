@@ -2,10 +2,30 @@
 // Copyright Oroforge contributors
 #include "diagnostic_bridge.hpp"
 
+#include <fstream>
+
 #include "fix_it.hpp"
 #include "header_edit.hpp"
 
 namespace oroforge::cxx {
+
+namespace {
+
+/// Behind the last character that is no blank; only the file if it cannot be read.
+diag::Location endOf(const diag::FileName& file) {
+    std::ifstream in(file.str(), std::ios::binary);
+    std::string line;
+    diag::Location end{file};
+    for (unsigned number = 1; std::getline(in, line); ++number) {
+        const std::size_t last = line.find_last_not_of(" \t\r\f\v");
+        if (last == std::string::npos) continue;
+        end.line = number;
+        end.column = static_cast<unsigned>(last) + 2;
+    }
+    return end;
+}
+
+}  // namespace
 
 void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) {
     clang::DiagnosticConsumer::HandleDiagnostic(level, info);
@@ -20,7 +40,7 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     if (level == clang::DiagnosticsEngine::Note) {
         if (last_ == nullptr) return;
         // The end of our own main file is no place of the user's; the note says in which header it begins.
-        if (last_->where.line == 0 && last_->notes.empty() && where.line != 0) last_->where = {where.file};
+        if (isAtEnd_ && last_->notes.empty() && where.line != 0) last_->where = endOf(where.file);
         last_->note(where, text.str().str());
         last_->notes.back().fixes = std::move(fixes);
         if (info.getID() == clang::diag::note_use_ifdef_guards) fixGuard(info);
@@ -29,11 +49,10 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     // Warnings about user headers are for the user's compiler to give.
     last_ = nullptr;
     if (level < clang::DiagnosticsEngine::Error || isFollowUp(info)) return;
-    if (where.file.empty()) {
-        where.file = places_.program();
-    } else if (where.line == 0) {
-        where.file = lastHeader_;  // at the end of our own main file, which is the end of what it includes
-    }
+    // At the end of our own main file, which is the end of what it includes.
+    isAtEnd_ = !where.file.empty() && where.line == 0;
+    if (isAtEnd_) where = endOf(lastHeader_);
+    if (where.file.empty()) where.file = places_.program();
     last_ = &sink_.error(where, "", text.str().str());
     last_->fixes = std::move(fixes);
     const unsigned what = info.getID();

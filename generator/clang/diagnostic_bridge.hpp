@@ -45,6 +45,7 @@ private:
     clang::DiagnosticsEngine* engine_ = nullptr;
     clang::LangOptions language_;
     std::set<std::string> halted_;
+    bool isAtEnd_ = false;              // the last error; a note may say of which header
     diag::Diagnostic* last_ = nullptr;  // notes belong to the error before them; valid until the next report
 };
 
