@@ -23,7 +23,6 @@
 
 #include <map>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #if (defined(RTT_COMPONENT) || defined(OCL_DLL_EXPORT)) && !defined(RTT_STATIC) && !defined(OCL_STATIC)
@@ -64,23 +63,9 @@ RTT_HIDE inline FactoryMap& libraryFactories() {
     return types;
 }
 
-/** A component that is stopped for good before the destructor of its class runs. */
-template <class C>
-class RTT_HIDE Created final : public C {
-public:
-    using C::C;
-    ~Created() override { static_cast<TaskContext*>(this)->stopForGood(); }
-};
-
-/** False for classes that allow no sub-class like that: final, destroyed by friends only, or with virtual bases. */
-template <class C, bool = !std::is_final<C>::value && std::is_destructible<C>::value>
-struct RTT_HIDE CanBeStopped : std::is_constructible<Created<C>, std::string&> {};
-template <class C>
-struct RTT_HIDE CanBeStopped<C, false> : std::false_type {};
-
 template <class C>
 RTT_HIDE TaskContext* createComponentOf(std::string instance_name) {
-    return new std::conditional_t<CanBeStopped<C>::value, Created<C>, C>(instance_name);
+    return new C(instance_name);
 }
 
 }  // namespace plugin
@@ -119,14 +104,12 @@ private:
 #ifdef ORO_COMPONENT_LIBRARY_
 
 /** Makes the library one that holds exactly this component type. Use once per library. */
-#define ORO_CREATE_COMPONENT(...)                                             \
-    ORO_PLUGIN_C_LINKAGE_BEGIN_                                               \
-    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name);  \
-    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name) { \
-        return RTT::plugin::createComponentOf<__VA_ARGS__>(instance_name);    \
-    }                                                                         \
-    RTT_EXPORT std::string getComponentType();                                \
-    RTT_EXPORT std::string getComponentType() { return #__VA_ARGS__; }        \
+#define ORO_CREATE_COMPONENT(...)                                                                                      \
+    ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                                        \
+    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name);                                           \
+    RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name) { return new __VA_ARGS__(instance_name); } \
+    RTT_EXPORT std::string getComponentType();                                                                         \
+    RTT_EXPORT std::string getComponentType() { return #__VA_ARGS__; }                                                 \
     ORO_PLUGIN_C_LINKAGE_END_
 
 /** Makes the library one that holds the types listed with ORO_LIST_COMPONENT_TYPE. Use once per library. */

@@ -8,6 +8,7 @@
 
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/types/CompositionFactory.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 
@@ -68,6 +69,13 @@ void ValueFiller::fill(const SourcePtr& value, const std::string& path) {
 void ValueFiller::fillLeaf(const SourcePtr& value) {
     const TypeInfo& type = *value->getTypeInfo();
     const unsigned number = 1 + ++next_ % 3;  // fits into all bit-fields
+    const auto* const enumeration = dynamic_cast<const RTT::types::Enumeration*>(type.getCompositionFactory().get());
+    // Files may give no other values.
+    const auto names = enumeration ? enumeration->enumerators() : std::vector<std::string>();
+    if (!names.empty() && type.fromString(names[number % names.size()], value)) {
+        value->updated();
+        return;
+    }
     if (type.fromString(std::to_string(number), value) || type.fromString(number % 2 ? "true" : "false", value) ||
         type.fromString(number % 2 ? "101" : "11", value)) {
         value->updated();
