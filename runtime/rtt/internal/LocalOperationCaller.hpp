@@ -6,6 +6,8 @@
 #include <rtt/base/OperationCallerBase.hpp>
 #include <rtt/internal/SpareCalls.hpp>
 
+#include <memory>
+
 namespace RTT {
 namespace internal {
 
@@ -27,7 +29,7 @@ public:
             const EngineGate::Stand direct = this->direct();
             if (direct) return (*static_cast<Function*>(this->callee()))(std::forward<Args>(args)...);
         }
-        const Held held(spares_, spares_.take(this->callee(), args...));
+        const Held held(spares_, this->callee(), args...);
         Sent& sent = *held.call;
         this->enqueueAndWait(sent);
         copyBack(sent, std::index_sequence_for<Args...>(), args...);
@@ -43,22 +45,32 @@ public:
 
 private:
     /** Where calls come from that are not kept. */
-    struct Pool {
-        typename Sent::shared_ptr take(CalleeBase* callee, std::remove_reference_t<Args>&... args) {
-            return new Sent(callee, args...);
-        }
-        void give(const typename Sent::shared_ptr&) {}
-    };
-    typedef std::conditional_t<keepsCalls<R(Args...)>, SpareCalls<Sent>, Pool> Spares;
-    /** Gives a call back at its end, unless the caller was interrupted and it still waits. */
+    struct Pool {};
+    typedef std::conditional_t<keepsCalls<R(Args...)>, std::shared_ptr<SpareCalls<Sent>>, Pool> Spares;
+    /** Gives a call back at its end, unless the caller was interrupted and it still waits. This may be gone then, see
+        enqueueAndWait(), so it refers to nothing here. */
     struct Held {
-        Held(Spares& to, typename Sent::shared_ptr taken) : spares(to), call(std::move(taken)) {}
+        Held(const Spares& from, CalleeBase* callee, std::remove_reference_t<Args>&... args)
+            : spares(from), call(take(callee, args...)) {}
         ~Held() {
-            if (call->state() != SentCall::Waiting) spares.give(call);
+            if constexpr (keepsCalls<R(Args...)>)
+                if (call->state() != SentCall::Waiting) spares->give(call);
         }
-        Spares& spares;
+        typename Sent::shared_ptr take(CalleeBase* callee, std::remove_reference_t<Args>&... args) const {
+            if constexpr (keepsCalls<R(Args...)>)
+                return spares->take(callee, args...);
+            else
+                return new Sent(callee, args...);
+        }
+        const Spares spares;
         const typename Sent::shared_ptr call;
     };
+    static Spares makeSpares() {
+        if constexpr (keepsCalls<R(Args...)>)
+            return std::make_shared<SpareCalls<Sent>>();
+        else
+            return {};
+    }
 
     LocalOperationCaller(const LocalOperationCaller& other, ExecutionEngine* caller)
         : base::OperationCallerBase<R(Args...)>(other, caller) {}
@@ -75,7 +87,7 @@ private:
         (void)from;
     }
 
-    Spares spares_;
+    const Spares spares_ = makeSpares();
 };
 
 }  // namespace internal

@@ -5,25 +5,33 @@
 
 #include <rtt/internal/TypedCall.hpp>
 
+#include <array>
 #include <atomic>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace RTT {
 namespace internal {
 
-template <class T, class = void>
-struct IsPointerLike : std::is_pointer<T> {};
+/** True for values that can be assigned whatever they hold, and that refer to nothing: numbers, texts, and vectors and arrays of
+    such. Of others it is not known: a struct may have constants in its vectors, and a map of a matrix writes through. */
 template <class T>
-struct IsPointerLike<T, std::void_t<typename T::element_type>> : std::true_type {};
+struct IsPlainValue : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T>> {};
+template <class Char, class Traits, class Allocator>
+struct IsPlainValue<std::basic_string<Char, Traits, Allocator>> : std::true_type {};
+template <class T, class Allocator>
+struct IsPlainValue<std::vector<T, Allocator>> : IsPlainValue<T> {};
+template <class T, std::size_t N>
+struct IsPlainValue<std::array<T, N>> : IsPlainValue<T> {};
 
-/** True for signatures whose arguments have memory of their own, as vectors and texts have: copies of them are worth being kept.
-    Not for pointers: somebody may count on it that what they refer to is released. */
+/** True for signatures whose arguments have memory of their own, so that copies of them are worth being kept. */
 template <class Signature>
 constexpr bool keepsCalls = false;
 template <class R, class... Args>
 constexpr bool keepsCalls<R(Args...)> =
-    !(std::is_trivially_copyable_v<ValueOf<Args>> && ...) && !IsPointerLike<ValueOf<R>>::value &&
-    ((std::is_copy_assignable_v<ValueOf<Args>> && !IsPointerLike<ValueOf<Args>>::value) && ...);
+    !(std::is_trivially_copyable_v<ValueOf<Args>> && ...) && (IsPlainValue<ValueOf<Args>>::value && ...) &&
+    (std::is_void_v<R> || IsPlainValue<ValueOf<R>>::value);
 
 /**
  * Calls that were executed, for the next ones of the same caller: copying the arguments into them takes no memory if they

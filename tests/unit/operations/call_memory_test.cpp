@@ -84,6 +84,45 @@ TEST_F(CallMemory, WhatAPointerRefersToIsReleasedAtOnce) {
     EXPECT_TRUE(eventually([&] { return released.expired(); }));
 }
 
+// Copies of these can be made, but none can be assigned.
+TEST_F(CallMemory, OfACallerThatIsBoundAnewWhileItWaits) {
+    Probe other("other");
+    other.addOperation(
+        "operation", [](const std::string& text) { return text + "!"; }, OwnThread);
+    Probe client("client");
+    OperationCaller<std::string(const std::string&)> shared;
+    client.addOperation(
+        "rebind", [&] { shared = other.getOperation("operation"); }, OwnThread);
+    server.addOperation(
+        "operation",
+        [&](const std::string& text) {
+            OperationCaller<void()> rebind(client.getOperation("rebind"), server.engine());
+            rebind();
+            return text + "?";
+        },
+        OwnThread);
+    std::string answers;
+    client.addOperation(
+        "ask", [&] { answers = shared(std::string(100, 'a')) + shared("b"); }, OwnThread);
+    shared.setCaller(client.engine());
+    shared = server.getOperation("operation");
+    OperationCaller<void()> ask(client.getOperation("ask"), internal::GlobalEngine::Instance());
+    ask();
+    EXPECT_EQ(answers, std::string(100, 'a') + "?b!");
+}
+
+TEST_F(CallMemory, OfWhatCannotBeAssigned) {
+    struct Constant {
+        const int number;
+    };
+    auto count = caller<int(const std::vector<Constant>&, const std::string&)>(
+        [](const std::vector<Constant>& all, const std::string&) { return all.empty() ? 0 : all.back().number; });
+    EXPECT_EQ(count({{1}, {2}}, "a"), 2);
+    auto size = caller<int(const std::map<int, const std::string>&)>(
+        [](const std::map<int, const std::string>& all) { return static_cast<int>(all.size()); });
+    EXPECT_EQ(size({{1, "a"}, {2, "b"}}), 2);
+}
+
 TEST_F(CallMemory, OfManyThreadsThatShareACaller) {
     auto size = caller<int(const std::vector<int>&)>(
         [](const std::vector<int>& values) { return static_cast<int>(values.size()); });
