@@ -89,9 +89,14 @@ bool ExecutionEngine::startActivity() {
     return true;
 }
 
-void ExecutionEngine::retire() {
-    const_cast<EngineGate&>(*gate_).retire();
+// A thread that has queued something and did not see the retirement has done so before this, see accepts(). Those inside may be
+// waiting for what is queued, so that comes first.
+bool ExecutionEngine::retire(std::int64_t deadline) {
+    auto& gate = const_cast<EngineGate&>(*gate_);
+    gate.retire();
+    gate_->waitPoint.notify();
     disposeQueued();
+    return gate.waitUntilLeft(deadline);
 }
 
 void ExecutionEngine::setActivity(base::ActivityInterface* activity) {
@@ -115,6 +120,8 @@ bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || misse
 
 void ExecutionEngine::work(WorkReason reason) {
     const Step here(*gate_);
+    // A step that begins too late: the class of the component is being destroyed.
+    if (gate_->retired() && !gate_->retiredHere()) return;
     const bool nested = !here.first();
     if (task_) {
         ++task_->mCycleCounter;

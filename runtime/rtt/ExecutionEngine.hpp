@@ -64,7 +64,11 @@ public:
     /** The same; calls `queued()` if it is true and the component still exists (it may have been executed by this thread). */
     template <class Queued>
     bool process(base::PortInterface* port, Queued&& queued) {
-        const internal::EngineGate::Visit visit(*gate_);
+        return process(port, internal::EngineGate::Visit(*gate_), queued);
+    }
+    /** The same in a visit that has begun. */
+    template <class Queued>
+    bool process(base::PortInterface* port, const internal::EngineGate::Visit& visit, Queued&& queued) {
         if (!enqueue({internal::Mailbox::Kind::Port, port}, visit.activity())) return false;
         if (visit.engine()) queued();
         return true;
@@ -105,9 +109,10 @@ public:
     bool stopTask();
     /** Starts the activity and sees to it that it executes what was queued meanwhile. False after retire(). */
     bool startActivity();
-    /** Other threads find no engine from now on: what they sent or send is disposed of. Blocks until they have left. For a
-        thread that has stopped the activity and is about to destroy the component. */
-    void retire();
+    /** Other threads find no engine from now on and execute nothing of the component: what they sent or send is disposed of. For
+        a thread that is about to destroy the component. Blocks until they have left; false if they have not at the monotonic
+        time `deadline` (ns). */
+    bool retire(std::int64_t deadline = INT64_MAX);
 
     base::ActivityInterface* getActivity() const override { return gate_->activity(); }
     /** Called by the activity; blocks until no other thread uses the previous one. */

@@ -10,6 +10,7 @@
 #include <rtt/internal/ServiceLoader.hpp>
 #include <rtt/internal/failed.hpp>
 #include <rtt/os/ThreadInterface.hpp>
+#include <rtt/os/TimeService.hpp>
 
 #include <exception>
 #include <new>
@@ -162,25 +163,35 @@ void TaskContext::releaseActivity() {
 // Who looks at it may want to do so as an Activity; but a destructor that stops it shall make none.
 base::ActivityInterface* TaskContext::getActivity() {
     auto* const deferred = dynamic_cast<internal::DeferredActivity*>(activity_.get());
-    return deferred && !engine()->gate()->retired() ? deferred->made() : activity_.get();
+    if (!deferred) return activity_.get();
+    if (!engine()->gate()->retired()) return deferred->made();
+    base::ActivityInterface* const made = deferred->ifMade();
+    return made ? made : deferred;
 }
 
-void TaskContext::endExecution() {
-    if (activity_) activity_->stop();
-    if (!engine()->gate()->retired()) engine()->retire();
+bool TaskContext::endExecution(Seconds limit) {
+    const std::int64_t deadline =
+        limit < 0 ? INT64_MAX : os::TimeService::Instance()->getNSecs() + Seconds_to_nsecs(limit);
+    // No step begins after that; one that is being executed is asked to end.
+    if (activity_ && !engine()->gate()->retired()) activity_->stop();
+    const bool left = engine()->retire(deadline);
+    // A thread that was starting it at that moment may have done so.
+    if (activity_ && activity_->isActive()) activity_->stop();
+    return left;
 }
 
-void TaskContext::stopForGood() noexcept {
-    if (engine()->gate()->retired()) return;
+bool TaskContext::stopForGood(Seconds limit) noexcept {
     try {
-        if (isRunning()) stop();
+        if (isRunning() && !engine()->gate()->retired()) stop();
     } catch (const std::exception& thrown) {
         log(Error) << getName() << " is stopped for good, though stop() threw: " << thrown.what() << endlog();
     } catch (...) {
         log(Error) << getName() << " is stopped for good, though stop() threw something that is no std::exception"
                    << endlog();
     }
-    endExecution();
+    if (endExecution(limit)) return true;
+    log(Error) << getName() << " is stopped for good, but another thread is still executing a part of it" << endlog();
+    return false;
 }
 
 bool TaskContext::start() {
@@ -190,7 +201,7 @@ bool TaskContext::start() {
         return false;
     }
     try {
-        if (mTriggerOnStart) (void)getActivity();  // it needs its thread now
+        if (mTriggerOnStart && getTaskState() == Stopped) (void)getActivity();  // it needs its thread now
     } catch (const std::bad_alloc& thrown) {
         log(Error) << getName() << " cannot be started: " << thrown.what() << endlog();
         return false;
@@ -268,7 +279,7 @@ void TaskContext::dataOnPort(base::PortInterface* port) {
     if (!dataOnPortHook(port)) return;
     const std::uint64_t announcement = port_callbacks_.announce(port, running || mStartCounter != starts);
     if (!announcement) return;
-    (void)engine()->process(port, [this, port, announcement] { port_callbacks_.queued(port, announcement); });
+    (void)engine()->process(port, visit, [this, port, announcement] { port_callbacks_.queued(port, announcement); });
 }
 
 void TaskContext::dataOnPortCallback(base::PortInterface* port) { port_callbacks_.call(port, true); }

@@ -26,7 +26,7 @@ namespace RTT {
  *
  * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use its
  * members calls stopForGood() first in its destructor, because its thread executes operations also after stop(). Components that
- * a ComponentLoader unloads, and those that ORO_CREATE_COMPONENT makes, are stopped for good before any destructor runs.
+ * a ComponentLoader unloads are stopped for good before any destructor runs.
  *
  * Changing the interface or the activity is for one thread at a time and not real-time safe; others may call operations,
  * send, trigger and write to the ports meanwhile. Peers may be changed by any thread. A component may be destroyed in any
@@ -57,12 +57,13 @@ public:
     /**
      * Stops the component and its activity; from then on no other thread executes its operations, callbacks or hooks: what was
      * sent fails, what they send is refused. The first statement of a destructor, or of a program before it deletes a
-     * component; afterwards the component can only be destroyed. Later calls do nothing. Blocks until threads that are
-     * executing the component have finished; makes no thread. Throws nothing: what a hook throws is logged.
+     * component, in the same thread; afterwards the component can only be destroyed. Blocks until threads that are executing the
+     * component have finished, but no longer than `limit` seconds, if that is not negative: then it is false, with an error in the
+     * log. Later calls wait for what is left, and else do nothing. Makes no thread. Throws nothing: what a hook throws is logged.
      *
      * A ClientThread operation that a caller executes itself, without send(), at that moment is not waited for.
      */
-    void stopForGood() noexcept;
+    bool stopForGood(Seconds limit = -1) noexcept;
     virtual void clear();
     /** True if the component can be used; for sub-classes. */
     virtual bool ready();
@@ -206,7 +207,7 @@ private:
     static bool isStandardOperation(const std::string& name);
     void addStandardOperations();
     void exchangeActivity(base::ActivityInterface::shared_ptr next);
-    void endExecution();
+    bool endExecution(Seconds limit = -1);
     void releaseActivity();
     void releaseProviders();
     void forgetPeer(const std::string& name);

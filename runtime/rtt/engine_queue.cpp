@@ -57,7 +57,7 @@ bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activ
         gate_->waitPoint.mark();
     else
         gate_->waitPoint.notify();
-    if (!accepts()) {
+    if (!accepts() || gate_->retired()) {
         disposeQueued();
         return true;
     }
@@ -143,7 +143,7 @@ void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) 
         if (!queued) queued = enqueue({Mailbox::Kind::RemoveFunction, &removal});
         if (removeHere(removal.function, queued ? &removal : nullptr)) return removal.finish(Removal::Removed);
         const EngineGate::Visit visit(*gate_);
-        const bool executed = visit.activity() && visit.activity()->isActive() && accepts();
+        const bool executed = !gate_->retired() && visit.activity() && visit.activity()->isActive() && accepts();
         if (!executed && (!queued || mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal}))) {
             removal.finish(Removal::Disposed);
             return;

@@ -237,6 +237,7 @@ TEST(Engine, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("gate_closed_late", destroying));
     EXPECT_TRUE(model::catches("gate_retired_late", retiring));
     EXPECT_TRUE(model::catches("gate_visitors_ignored", retiring));
+    EXPECT_TRUE(model::catches("engine_retired_not_asked_again", retiring));
     EXPECT_TRUE(model::catches("gate_visitors_ignored", lastStep));
 }
 

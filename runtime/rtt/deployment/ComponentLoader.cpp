@@ -17,6 +17,9 @@
 namespace RTT {
 namespace {
 
+/** How long a component may take to stop before it is destroyed all the same. */
+constexpr Seconds kPatience = 2.0;
+
 ComponentLoader::shared_ptr& instance() {
     // Never destroyed: static objects of the program may end the runtime later.
     static auto* loader = new ComponentLoader::shared_ptr;
@@ -166,7 +169,8 @@ bool ComponentLoader::unloadComponent(TaskContext* tc) {
     }
     const std::string name = tc->getName();
     const internal::HookInProgress here(name.c_str(), "its destructor");
-    tc->stopForGood();
+    // A destructor may be what ends an operation that blocks.
+    (void)tc->stopForGood(kPatience);
     try {
         delete tc;
     } catch (const std::exception& thrown) {

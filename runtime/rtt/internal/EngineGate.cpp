@@ -8,6 +8,7 @@
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/fosi.h>
 
+#include <algorithm>
 #include <new>
 
 namespace RTT {
@@ -83,8 +84,14 @@ ExecutionEngine* EngineGate::offeredToRetirer() const {
 void EngineGate::retire() {
     retirer_ = os::detail::currentTid();
     offered_ = nullptr;
-    waitForVisitors();
-    waitForStep();
+}
+
+bool EngineGate::waitUntilLeft(std::int64_t deadline) {
+    if (left_) return true;
+    if (!waitFor(this, "a thread that executes it or sends to it", deadline)) return false;
+    if (!isStepping() && !waitFor(step(), "its last step to end", deadline)) return false;
+    left_ = true;
+    return true;
 }
 
 void EngineGate::close() {
@@ -99,24 +106,25 @@ void EngineGate::close() {
     Presence::forget(step());
 }
 
-void EngineGate::waitForVisitors() const { waitFor(this, "a thread that executes it or sends to it"); }
+void EngineGate::waitForVisitors() const { (void)waitFor(this, "a thread that executes it or sends to it"); }
 
 void EngineGate::waitForStep() const {
-    if (!isStepping()) waitFor(step(), "its last step to end");
+    if (!isStepping()) (void)waitFor(step(), "its last step to end");
 }
 
-void EngineGate::waitFor(const void* use, const char* what) const {
+bool EngineGate::waitFor(const void* use, const char* what, std::int64_t deadline) const {
     const Presence::Waiter waiter(use);
     const auto over = [&] { return !waiter.others(); };
     const EngineGate* const executing = ofThisThread();
     NANO_TIME warning = os::detail::after(rtos_get_time_ns(), 1000000000);
     for (;;) {
         const std::uint32_t seen = waiter.word();
-        if (over()) return;
+        if (over()) return true;
         if (executing && executing != this)
-            executing->engine()->waitForMessages(over, warning, &waiter.word());
+            executing->engine()->waitForMessages(over, std::min<std::int64_t>(warning, deadline), &waiter.word());
         else
-            os::detail::futexWait(waiter.word(), seen, warning);
+            os::detail::futexWait(waiter.word(), seen, std::min<std::int64_t>(warning, deadline));
+        if (deadline != os::detail::kForever && rtos_get_time_ns() >= deadline) return over();
         if (warning == os::detail::kForever || rtos_get_time_ns() < warning) continue;
         log(Warning) << "a component is being destroyed or given another activity, and waits for " << what << endlog();
         warning = os::detail::kForever;

@@ -121,8 +121,13 @@ public:
     /** Blocks until no other thread uses the previous one. */
     void setActivity(base::ActivityInterface* activity);
     /** Refuses all other threads from now on, for good, as if the engine were destroyed: for a thread that is about to destroy
-        the component. Blocks until no other thread visits the engine or is within a step of it. */
+        the component. */
     void retire();
+    /** Blocks until no other thread visits the retired engine or is within a step of it; false if that is not so at the monotonic
+        time `deadline` (ns). At once if it was so before. */
+    bool waitUntilLeft(std::int64_t deadline);
+    /** Retired by this thread. */
+    bool retiredHere() const { return retired() && offeredToRetirer() != nullptr; }
     /** For the destructor of the engine. Blocks until no other thread uses it. */
     void close();
     /** Blocks until the visits of all other threads are over. A component's thread executes its messages meanwhile, because
@@ -139,7 +144,7 @@ public:
 private:
     /** What a thread within a step is using. */
     const void* step() const noexcept { return &references_; }
-    void waitFor(const void* use, const char* what) const;
+    bool waitFor(const void* use, const char* what, std::int64_t deadline = INT64_MAX) const;
     ExecutionEngine* offered() const {
         ExecutionEngine* const engine = offered_.load();
         return __builtin_expect(engine != nullptr, 1) ? engine : offeredToRetirer();
@@ -149,7 +154,8 @@ private:
     mutable std::atomic<std::uint32_t> references_{0};
     std::atomic<ExecutionEngine*> engine_;
     std::atomic<ExecutionEngine*> offered_;  // null as soon as it is retired
-    std::atomic<int> retirer_{0};            // the thread that did so
+    std::atomic<int> retirer_{0};            // the thread that did so last
+    std::atomic<bool> left_{false};          // by all other threads, after it was retired
     std::atomic<base::ActivityInterface*> activity_{nullptr};
 };
 

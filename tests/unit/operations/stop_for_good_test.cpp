@@ -3,7 +3,6 @@
 // A component is stopped for good before its class is destroyed: nothing of it is executed by other threads afterwards.
 #include "probe.hpp"
 
-#include <rtt/Component.hpp>
 #include <rtt/InputPort.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/OutputPort.hpp>
@@ -34,6 +33,7 @@ public:
     explicit Usual(const std::string& name) : TaskContext(name) {
         addOperation("own", &Usual::fill, this, OwnThread);
         addOperation("client", &Usual::fill, this, ClientThread);
+        addOperation("nested", &Usual::nested, this, ClientThread);
         addPort(in);
         ports()->addEventPort(event);
     }
@@ -43,25 +43,17 @@ public:
         texts.clear();
         for (int i = 0; i != count; ++i) texts.push_back("a text that is longer than what fits into a string");
     }
+    void nested(int count) {
+        OperationCaller<void(int)> own(getOperation("own"), internal::GlobalEngine::Instance());
+        try {
+            if (own.ready()) own(count);
+        } catch (const SendError&) {  // it is being destroyed
+        }
+    }
     bool dataOnPortHook(base::PortInterface*) override { return !texts.empty(); }
 
     std::vector<std::string> texts{"one"};
     InputPort<int> in{"in"}, event{"event"};
-};
-
-/** As many packages have it. */
-class Old : public TaskContext {
-public:
-    explicit Old(const std::string& name) : TaskContext(name) {
-        addOperation("own", &Old::fill, this, OwnThread);
-        addOperation("client", &Old::fill, this, ClientThread);
-    }
-    ~Old() override { stop(); }
-    void fill(int count) {
-        texts.clear();
-        for (int i = 0; i != count; ++i) texts.push_back("a text that is longer than what fits into a string");
-    }
-    std::vector<std::string> texts;
 };
 
 /** Sends to a component while another thread makes and destroys it. */
@@ -92,9 +84,8 @@ TEST(StopForGood, OwnThreadOperationsAreSentWhileItIsDestroyed) {
 TEST(StopForGood, ClientThreadOperationsAreSentWhileItIsDestroyed) {
     storm("client", []() -> TaskContext* { return new Usual("usual"); });
 }
-TEST(StopForGood, OldClassesThatAFactoryMade) {
-    storm("own", []() { return plugin::createComponentOf<Old>("old"); });
-    storm("client", []() { return plugin::createComponentOf<Old>("old"); });
+TEST(StopForGood, OperationsThatCallOthersOfTheSameComponent) {
+    storm("nested", []() -> TaskContext* { return new Usual("usual"); });
 }
 
 TEST(StopForGood, AWriterAsksNoHookOfAClassThatIsDestroyed) {
@@ -195,6 +186,30 @@ TEST(StopForGood, AClientThreadOperationThatIsBeingExecutedIsWaitedFor) {
     other.join();
 }
 
+// Nobody but the destructor may be able to end it.
+TEST(StopForGood, GivesUpAfterItsLimitAndLetsNoFurtherStepBegin) {
+    Probe component;
+    std::atomic<bool> leave{false}, inside{false};
+    component.onUpdate = [&] {
+        inside = true;
+        while (!leave) usleep(100);
+    };
+    ASSERT_TRUE(component.start());
+    ASSERT_TRUE(eventually([&] { return inside.load(); }));
+    EXPECT_FALSE(component.stopForGood(0.05));
+    const int updates = component.updates;
+    leave = true;
+    EXPECT_TRUE(component.stopForGood());
+    usleep(20000);
+    EXPECT_LE(component.updates, updates + 1);
+}
+
+TEST(StopForGood, AnotherThreadMayDestroyItAfterwards) {
+    auto component = std::make_unique<Usual>("component");
+    std::thread([&] { component->stopForGood(); }).join();
+    component.reset();
+}
+
 // What calls it is not waited for: it is this thread.
 TEST(StopForGood, WithinAStepOfTheComponentItself) {
     Probe component;
@@ -249,52 +264,6 @@ TEST(StopForGood, MakesNoThread) {
     ASSERT_NE(component.getActivity(), nullptr);
     component.getActivity()->stop();
     EXPECT_EQ(threads(), before);
-}
-
-// -- What a factory makes -------------------------------------------------------------------------------------------
-
-template <int>
-struct Kind : TaskContext {
-    explicit Kind(const std::string& name) : TaskContext(name) {}
-};
-struct Final final : Kind<0> {
-    using Kind::Kind;
-};
-struct Virtual : virtual TaskContext {
-    explicit Virtual(const std::string& name) : TaskContext(name) {}
-};
-struct Base {
-    explicit Base(int) {}
-};
-struct OtherVirtual : TaskContext, virtual Base {
-    explicit OtherVirtual(const std::string& name) : TaskContext(name), Base(1) {}
-};
-class Hidden : public TaskContext {
-public:
-    explicit Hidden(const std::string& name, int = 0) : TaskContext(name) {}
-
-protected:
-    ~Hidden() override = default;
-};
-struct Template : TaskContext {
-    template <class Name>
-    explicit Template(Name&& name) : TaskContext(std::forward<Name>(name)) {}
-};
-struct Own : TaskContext {
-    explicit Own(std::string name) : TaskContext(name) {}
-    void stopForGood(int) {}  // has the name for something else
-};
-
-TEST(Factory, MakesEveryKindOfClass) {
-    TaskContext* (*const all[])(std::string) = {
-        plugin::createComponentOf<Kind<1>>,      plugin::createComponentOf<Final>,  plugin::createComponentOf<Virtual>,
-        plugin::createComponentOf<OtherVirtual>, plugin::createComponentOf<Hidden>, plugin::createComponentOf<Template>,
-        plugin::createComponentOf<Own>,
-    };
-    for (const auto create : all) {
-        const std::unique_ptr<TaskContext> component(create("a"));
-        EXPECT_EQ(component->getName(), "a");
-    }
 }
 
 }  // namespace
