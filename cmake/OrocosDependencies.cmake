@@ -241,6 +241,8 @@ function(_oro_find_module package orocos_only)
       _oro_apply_destdir(ORO_${package}_${kind})
     endforeach()
     _oro_simplify_flags(ORO_${package}_LDFLAGS_OTHER)
+    # For the compiler of the toolchain; the runtime's target has those for the compiler that is used.
+    list(FILTER ORO_${package}_CFLAGS_OTHER EXCLUDE REGEX "^-Wno-(attributes=oro::|unknown-attributes)$")
     if(NOT "${directory}" STREQUAL "")
       _oro_load_targets(${package} ${directory})
     endif()

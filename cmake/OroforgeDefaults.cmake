@@ -18,6 +18,10 @@ else()
   # A precompiled header that holds the time of its making is another one in every clone, so ccache would find nothing.
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
+# What makes a compiler silent about attributes [[oro::…]]. GCC before 12 cannot tell them from others.
+set(OROFORGE_ATTRIBUTE_OPTIONS
+  $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,12>>:-Wno-attributes=oro::>
+  $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-unknown-attributes>)
 
 set(OROFORGE_SANITIZE "" CACHE STRING "address | thread | undefined, or a list joined by commas")
 if(OROFORGE_SANITIZE)

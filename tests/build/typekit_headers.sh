@@ -23,5 +23,20 @@ cmake --build "$work/b" > "$work/b.log" 2>&1 || { cat "$work/b.log"; fail "build
 grep -rq '"late"' "$work/b/typekit" || fail "a header that was added to a folder went unnoticed"
 
 # Another package finds the typekit by CMAKE_PREFIX_PATH, and needs no more than DEPENDS.
-build_package "$work/depends" "$work/b2" "$work/inst2" -DCMAKE_PREFIX_PATH="$prefix;$work/inst"
+build_package "$work/depends" "$work/b2" "$work/inst2" -DCMAKE_PREFIX_PATH="$prefix;$work/inst" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror"
 expect_text "$work/inst2/lib/pkgconfig/depends-typekit-gnulinux.pc" places-gnulinux
+
+# Attributes of the headers are no unknown ones, neither to the targets above, compiled with -Werror, nor by pkg-config.
+export PKG_CONFIG_PATH=$work/inst/lib/pkgconfig:$prefix/lib/pkgconfig
+silent() { # compiler option of pkg-config…
+  # shellcheck disable=SC2046  # several words
+  "$1" -std=c++17 -Wall -Wextra -Werror -fsyntax-only -x c++ - $(pkg-config "${@:2}" --cflags places-typekit-gnulinux) <<< '#include <places/root-types.hpp>' ||
+    fail "$1 warns of attributes"
+}
+silent g++
+if command -v clang++-19 > /dev/null; then
+  silent clang++-19 --define-variable=attributes=-Wno-unknown-attributes
+  rm -rf "$work/b2" "$work/inst2"
+  build_package "$work/depends" "$work/b2" "$work/inst2" -DCMAKE_PREFIX_PATH="$prefix;$work/inst" -DCMAKE_CXX_COMPILER=clang++-19 \
+    -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror"
+fi

@@ -3,6 +3,7 @@
 # Every golden typekit is compiled and loaded: those of tests/golden/typekit from the text that is kept there, those of
 # tests/golden/typekit_view from what typegen makes of their headers during the build.
 set(golden ${PROJECT_SOURCE_DIR}/tests/golden)
+add_compile_options(${OROFORGE_ATTRIBUTE_OPTIONS})
 file(GLOB text_cases CONFIGURE_DEPENDS LIST_DIRECTORIES true ${golden}/typekit/*)
 file(GLOB view_cases CONFIGURE_DEPENDS LIST_DIRECTORIES true ${golden}/typekit_view/*)
 # Sanitizers look at a few, which between them have every form of access: their compilers take longest over generated code.

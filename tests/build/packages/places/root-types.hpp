@@ -1,2 +1,2 @@
 #pragma once
-namespace places { struct Root { int a; }; }
+namespace places { struct Root { [[oro::unit("m"), oro::range(0, 5)]] int a; }; }
