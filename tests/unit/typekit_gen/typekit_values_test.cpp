@@ -39,7 +39,9 @@ protected:
             test::ValueFiller filler(model);
             filler.fill(value);
             const SourcePtr fresh = info.buildValue();
-            if (!type.fields.empty() && type.size > 1) EXPECT_NE(value->toString(), fresh->toString());
+            if (!type.fields.empty() && type.size > 1) {
+                EXPECT_NE(value->toString(), fresh->toString());
+            }
             action(info, value, filler);
         }
     }
