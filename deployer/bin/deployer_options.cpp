@@ -109,8 +109,42 @@ bool looksLikeFile(const std::string& word) {
 /** Remappings and parameters that ROS launch files add to every command line. */
 bool isForRos(const std::string& word) { return word[0] == '_' || word.find(":=") != std::string::npos; }
 
+/** Commands that other programs have, and what does the same here. */
+const struct {
+    std::vector<std::string> words;
+    const char* instead;
+} kCommands[] = {
+    {{"list", "ls", "show", "info", "status", "ps"}, "'ls' at the console tells what there is"},
+    {{"run", "launch", "deploy", "load", "exec"}, "'-s FILE' deploys a file"},
+    {{"stop", "quit", "exit", "kill"}, "the signal SIGTERM, or 'quit' at its console, ends a deployer"},
+};
+
+/** What does what a command of that name would do; empty if it is a name like others. */
+std::string insteadOfCommand(const std::string& word) {
+    for (const auto& command : kCommands)
+        if (std::find(command.words.begin(), command.words.end(), word) != command.words.end()) return command.instead;
+    return "";
+}
+
+bool isOptionName(const std::string& word) {
+    return std::any_of(std::begin(kOptions), std::end(kOptions), [&](const auto& option) {
+        const std::string name = option.name;
+        return name.substr(0, name.find(',')) == word;
+    });
+}
+
+/** What follows --DeployerName is meant as a name. */
+std::vector<std::string> namesByOption(const po::parsed_options& parsed) {
+    std::vector<std::string> names;
+    for (const po::option& option : parsed.options)
+        if (option.string_key == "DeployerName" && option.position_key < 0)
+            names.insert(names.end(), option.value.begin(), option.value.end());
+    return names;
+}
+
 /** Words without an option: files, the name of the deployer, and remappings of ROS launch files, which are ignored. */
-void takeWords(const std::vector<std::string>& words, Options& options, std::string& error) {
+void takeWords(const std::vector<std::string>& words, const std::vector<std::string>& names, Options& options,
+               std::string& error) {
     std::string name;
     for (const std::string& word : words) {
         if (word.empty() || isForRos(word)) continue;
@@ -122,7 +156,13 @@ void takeWords(const std::vector<std::string>& words, Options& options, std::str
                     "deployer";
         } else if (const std::string why = nameFault(word); !why.empty()) {
             error = "'" + printableName(word) + "' is no name for the deployer: " + why;
+        } else if (const bool meant = std::find(names.begin(), names.end(), word) != names.end();
+                   !meant && isOptionName(word)) {
+            error = "'" + word + "' would be the name of the deployer; did you mean '--" + word +
+                    "'? If it is to have that name, write '--DeployerName=" + word + "'";
         } else {
+            if (const std::string instead = insteadOfCommand(word); !meant && !instead.empty())
+                options.warning = "'" + word + "' is no command, but is now the name of the deployer; " + instead;
             if (!name.empty() && word != name)
                 options.warning = "two names for the deployer, '" + name + "' and '" + word + "': the last one counts";
             options.name = name = word;
@@ -130,7 +170,8 @@ void takeWords(const std::vector<std::string>& words, Options& options, std::str
     }
 }
 
-bool takeValues(const po::variables_map& values, Options& options, std::string& error) {
+bool takeValues(const po::variables_map& values, const std::vector<std::string>& names, Options& options,
+                std::string& error) {
     options.action = values.count("help")      ? Options::ShowHelp
                      : values.count("version") ? Options::ShowVersion
                      : values.count("explain") ? Options::Explain
@@ -143,7 +184,7 @@ bool takeValues(const po::variables_map& values, Options& options, std::string& 
         if (options.action == Options::Explain)
             options.codes = words;
         else
-            takeWords(words, options, error);
+            takeWords(words, names, options, error);
     }
     if (values.count("site-file")) options.siteFile = values["site-file"].as<std::string>();
     options.consoleLog = !values.count("no-consolelog");
@@ -193,9 +234,12 @@ bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
         po::positional_options_description positions;
         positions.add("DeployerName", -1);
         po::variables_map values;
-        po::store(po::command_line_parser(words).options(visibleOptions()).positional(positions).run(), values);
+        // The parsed words refer to it.
+        const po::options_description known = visibleOptions();
+        const po::parsed_options parsed = po::command_line_parser(words).options(known).positional(positions).run();
+        po::store(parsed, values);
         po::notify(values);
-        return takeValues(values, options, error);
+        return takeValues(values, namesByOption(parsed), options, error);
     } catch (const po::unknown_option& thrown) {
         error = thrown.what() + likelyOption(thrown.get_option_name());
         return false;

@@ -145,6 +145,24 @@ TEST_F(DeployerProgram, AWordIsAFileOrTheNameOfTheDeployer) {
     EXPECT_EQ(0, run(command({"--check", "_x:=y", "/from:=/to", "app.xml", "my-robot", "__name:=z"})).status);
 }
 
+TEST_F(DeployerProgram, AStrayWordIsQuestioned) {
+    directory_.write("app.xml",
+                     "<properties><simple name='Import' type='string'><value>deploytest</value></simple></properties>");
+    for (const std::string word : {"check", "dry-run", "start", "help"}) {
+        const Outcome outcome = run(command({word, "app.xml"}));
+        EXPECT_EQ(255, outcome.status) << word;
+        EXPECT_THAT(outcome.err,
+                    HasSubstr("'" + word + "' would be the name of the deployer; did you mean '--" + word));
+    }
+    const Outcome list = run(command({"list"}));
+    EXPECT_EQ(0, list.status);
+    EXPECT_THAT(list.err, HasSubstr("warning: 'list' is no command, but is now the name of the deployer; 'ls' at"));
+    EXPECT_THAT(run(command({"--check", "run", "app.xml"})).err, HasSubstr("'-s FILE' deploys a file"));
+    for (const char* name : {"check", "list"})
+        EXPECT_EQ("", run(command({"--check", "app.xml", "--DeployerName", name})).err) << name;
+    EXPECT_EQ("", run(command({"--check", "app.xml", "Robot"})).err);
+}
+
 TEST_F(DeployerProgram, APipeIsNoPropertyFile) {
     ASSERT_EQ(0, mkfifo((directory_ / "values.cpf").c_str(), 0600));
     directory_.write("app.xml",
