@@ -31,7 +31,7 @@ oroforge_embed_templates(oroforge_gen_driver componentTemplates component packag
 add_executable(orocreate-pkg driver/main.cpp)
 target_link_libraries(orocreate-pkg PRIVATE oroforge_gen_driver)
 target_compile_definitions(orocreate-pkg PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
-set_target_properties(orocreate-pkg PROPERTIES INSTALL_RPATH "$ORIGIN/../lib;${LLVM_LIBRARY_DIR}")
+set_target_properties(orocreate-pkg PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
 install(TARGETS orocreate-pkg RUNTIME DESTINATION bin COMPONENT tools)
 install(FILES ${PROJECT_SOURCE_DIR}/share/component_manifest.xsd DESTINATION share/oroforge COMPONENT tools)
 install(CODE "execute_process(COMMAND \${CMAKE_COMMAND} -E create_symlink orocreate-pkg
