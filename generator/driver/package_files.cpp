@@ -127,6 +127,8 @@ Scaffold scaffold(const model::Package& package, const std::string& manifest, bo
     addShared("package.xml", "package.xml");
     addShared("README.md", "README.md");
     addShared(".clang-format", "clang-format");
+    addShared(".gitignore", "gitignore");
+    addShared("CMakePresets.json", "CMakePresets.json");
     addShared(".github/workflows/build.yml", "ci.yml");
     if (!catkin) addShared("Makefile", "Makefile");
     if (view["deployable"]) {

@@ -22,10 +22,17 @@ TXT
 export RTT_COMPONENT_PATH=$work/inst/lib/orocos
 deploy_until 'Mypkg' -s app.xml
 
+# By a preset; what builds write is nothing to commit, and editors know how files are compiled.
+mypkg_git() { ! command -v git > /dev/null || git -C mypkg "$@"; }
+mypkg_git init -q
+mypkg_git add .
+(cd mypkg && cmake --preset debug -DCMAKE_PREFIX_PATH="$prefix") > b2.log 2>&1 || { cat b2.log; fail "configuring by a preset"; }
+[ -z "$(mypkg_git status --porcelain | grep -v '^A ')" ] || fail "a build writes what git does not ignore"
+expect_text mypkg/build/debug/compile_commands.json src/mypkg-component.cpp
+
 # A type that cannot be supported stops the build with a located message and leaves nothing half-written.
 printf 'struct Broken { int* pointer; };\n' >> mypkg/include/mypkg/mypkg-types.hpp
-rm -rf b2
-cmake -S mypkg -B b2 -DCMAKE_PREFIX_PATH="$prefix" > b2.log
-! cmake --build b2 > b2.log 2>&1 || fail "a pointer member was accepted"
+b2=mypkg/build/debug
+! cmake --build $b2 > b2.log 2>&1 || fail "a pointer member was accepted"
 grep -qE 'mypkg-types.hpp:[0-9]+:[0-9]+: error: \[TK[0-9]+\]' b2.log || { cat b2.log; fail "no located message"; }
-[ -z "$(find b2/typekit -name '*.cpp' 2> /dev/null)" ] || fail "half a typekit was left behind"
+[ -z "$(find $b2/typekit -name '*.cpp' 2> /dev/null)" ] || fail "half a typekit was left behind"
