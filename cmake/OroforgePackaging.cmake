@@ -31,7 +31,13 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME oroforge-runtime)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/triggers CONTENT "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/triggers)
+# Login shells know the target. Relative to /usr: cpack would take an absolute folder for one of this machine.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/oroforge.sh CONTENT "# Which programs of Oroforge are meant, unless the user says another target.
+export OROCOS_TARGET=\"\${OROCOS_TARGET:-@OROCOS_TARGET@}\"
+" @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/packaging/oroforge.sh DESTINATION ../etc/profile.d COMPONENT runtime EXCLUDE_FROM_ALL)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/conffiles CONTENT "/etc/profile.d/oroforge.sh\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packaging/triggers ${PROJECT_BINARY_DIR}/packaging/conffiles)
 
 set(CPACK_COMPONENT_DEV_DESCRIPTION "headers and CMake macros for components of Oroforge
 What packages of components are compiled with: the headers of the runtime,

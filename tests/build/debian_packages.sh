@@ -27,17 +27,19 @@ for part in runtime dev tools; do
   file=$(echo "$build"/packages/oroforge-"$part"_*.deb)
   [ -f "$file" ] || fail "no package oroforge-$part"
   dpkg-deb --field "$file" Package Version Depends Installed-Size
-  [ -z "$(dpkg-deb --contents "$file" | awk '$6 !~ /^\.\/(usr\/.*)?$/')" ] || fail "oroforge-$part has files outside of /usr"
+  [ -z "$(dpkg-deb --contents "$file" | awk '$6 !~ /^\.\/(usr\/.*|etc\/(profile\.d\/(oroforge\.sh)?)?)?$/')" ] ||
+    fail "oroforge-$part has files outside of /usr"
 done
 contents() { dpkg-deb --contents "$(echo "$build"/packages/oroforge-"$1"_*.deb)"; }
 expect_packaged() { # part file
   [[ $(contents "$1") == *" .$2"$'\n'* ]] || fail "no $2 in oroforge-$1"
 }
 expect_packaged runtime /usr/bin/deployer-gnulinux
+expect_packaged runtime /etc/profile.d/oroforge.sh
 expect_packaged tools /usr/bin/typegen
 expect_packaged dev /usr/include/rtt/TaskContext.hpp
 # The three are all of an installation, but for env.sh.
-for part in runtime dev tools; do contents $part; done | awk '$6 ~ /[^\/]$/ && $6 !~ /share\/doc/ { print substr($6, 7) }' | sort > "$root/packaged"
+for part in runtime dev tools; do contents $part; done | awk '$6 ~ /[^\/]$/ && $6 !~ /share\/doc|^\.\/etc\// { print substr($6, 7) }' | sort > "$root/packaged"
 cmake --install "$build" --prefix "$root/all" > /dev/null
 (cd "$root/all" && find . -not -type d -not -name env.sh | sed 's|^\./||' | sort) | diff - "$root/packaged" || fail "the packages are not what is installed"
 rm -r "$root/all" "$root/packaged"
@@ -72,8 +74,7 @@ cat > "$root/packages/steps" << 'TXT'
 set -e
 cd "$HOME"
 python3 /packages/run_guide.py /usr /packages/getting_started.md
-# Nothing else has to be set: programs, CMake and pkg-config find what lies in /usr.
-export OROCOS_TARGET=gnulinux
+# Nothing has to be set: programs, CMake and pkg-config find what lies in /usr, and a login shell knows the target.
 orocreate-pkg mypkg component typekit
 cmake -S mypkg -B build -DCMAKE_INSTALL_PREFIX="$HOME/inst" -DBUILD_TESTING=OFF
 cmake --build build --target install
@@ -89,8 +90,14 @@ grep Mypkg deploy.out
 TXT
 chmod 755 "$root/packages/steps"
 inside useradd --create-home robot
+# Other shells are told what to type.
+status=0
+inside deployer --help > "$root/refused" 2>&1 || status=$?
+[ "$status" = 1 ] || fail "the wrapper ended with $status without a target"
+grep -q 'export OROCOS_TARGET=gnulinux' "$root/refused" || fail "the wrapper does not say what to type"
 inside su - robot -c /packages/steps > "$build/steps.log" 2>&1 || { cat "$build/steps.log"; fail "the first steps"; }
 
 echo "== and away again"
 inside sh -c 'apt-get purge -y -q oroforge-runtime oroforge-dev oroforge-tools' > "$build/apt.log" 2>&1 || { cat "$build/apt.log"; fail "apt-get purge"; }
+[ ! -e "$root/etc/profile.d/oroforge.sh" ] || fail "the settings of shells stay behind"
 [ -z "$(find "$root/usr" -name '*orocos*' -o -name typegen)" ] || fail "files stay behind"
