@@ -19,7 +19,7 @@ faulty_statement(engine_not_notified ${queue} [=[        @{gate_->waitPoint.noti
     if (!accepts() || gate_->retired())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_state_not_asked_again ${queue} [=[if (@{!accepts()}@ || gate_->retired()) {
         disposeQueued();]=] [=[false]=])
-faulty_value(gate_visitors_ignored ${gate} [=[if (@{over()}@) return;]=] [=[true]=])
+faulty_value(gate_visitors_ignored ${gate} [=[if (@{over()}@) return true;]=] [=[true]=])
 faulty_statement(gate_closed_late ${gate} [=[    @{offered_.store(nullptr);
     engine_.store(nullptr);
     activity_.store(nullptr);
@@ -28,7 +28,8 @@ faulty_statement(gate_retired_late ${step} [=[    @{gate.retire();
     gate_->waitPoint.notify();
     disposeQueued();
     return gate.waitUntilLeft(deadline);}@]=] [=[const bool left = gate.waitUntilLeft(deadline); gate.retire(); disposeQueued(); return left;]=])
-faulty_value(engine_retired_not_asked_again ${queue} [=[    if (!accepts() || @{gate_->retired()}@) {]=] [=[false]=])
+faulty_value(engine_retired_not_asked_again ${queue} [=[ || @{gate_->retired()}@) {
+        disposeQueued();]=] [=[false]=])
 faulty_statement(engine_start_not_marked ${step} [=[@{gate_->waitPoint.mark();}@
     if (hasWork())]=] [=[static_cast<void>(0);]=])
 faulty_value(engine_start_forgets ${step} [=[if (@{hasWork()}@) activity->trigger();]=] [=[false]=])
