@@ -77,7 +77,7 @@ TEST(TypegenFormat, OutputThatCannotBeWrittenIsAFailure) {
         std::ofstream full("/dev/full");
         std::ostringstream err;
         EXPECT_EQ(oroforge::typekit::run(words, full, err), 1);
-        EXPECT_EQ(err.str(), "typegen: error: cannot write to standard output\n");
+        EXPECT_EQ(err.str(), "typegen: error: [EMIT004] cannot write to standard output: No space left on device\n");
     }
 }
 
