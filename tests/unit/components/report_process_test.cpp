@@ -156,7 +156,16 @@ TEST_F(FileReporter, KilledLeavesOnlyWholeLinesButTheLast) {
     application.ports = 200;
     application.cycles = 300;
     for (int round = 0; round < 3; ++round) {
-        const Outcome outcome = runUntilTold(application, cpfOf(simple("Component", "string", "counter")), SIGKILL);
+        directory_.write("reports.dat", "");
+        directory_.write("app.xml", xmlOf(application));
+        directory_.write("report.cpf", cpfOf(simple("Component", "string", "counter")));
+        ChildProcess child(deployer());
+        EXPECT_TRUE(child.waitForOutput(std::to_string(application.cycles) + " cycles", seconds(30)));
+        // How often the threads get the processor is not ours.
+        for (int i = 0; i != 300 && linesOf(reports()).size() < 30; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        child.send(SIGKILL);
+        const Outcome outcome = child.finish();
         EXPECT_EQ(128 + SIGKILL, outcome.status);
         std::vector<std::string> lines = linesOf(reports());
         ASSERT_GT(lines.size(), 20u);
