@@ -99,9 +99,10 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
         rejection.causes.assign(rejections_.begin() + before, rejections_.end());
         rejections_.resize(before);
         rejection.type.clear();
-        // The user's own base class speaks for itself, at its own fields.
+        rejection.isInBase = true;
+        // The user's own base class speaks for itself, at its own fields; but that it is left out says nothing of others.
         broken_ = true;
-        if (types_.isOwn(base)) return;
+        if (types_.isOwn(base) && !types_.isLeftOut(base)) return;
     }
     rejections_.push_back(rejection);
 }

@@ -111,7 +111,8 @@ void TypeDescriber::describe(const clang::CXXRecordDecl& type, const Root& root)
     if (type.getDefinition() == nullptr) return;  // an alias of what nobody needs to be defined
     const TypeFate& fate = describe(type);
     // An alias may be there for other reasons than to ask for the type.
-    if (!fate.usable && !fate.rejections.empty()) report(aboutInstance(type, root, fate), !root.alias.empty());
+    if (!fate.usable && !fate.rejections.empty() && !fate.isLeftOut)
+        report(aboutInstance(type, root, fate), !root.alias.empty());
     const auto name = nameOf(*type.getDefinition());
     if (fate.usable && name && !root.alias.empty())
         into_.aliases.push_back({root.alias, name->registry, locate(root.at)});
@@ -145,8 +146,10 @@ const TypeFate& TypeDescriber::describe(const clang::EnumDecl& type) {
 
 void TypeDescriber::settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate) {
     fate.usable = found.empty() && !broken;
-    if (!isOwn(type)) {
+    fate.isLeftOut = isOwn(type) && !strict_ && isNoValue(found);
+    if (!isOwn(type) || fate.isLeftOut) {
         fate.rejections = std::move(found);
+        if (fate.isLeftOut) leaveOut(type, fate);
         return;
     }
     for (const Rejection& rejection : found) report(rejection);

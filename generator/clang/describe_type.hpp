@@ -23,23 +23,27 @@ namespace oroforge::cxx {
 struct TypeFate {
     bool usable = true;                 ///< also while it is being described: a std::vector of itself is fine
     std::vector<Rejection> rejections;  ///< why not, unless that was reported already
+    bool isLeftOut = false;             ///< of the user's own types: it is no value, and nobody may have asked for it
     bool isSample = true;               ///< default constructible and assignable; else no element of anything
 };
 
 class TypeDescriber {
 public:
     TypeDescriber(clang::Sema& sema, const SourcePlaces& places, const Attributes& attributes,
-                  const AdapterFinder& adapters, const HeaderNeeds& needs, diag::Sink& sink, model::TypeModel& into)
+                  const AdapterFinder& adapters, const HeaderNeeds& needs, bool strict, diag::Sink& sink,
+                  model::TypeModel& into)
         : sema_(sema),
           places_(places),
           attributes_(attributes),
           adapters_(adapters),
           needs_(needs),
+          strict_(strict),
           sink_(sink),
           into_(into) {}
 
     /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
-    /// those of other types are handed to the field that uses them.
+    /// those of other types are handed to the field that uses them. A class that is no value is left out with a warning;
+    /// it is an error where a field or a port is of that type, or if the user wants it so.
     const TypeFate& describe(const clang::CXXRecordDecl& type);
     const TypeFate& describe(const clang::EnumDecl& type);
     /// Of a template instance that is asked for, too, faults are reported: where that is done.
@@ -60,12 +64,16 @@ public:
     /// Whether it is the user's own: written in a listed header and no template instance.
     bool isOwn(const clang::TagDecl& type) const;
 
+    bool isLeftOut(const clang::CXXRecordDecl& type) { return describe(type).isLeftOut; }
+
     /// Whether an adapter says what it consists of.
     bool isAdapted(const clang::CXXRecordDecl& type) const { return adapters_.find(type).has_value(); }
 
 private:
     const TypeFate& describeAdapted(const clang::CXXRecordDecl& type, const AdapterMatch& match, TypeFate& fate);
     void settle(const clang::TagDecl& type, std::vector<Rejection> found, bool broken, TypeFate& fate);
+    void leaveOut(const clang::TagDecl& type, const TypeFate& fate);
+    void checkPorts(const clang::CXXRecordDecl& type);
     void report(const Rejection& rejection, bool mayBeLeftOut = false);
     void addCauses(const Rejection& rejection, diag::Diagnostic& to) const;
 
@@ -74,6 +82,7 @@ private:
     const Attributes& attributes_;
     const AdapterFinder& adapters_;
     const HeaderNeeds& needs_;
+    bool strict_;
     diag::Sink& sink_;
     model::TypeModel& into_;
     std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show

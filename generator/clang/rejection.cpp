@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "rejection.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 
@@ -18,7 +19,8 @@ constexpr Rule kRules[] = {
     {Reason::Callable, "TK012", "is a callable '{}', which is not data", "offer an operation of a component instead",
      true},
     {Reason::PrivateMember, "TK013", "is not public",
-     "make it public, give it accessors (width() and setWidth() for width_), or leave it out with [[oro::skip]]", true},
+     "make it public, give it accessors (width() and setWidth() for width_), or leave it out with [[oro::skip]]", true,
+     true},
     {Reason::Union, "TK014", "is a union; which of its members is meant cannot be known",
      "use std::variant or a struct; [[oro::bytes]] before the name of the union shows its bytes", true},
     {Reason::RestrictedElement, "TK015",
@@ -34,8 +36,8 @@ constexpr Rule kRules[] = {
      "give it a fixed size, or use std::vector", true},
     {Reason::Polymorphic, "TK020", "has virtual functions: it stands for an identity, not for a value",
      "move the data into a plain struct and let the class hold it; [[oro::skip]] before its name leaves the class out",
-     true},
-    {Reason::HiddenBase, "TK021", "is not public", "inherit publicly, or make the base class a member", true},
+     true, true},
+    {Reason::HiddenBase, "TK021", "is not public", "inherit publicly, or make the base class a member", true, true},
     {Reason::VirtualBase, "TK022", "is virtual, so its fields have no fixed place",
      "inherit without virtual, or make the base class a member", true},
     {Reason::SameName, "TK023", "has the same name as another field that is inherited", "rename one of them"},
@@ -101,6 +103,12 @@ std::string sentence(const Rejection& rejection) {
     const std::size_t hole = words.find("{}");
     if (hole != std::string::npos) words.replace(hole, std::strlen("{}"), rejection.type);
     return rejection.subject + " " + words + rejection.detail;
+}
+
+bool isNoValue(const std::vector<Rejection>& rejections) {
+    return std::any_of(rejections.begin(), rejections.end(), [](const Rejection& one) {
+        return one.causes.empty() ? ruleOf(one.reason).isNoValue : one.isInBase && isNoValue(one.causes);
+    });
 }
 
 const Rejection& origin(const Rejection& rejection) {

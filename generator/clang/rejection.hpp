@@ -59,6 +59,7 @@ struct Rule {
     const char* words;               ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
     const char* advice;              ///< empty if there is none
     bool isMendedByAdapter = false;  ///< what lies inside of a class with an adapter does not matter
+    bool isNoValue = false;          ///< the class is not meant to be copied from component to component
 };
 
 const Rule& ruleOf(Reason reason);
@@ -71,10 +72,15 @@ struct Rejection {
     std::string detail;   ///< follows the words; empty if they say all
     clang::SourceLocation at;
     std::vector<Rejection> causes;  ///< not empty: the reason lies inside the type
+    bool isInBase = false;          ///< the causes are those of a base class
 };
 
 /// "field 'next' of 'Node' is a raw pointer 'int *'": the words of the rule filled in.
 std::string sentence(const Rejection& rejection);
+
+/// Whether one of them says that the class is no value at all, by itself or by what it inherits. What its fields consist of
+/// does not count: whoever makes a field of a class asks for it.
+bool isNoValue(const std::vector<Rejection>& rejections);
 
 /// The innermost first cause, or the rejection itself.
 const Rejection& origin(const Rejection& rejection);

@@ -58,7 +58,7 @@ public:
         const bool isWhole = !broken && headers_.size() == request_.headers.size();
         const AdapterFinder adapters(request_.adapters, context, isWhole ? found : unused);
         const HeaderNeeds needs(headersToTell(), includes_, context);
-        TypeDescriber types(sema, places_, attributes_, adapters, needs, found, into_);
+        TypeDescriber types(sema, places_, attributes_, adapters, needs, request_.strict, found, into_);
         SoundTypes sound;
         const std::vector<Root> roots = findRoots(context, places_, adapters);
         for (const Root& root : roots) {

@@ -23,6 +23,7 @@ struct ParseRequest {
     std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
     std::string resourceDir;          ///< clang's own headers; empty = look for them
     std::vector<adapters::Adapter> adapters;
+    bool strict = false;  ///< a class that is no value is an error, though nobody asks for it
 };
 
 /// Structs and enums that are defined in the listed headers, and whatever they use, in no particular order;

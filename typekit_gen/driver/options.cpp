@@ -21,7 +21,7 @@ const std::vector<std::string> kLongOptions = {
     "--debug",    "--help",         "--version",        "--list-outputs",     "--depfile",
     "--dump",     "--template-dir", "--depfile-target", "--flags-from",       "--include-as",
     "--format",   "--explain",      "--check",          "--compile-database", "--compile-database-for",
-    "--adapters", "--diff"};
+    "--adapters", "--diff",         "--strict"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
@@ -95,6 +95,7 @@ private:
         if (word == "--list-outputs") return options_.listOutputs = true;
         if (word == "--explain") return options_.explain = true;
         if (word == "--check") return options_.check = true;
+        if (word == "--strict") return options_.strict = true;
         if (word == "--diff") return options_.diff = true;
         return false;
     }

@@ -37,6 +37,7 @@ struct Options {
     std::string templateDir;
     Dump dump = Dump::None;
     report::Format format = report::Format::Text;
+    bool strict = false;  ///< classes that are no values are errors
     bool explain = false;
     std::vector<std::string> codes;  ///< to explain; empty = list them all
     bool listOutputs = false;

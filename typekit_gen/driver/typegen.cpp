@@ -52,6 +52,7 @@ std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink&
     cxx::ParseRequest request;
     request.flags = options.flags;
     request.target = options.target;
+    request.strict = options.strict;
     for (const std::string& package : options.imports) {
         const auto flags = importFlags(package, options.target, sink);
         request.flags.insert(request.flags.end(), flags.begin(), flags.end());

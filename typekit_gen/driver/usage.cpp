@@ -38,6 +38,8 @@ Makes the source of a typekit plugin called NAME for the structs, classes and en
       --dump=model|view     print the model, or what the templates are filled with, as JSON and write nothing
       --format=text|json|sarif
                             how errors and warnings are told: text on standard error, or a document on standard output
+      --strict              a class that is no value (virtual functions, private data) is an error, not left out with a
+                            warning
       --explain [CODE...]   print what these codes mean, as the TK014 in "error: [TK014] ..."; without CODE list them all
       --template-dir=DIR    templates that replace the built-in ones
       --version, -h, --help

@@ -23,6 +23,7 @@ struct Read {
         cxx::ParseRequest request;
         request.headers = {{dir.write(name, text).string(), name}};
         request.flags = std::move(flags);
+        request.strict = true;
         model = cxx::readTypes(request, sink);
     }
     const model::Field& field(const std::string& name) const {

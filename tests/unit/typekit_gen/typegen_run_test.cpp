@@ -125,6 +125,30 @@ TEST(Typegen, OutputDoesNotDependOnLineEndsAndByteOrderMark) {
     EXPECT_EQ(outputs[0], outputs[1]);
 }
 
+TEST(Typegen, GeneratesTheStructsBesideClassesThatAreNoValues) {
+    const TempDir dir;
+    const std::string text =
+        "#pragma once\nnamespace demo {\nclass Filter {\n    double state_;\n};\nclass Base {\npublic:\n"
+        "    virtual ~Base();\n    struct Inner { int i; };\n};\nstruct Gains { double p; };\n}\n";
+    const auto header = dir.write("types.hpp", text).string();
+    const std::vector<std::string> words = {"-o", (dir / "out").string(), "demo", header};
+    std::ostringstream out, err;
+    EXPECT_EQ(oroforge::typekit::run(words, out, err), 0) << err.str();
+    EXPECT_NE(err.str().find("types.hpp:3:7: warning: [TK013] type 'demo::Filter' is left out: "), std::string::npos)
+        << err.str();
+    const std::string types = readFile(dir / "out/types/demo/typekit/Types.hpp");
+    EXPECT_NE(types.find("demo::Gains"), std::string::npos);
+    EXPECT_NE(types.find("demo::Base::Inner"), std::string::npos);
+    EXPECT_EQ(types.find("Filter"), std::string::npos);
+    // Warnings are seen again, though nothing has changed.
+    std::ostringstream again;
+    EXPECT_EQ(oroforge::typekit::run(words, out, again), 0);
+    EXPECT_EQ(again.str(), err.str());
+    std::vector<std::string> strict = words;
+    strict.push_back("--strict");
+    EXPECT_EQ(typegen(strict), 1);
+}
+
 TEST(Typegen, UnchangedFilesKeepTheirTimes) {
     const TempDir dir;
     const auto header = dir.write("types.hpp", kHeader).string();
