@@ -57,6 +57,8 @@ const struct {
     {"minNumberCPU", Takes::Number, "end with exit status 254 if this process has fewer processors"},
     {"require-name-service", Takes::Nothing, "for programs with CORBA; has no effect here"},
     {"rtalloc-mem-size", Takes::Word, "size of the pool of real-time memory, with k, m or g for units; default: 512k"},
+    {"max-elements", Takes::Number,
+     "how many elements scripts may ask for at once, as 'var array a(100)' does; default: 10000000"},
     {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
 };
 
@@ -207,6 +209,11 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
         options.minimumProcessors = values["minNumberCPU"].as<int>();
         if (options.minimumProcessors < 0)
             error = "no number of processors: " + std::to_string(options.minimumProcessors);
+    }
+    if (values.count("max-elements")) {
+        const int elements = values["max-elements"].as<int>();
+        if (elements <= 0) error = "no number of elements: " + std::to_string(elements);
+        options.maxElements = static_cast<std::size_t>(std::max(elements, 1));
     }
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();

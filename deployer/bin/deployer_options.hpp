@@ -29,6 +29,7 @@ struct Options {
     bool lockMemory = false;
     int minimumProcessors = 0;
     std::size_t realTimeMemory = 0;  // bytes; 0: not given
+    std::size_t maxElements = 0;     // 0: not given
 
     bool endsAtOnce() const { return check || dryRun; }
     /** The file that is deployed before all others if there is one. */

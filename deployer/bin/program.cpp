@@ -15,6 +15,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/os/startstop.h>
+#include <rtt/types/SizeLimit.hpp>
 
 #include <cerrno>
 #include <cstdio>
@@ -113,6 +114,7 @@ int deploy(const Options& options, Stay stay) {
     std::optional<ScriptEnd> scriptEnd(std::in_place, *ending);
     RTT::internal::FailureReport::setStrict(options.strict);
     setLenient(options.lenient);
+    if (options.maxElements != 0) RTT::types::setSizeLimit(options.maxElements);
     using Purpose = DeploymentComponent::Purpose;
     DeploymentComponent deployer(options.name, options.siteFile,
                                  options.dryRun  ? Purpose::PlanOnly

@@ -17,6 +17,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/Operators.cpp
   rtt/types/PropertyComposition.cpp
   rtt/types/Schema.cpp
+  rtt/types/SizeLimit.cpp
   rtt/types/SequenceMembers.cpp
   rtt/types/StructMembers.cpp
   rtt/types/TemplateConstructor.cpp

@@ -4,6 +4,7 @@
 
 #include <rtt/base/AttributeBase.hpp>
 #include <rtt/internal/DataSource.hpp>
+#include <rtt/types/SizeLimit.hpp>
 #include <rtt/types/Types.hpp>
 
 namespace RTT {
@@ -60,6 +61,9 @@ int Unit::sizeHint(const ast::Expression& size, const std::string& type, const a
         error(size.at, "OPS114",
               "'" + name.text + "' cannot have " + std::to_string(count) +
                   " elements; the number is computed once, before the script runs");
+    if (!types::isWithinSizeLimit(static_cast<std::size_t>(count)))
+        error(size.at, "OPS114",
+              "'" + name.text + "' cannot have " + types::beyondSizeLimit(static_cast<std::size_t>(count)));
     if (count == 0)
         warn(size.at, "OPS115",
              "'" + name.text + "' is made with 0 elements; the number is computed once, before the script runs");

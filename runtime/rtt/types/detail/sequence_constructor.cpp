@@ -4,10 +4,12 @@
 
 #include <rtt/Attribute.hpp>
 #include <rtt/base/ActionInterface.hpp>
+#include <rtt/types/SizeLimit.hpp>
 #include <rtt/types/TypeConstructor.hpp>
 #include <rtt/types/TypeThunkTable.hpp>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 
 namespace RTT {
 namespace types {
@@ -58,6 +60,8 @@ private:
     bool fillSize() {
         void* container = result_->getRawPointer();
         const int size = *static_cast<const int*>(arguments_[0]->getRawConstPointer());
+        if (size > 0 && !isWithinSizeLimit(static_cast<std::size_t>(size)))
+            throw std::length_error("there can be no value with " + beyondSizeLimit(static_cast<std::size_t>(size)));
         // Via zero, so that no element of an earlier evaluation survives.
         if (size < 0 || !ops_.resize(container, 0) || !ops_.resize(container, static_cast<std::size_t>(size)))
             return false;
