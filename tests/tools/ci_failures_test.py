@@ -39,7 +39,15 @@ def failures(**logs):
 class CiFailures(unittest.TestCase):
     def test_failed_tests_are_named_with_what_they_printed(self):
         self.assertEqual("--- test: console.program Failed   20.13 sec\nmany lines\nAssertionError: 0 != 1\n"
-                         "--- test: flow_test.Ports.Crash Exception: SegFault  0.1 sec\n\n", failures(test=TESTS))
+                         "--- test: flow_test.Ports.Crash Exception: SegFault  0.1 sec\n\n"
+                         "--- all failed tests\ntest: console.program Failed   20.13 sec\n"
+                         "test: flow_test.Ports.Crash Exception: SegFault  0.1 sec\n", failures(test=TESTS))
+
+    def test_of_many_failures_each_has_fewer_lines(self):
+        many = "".join(f"  {i}/20 Test  #{i}: a.t{i} ....***Failed    0.1 sec\n" + "line\n" * 40 for i in range(20))
+        out = failures(unit=many)
+        self.assertEqual(20 * 8, out.count("line\n"))
+        self.assertEqual(20, out.count("\nunit: a.t"))
 
     def test_of_long_output_the_end_is_kept(self):
         out = failures(asan=TESTS.replace("many lines\n", "line\n" * 100))
@@ -49,7 +57,7 @@ class CiFailures(unittest.TestCase):
     def test_a_build_that_failed_tells_its_errors_and_its_end(self):
         out = failures(tsan=BUILD)
         self.assertIn("FAILED: a.o\na.cpp:3:1: error: no\n", out)
-        self.assertTrue(out.endswith("ninja: build stopped\n"))
+        self.assertTrue(out.endswith("ninja: build stopped\n--- all failed tests\n"))
         self.assertEqual(29, out.count("c++ b.o\n"))
 
 
