@@ -231,6 +231,8 @@ json packageView(const model::Package& package, const std::string& manifest) {
     view["hasTypekit"] = !package.typekitHeaders.empty();
     view["components"] = componentEntries(package);
     view["hasComponents"] = !package.components.empty();
+    // A precompiled header costs as much as three sources gain.
+    view["manyComponents"] = package.components.size() > 2;
     view["services"] = serviceEntries(package);
     view["plugins"] = pluginEntries(package);
     view["manifest"] = orNull(package.components.empty() && package.services.empty() ? "" : manifest);

@@ -9,6 +9,10 @@ orocreate-pkg mypkg component typekit
 build_package mypkg b1 "$work/inst" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wconversion -Werror"
 expect_file inst/lib/orocos/gnulinux/mypkg/libmypkg-gnulinux.so
 expect_file inst/lib/orocos/gnulinux/mypkg/types/libmypkg-typekit-gnulinux.so
+# Each test is one of ctest's.
+ctest --test-dir b1 > tests.log || { cat tests.log; fail "the tests of the package"; }
+for name in CanBeMade RunsStepByStep; do expect_text tests.log "mypkg-test.Mypkg.$name"; done
+[ ! -e b1/orocos.log ] || ! grep -i error b1/orocos.log || fail "listing or running tests logs errors"
 cat > app.xml <<'TXT'
 <?xml version="1.0" encoding="UTF-8"?>
 <properties>
@@ -26,9 +30,10 @@ deploy_until 'Mypkg' -s app.xml
 mypkg_git() { ! command -v git > /dev/null || git -C mypkg "$@"; }
 mypkg_git init -q
 mypkg_git add .
-(cd mypkg && cmake --preset debug -DCMAKE_PREFIX_PATH="$prefix") > b2.log 2>&1 || { cat b2.log; fail "configuring by a preset"; }
+(cd mypkg && cmake --preset debug -DCMAKE_PREFIX_PATH="$prefix" -DBUILD_TESTING=OFF) > b2.log 2>&1 || { cat b2.log; fail "configuring by a preset"; }
 [ -z "$(mypkg_git status --porcelain | grep -v '^A ')" ] || fail "a build writes what git does not ignore"
 expect_text mypkg/build/debug/compile_commands.json src/mypkg-component.cpp
+! grep test_main.cpp mypkg/build/debug/compile_commands.json || fail "tests are built with BUILD_TESTING=OFF"
 
 # A type that cannot be supported stops the build with a located message and leaves nothing half-written.
 printf 'struct Broken { int* pointer; };\n' >> mypkg/include/mypkg/mypkg-types.hpp
