@@ -129,7 +129,6 @@ Scaffold scaffold(const model::Package& package, const std::string& manifest, bo
     addShared(".clang-format", "clang-format");
     addShared(".gitignore", "gitignore");
     addShared("CMakePresets.json", "CMakePresets.json");
-    addShared(".github/workflows/build.yml", "ci.yml");
     if (!catkin) addShared("Makefile", "Makefile");
     if (view["deployable"]) {
         addShared("deploy/" + package.name.value + ".xml", "deploy.xml");
