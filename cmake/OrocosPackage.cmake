@@ -211,6 +211,14 @@ function(_oro_check_left_over project)
   endif()
 endfunction()
 
+# For colcon: what its setup files do where the package is installed, if colcon.pkg in the source folder lists these hooks.
+function(_oro_write_colcon_hooks)
+  set(hook ${PROJECT_BINARY_DIR}/colcon/orocos_component_path)
+  file(WRITE ${hook}.dsv "prepend-non-duplicate;RTT_COMPONENT_PATH;lib/orocos\n")
+  file(WRITE ${hook}.sh "_colcon_prepend_unique_value RTT_COMPONENT_PATH \"$COLCON_CURRENT_PREFIX/lib/orocos\"\n")
+  install(FILES ${hook}.dsv ${hook}.sh DESTINATION share/${PROJECT_NAME}/hook)
+endfunction()
+
 # orocos_generate_package([name] [VERSION v] [DEPENDS pc…] [DEPENDS_TARGETS pkg…] [INCLUDE_DIRS dir…] [NO_CMAKE_CONFIG])
 # The last statement of a package: its pkg-config file, its files for find_package(), its directory, its entry for packages
 # of the same workspace.
@@ -271,6 +279,7 @@ function(_oro_package)
   if(NOT checked)
     set_property(GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_CHECKED TRUE)
     _oro_at_end(${PROJECT_SOURCE_DIR} "_oro_check_left_over [[${PROJECT_NAME}]]")
+    _oro_write_colcon_hooks()
   endif()
   orocos_uninstall_target()
 endfunction()
@@ -303,7 +312,7 @@ list(APPEND folders \"\$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/orocos${OROCOS_S
 list(REMOVE_DUPLICATES folders)
 list(SORT folders ORDER DESCENDING)
 foreach(folder \${folders})
-  while(\"\${folder}\" MATCHES \"/(lib/orocos/[^/]+|include/orocos|lib/cmake)/.\")
+  while(\"\${folder}\" MATCHES \"/(lib/orocos/[^/]+|include/orocos|lib/cmake)/.|/share/${PROJECT_NAME}(/hook)?$\")
     file(GLOB content \"\${folder}/*\" \"\${folder}/.*\")
     list(FILTER content EXCLUDE REGEX \"/\\\\.\\\\.?$\")
     if(content)

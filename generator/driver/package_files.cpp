@@ -129,6 +129,7 @@ Scaffold scaffold(const model::Package& package, const std::string& manifest, bo
     addShared(".clang-format", "clang-format");
     addShared(".gitignore", "gitignore");
     addShared("CMakePresets.json", "CMakePresets.json");
+    addShared("colcon.pkg", "colcon.pkg");
     if (!catkin) addShared("Makefile", "Makefile");
     if (view["deployable"]) {
         addShared("deploy/" + package.name.value + ".xml", "deploy.xml");

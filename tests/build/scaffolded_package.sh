@@ -26,6 +26,21 @@ TXT
 export RTT_COMPONENT_PATH=$work/inst/lib/orocos
 deploy_until 'Mypkg' -s app.xml
 
+# As colcon's setup files have it: each hook that colcon.pkg lists puts the package into RTT_COMPONENT_PATH, once.
+hooks=$(/usr/bin/python3 -c 'import json; print(*json.load(open("mypkg/colcon.pkg"))["hooks"])')
+for hook in $hooks; do
+  case $hook in
+    *.dsv) IFS=';' read -r action name value < "inst/$hook"
+      [ "$action $name $value" = "prepend-non-duplicate RTT_COMPONENT_PATH lib/orocos" ] || fail "$hook: $action $name $value" ;;
+    *.sh) (
+      _colcon_prepend_unique_value() { [ "$1 $2" = "RTT_COMPONENT_PATH $work/inst/lib/orocos" ] || fail "$hook: $*"; }
+      COLCON_CURRENT_PREFIX=$work/inst
+      . "inst/$hook") ;;
+    *) fail "hook $hook" ;;
+  esac
+done
+[ "$(wc -w <<< "$hooks")" = 2 ] || fail "hooks of colcon.pkg: $hooks"
+
 # By a preset; what builds write is nothing to commit, and editors know how files are compiled.
 mypkg_git() { ! command -v git > /dev/null || git -C mypkg "$@"; }
 mypkg_git init -q
