@@ -3,6 +3,7 @@
 // Any bytes are read as XML: a document whose parts lie where its elements say, or one error with its place.
 #include "fuzzing.hpp"
 
+#include <xml/detail/encoding.hpp>
 #include <xml/document.hpp>
 #include <xml/escape.hpp>
 
@@ -35,12 +36,23 @@ void checkPlaces(const xml::Element& element, const std::string& text) {
     }
 }
 
+bool isUtf8(const std::string& text) {
+    std::size_t at = 0;
+    while (at != text.size()) {
+        const std::size_t length = xml::detail::letterAt(text, at);
+        if (length == 0) return false;
+        at += length;
+    }
+    return true;
+}
+
 void checkEscaping(const std::string& text) {
     diag::Sink sink;
     const std::string written = "<a b=\"" + xml::escapeExactly(text, true) + "\">" + xml::escapeExactly(text) + "</a>";
     for (const auto blanks : {xml::Blanks::kept, xml::Blanks::condensed}) {
         const auto read = xml::Document::parseText(written, "written", sink, blanks);
-        require(read && read->root().text == text && read->root().attributes[0].value == text,
+        require(read.has_value(), "escaped text is XML");
+        require(!isUtf8(text) || (read->root().text == text && read->root().attributes[0].value == text),
                 "escaped text is read back");
     }
 }
