@@ -103,7 +103,12 @@ TEST_F(CallMemory, OfACallerThatIsBoundAnewWhileItWaits) {
         OwnThread);
     std::string answers;
     client.addOperation(
-        "ask", [&] { answers = shared(std::string(100, 'a')) + shared("b"); }, OwnThread);
+        "ask",
+        [&] {
+            answers = shared(std::string(100, 'a'));
+            answers += shared("b");
+        },
+        OwnThread);
     shared.setCaller(client.engine());
     shared = server.getOperation("operation");
     OperationCaller<void()> ask(client.getOperation("ask"), internal::GlobalEngine::Instance());
