@@ -89,6 +89,7 @@ bool EnumNames::set(const std::string& text, void* value) const {
 }
 
 bool EnumNames::takes(long long number) const {
+    if (count == 0) return true;  // a number with a type of its own
     unsigned long long all = 0;
     bool areFlags = true;
     for (std::size_t i = 0; i != count; ++i) {

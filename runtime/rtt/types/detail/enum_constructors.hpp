@@ -21,7 +21,8 @@ struct EnumNames {
 
     /** By a name, or a number; false, and nothing changed, if it is neither. Real-time safe. */
     bool set(const std::string& text, void* value) const;
-    /** True for the value of an enumerator and, where these are flags, for a combination of them. */
+    /** True for the value of an enumerator and, where these are flags, for a combination of them; for all of an enum
+        without enumerators. */
     bool takes(long long number) const;
     /** The first name of that value, or null. */
     const char* nameOf(const void* value) const;
