@@ -214,8 +214,9 @@ endfunction()
 # For colcon: what its setup files do where the package is installed, if colcon.pkg in the source folder lists these hooks.
 function(_oro_write_colcon_hooks)
   set(hook ${PROJECT_BINARY_DIR}/colcon/orocos_component_path)
-  file(WRITE ${hook}.dsv "prepend-non-duplicate;RTT_COMPONENT_PATH;lib/orocos\n")
-  file(WRITE ${hook}.sh "_colcon_prepend_unique_value RTT_COMPONENT_PATH \"$COLCON_CURRENT_PREFIX/lib/orocos\"\n")
+  file(CONFIGURE OUTPUT ${hook}.dsv CONTENT "prepend-non-duplicate;RTT_COMPONENT_PATH;lib/orocos\n" @ONLY)
+  file(CONFIGURE OUTPUT ${hook}.sh CONTENT
+    "_colcon_prepend_unique_value RTT_COMPONENT_PATH \"$COLCON_CURRENT_PREFIX/lib/orocos\"\n" @ONLY)
   install(FILES ${hook}.dsv ${hook}.sh DESTINATION share/${PROJECT_NAME}/hook)
 endfunction()
 
@@ -312,7 +313,7 @@ list(APPEND folders \"\$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/orocos${OROCOS_S
 list(REMOVE_DUPLICATES folders)
 list(SORT folders ORDER DESCENDING)
 foreach(folder \${folders})
-  while(\"\${folder}\" MATCHES \"/(lib/orocos/[^/]+|include/orocos|lib/cmake)/.|/share/${PROJECT_NAME}(/hook)?$\")
+  while(\"\${folder}\" MATCHES \"/(lib/orocos/[^/]+|include/orocos|lib/cmake)/.|/share/[^/]+(/hook)?$\")
     file(GLOB content \"\${folder}/*\" \"\${folder}/.*\")
     list(FILTER content EXCLUDE REGEX \"/\\\\.\\\\.?$\")
     if(content)
