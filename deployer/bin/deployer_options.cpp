@@ -212,8 +212,10 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
     }
     if (values.count("max-elements")) {
         const int elements = values["max-elements"].as<int>();
-        if (elements <= 0) error = "no number of elements: " + std::to_string(elements);
-        options.maxElements = static_cast<std::size_t>(std::max(elements, 1));
+        if (elements > 0)
+            options.maxElements = static_cast<std::size_t>(elements);
+        else
+            error = "no number of elements: " + std::to_string(elements);
     }
     if (!values.count("log-level")) return error.empty();
     const std::string level = values["log-level"].as<std::string>();
