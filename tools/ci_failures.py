@@ -51,7 +51,8 @@ def report(log):
 
 def main():
     names = [name for log in sys.argv[1:] for name in report(pathlib.Path(log))]
-    print("\n".join(["--- all failed tests", *names]))
+    if names:
+        print("\n".join(["--- all failed tests", *names]))
 
 
 if __name__ == "__main__":
