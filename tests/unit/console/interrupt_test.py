@@ -136,9 +136,10 @@ class Interrupts(Case):
         program.type("var int n = 0", PROMPT)
         program.send("talker.block(); n = 1\r")
         program.wait_for("begun\n")
-        program.send(CTRL_C + CTRL_C)
-        # The second one may make the terminal forget the "^C" of the first.
-        program.wait_for("\nthis command executes C++ code, which cannot be stopped; another Ctrl-C ends the process "
+        program.send(CTRL_C)
+        program.wait_for("^C\n")  # which the second one could make the terminal forget
+        program.send(CTRL_C)
+        program.wait_for("^C\nthis command executes C++ code, which cannot be stopped; another Ctrl-C ends the process "
                          "at once\n")
         (self.directory / "go").touch()
         program.wait_for_prompt(PROMPT)
