@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "shared_library.hpp"
 
+#include "needed_library.hpp"
 #include "trusted_file.hpp"
 
 #include <rtt/plugin/version_guard.hpp>
@@ -79,13 +80,22 @@ SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& 
     error = whyNotTrusted(path);
     if (error.empty()) error = whyUnusable(path);
     if (!error.empty()) return;
-    handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
-    if (!handle_) {
-        const char* text = dlerror();
-        error = text ? text : "unknown reason";
-        // Who reports it names the file anyway.
-        if (error.compare(0, path.size() + 2, path + ": ") == 0) error.erase(0, path.size() + 2);
+    std::string lastNeeded;
+    while (!tryOpen(path, scope, error)) {
+        const std::string needed = notFoundLibrary(error, path);
+        // One that was loaded and is not found all the same has another name within.
+        if (needed.empty() || needed == lastNeeded || !loadNeeded(needed, error)) return;
+        lastNeeded = needed;
     }
+}
+
+bool SharedLibrary::tryOpen(const std::string& path, Scope scope, std::string& error) {
+    handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
+    const char* text = handle_ ? "" : dlerror();
+    error = text ? text : "unknown reason";
+    // The message that this becomes part of names the file anyway.
+    if (error.compare(0, path.size() + 2, path + ": ") == 0) error.erase(0, path.size() + 2);
+    return handle_ != nullptr;
 }
 
 SharedLibrary::SharedLibrary(SharedLibrary&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}

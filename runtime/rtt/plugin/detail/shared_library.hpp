@@ -15,7 +15,10 @@ public:
     enum Scope { Local, Global };
 
     SharedLibrary() = default;
-    /** Opens the file and resolves all symbols. On failure the object is false and `error` has the linker's text. */
+    /**
+     * Opens the file and resolves all symbols. What it is linked with and the linker does not find is loaded before (loadNeeded()).
+     * On failure the object is false and `error` says why.
+     */
     SharedLibrary(const std::string& file, Scope scope, std::string& error);
     SharedLibrary(SharedLibrary&& other) noexcept;
     SharedLibrary& operator=(SharedLibrary&& other) noexcept;
@@ -50,6 +53,7 @@ public:
 
 private:
     explicit SharedLibrary(void* handle) : handle_(handle) {}
+    bool tryOpen(const std::string& path, Scope scope, std::string& error);
     void* ownSymbol(const char* name) const;
 
     void* handle_ = nullptr;
