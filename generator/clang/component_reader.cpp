@@ -129,12 +129,10 @@ private:
     Files flagsFor(const Files& files) const {
         Files flags = {"-D", "OROCOS_TARGET=" + request_.target};
         flags.insert(flags.end(), request_.flags.begin(), request_.flags.end());
-        const Files own = ownFolders(files), toolchain = toolchainFlags();
-        flags.insert(flags.end(), own.begin(), own.end());
         // A folder of the user's is no library, not even when it is the toolchain that is described.
-        for (std::size_t i = 0; i + 1 < toolchain.size(); i += 2)
-            if (!contains(request_.flags, toolchain[i + 1]))
-                flags.insert(flags.end(), {toolchain[i], toolchain[i + 1]});
+        const Files own = ownFolders(files), toolchain = toolchainFlagsBesides(request_.flags);
+        flags.insert(flags.end(), own.begin(), own.end());
+        flags.insert(flags.end(), toolchain.begin(), toolchain.end());
         // So that several sources of a library can be read as one, and all macros make the same objects.
         flags.insert(flags.end(), {"-U", "RTT_COMPONENT", "-U", "OCL_DLL_EXPORT"});
         return flags;

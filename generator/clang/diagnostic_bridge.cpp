@@ -6,6 +6,7 @@
 
 #include "fix_it.hpp"
 #include "header_edit.hpp"
+#include "missing_header.hpp"
 
 namespace oroforge::cxx {
 
@@ -56,12 +57,16 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     last_ = &sink_.error(where, "", text.str().str());
     last_->fixes = std::move(fixes);
     const unsigned what = info.getID();
-    if (what == clang::diag::err_pp_file_not_found && !missingHint_.empty()) {
-        last_->hint(missingHint_);
-        missingHint_.clear();
-    }
+    if (what == clang::diag::err_pp_file_not_found) hintAtMissing(info);
     if (what == clang::diag::err_header_import_not_header_unit || what == clang::diag::err_module_not_found)
         last_->hint("typegen reads headers, no modules: put the types into a header, and include that");
+}
+
+void DiagnosticBridge::hintAtMissing(const clang::Diagnostic& info) {
+    const bool named = info.getNumArgs() != 0 && info.getArgKind(0) == clang::DiagnosticsEngine::ak_std_string;
+    std::string hint = named ? folderHint(info.getArgStdStr(0), last_->where.file) : std::string();
+    if (hint.empty()) hint = std::exchange(missingHint_, {});
+    if (!hint.empty()) last_->hint(hint);
 }
 
 bool DiagnosticBridge::isFollowUp(const clang::Diagnostic& info) {

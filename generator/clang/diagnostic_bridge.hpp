@@ -29,13 +29,14 @@ public:
         engine.setFatalsAsError(true);
     }
 
-    /// Said once, of the first file that is not found.
+    /// Said once, of the first file that is not found and of which no folder is known.
     void hintAtMissingFile(std::string hint) { missingHint_ = std::move(hint); }
 
 private:
     /// After a file that is not found the compiler itself would say no more; of the header in which it happened we do
     /// the same.
     bool isFollowUp(const clang::Diagnostic& info);
+    void hintAtMissing(const clang::Diagnostic& info);
     void fixGuard(const clang::Diagnostic& info);
 
     const SourcePlaces& places_;

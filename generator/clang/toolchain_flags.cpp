@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "toolchain_flags.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -26,10 +27,19 @@ fs::path sourcesOf(const fs::path& buildTree) {
     return {};
 }
 
+/// Named once more, such a folder comes before the standard library, whose #include_next then finds nothing.
+bool isOfCompiler(const fs::path& folder) { return folder == "/usr/include" || folder == "/usr/local/include"; }
+
+bool names(const std::string& word, const fs::path& folder) {
+    std::error_code ignored;
+    const std::string path = word.compare(0, 2, "-I") == 0 ? word.substr(2) : word;
+    return !path.empty() && fs::equivalent(path, folder, ignored);
+}
+
 std::vector<std::string> flagsFor(const std::vector<fs::path>& folders) {
     std::vector<std::string> flags;
     for (const fs::path& folder : folders) {
-        if (isThere(folder)) flags.insert(flags.end(), {"-isystem", folder.string()});
+        if (isThere(folder) && !isOfCompiler(folder)) flags.insert(flags.end(), {"-isystem", folder.string()});
     }
     return flags;
 }
@@ -52,5 +62,15 @@ std::vector<std::string> toolchainFlags(const std::string& executable) {
 }
 
 std::vector<std::string> toolchainFlags() { return toolchainFlags("/proc/self/exe"); }
+
+std::vector<std::string> toolchainFlagsBesides(const std::vector<std::string>& flags) {
+    std::vector<std::string> more;
+    const std::vector<std::string> all = toolchainFlags();
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2) {
+        const auto isNamed = [&](const std::string& word) { return names(word, all[i + 1]); };
+        if (std::none_of(flags.begin(), flags.end(), isNamed)) more.insert(more.end(), {all[i], all[i + 1]});
+    }
+    return more;
+}
 
 }  // namespace oroforge::cxx

@@ -10,11 +10,14 @@
 namespace oroforge::cxx {
 
 /// -isystem options for the headers that belong to the program `executable`: in include/ beside its bin/, or, of a program
-/// in a build tree, in the sources that tree was made from. None if neither is there.
+/// in a build tree, in the sources that tree was made from. None if neither is there, or the compiler looks there anyway.
 std::vector<std::string> toolchainFlags(const std::string& executable);
 
 /// The same for the program that runs.
 std::vector<std::string> toolchainFlags();
+
+/// Those whose folders `flags` do not name: a folder that the user names stays the user's.
+std::vector<std::string> toolchainFlagsBesides(const std::vector<std::string>& flags);
 
 }  // namespace oroforge::cxx
 

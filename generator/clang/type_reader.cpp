@@ -17,6 +17,7 @@
 #include "parse_files.hpp"
 #include "side_notes.hpp"
 #include "sound_types.hpp"
+#include "toolchain_flags.hpp"
 
 namespace oroforge::cxx {
 
@@ -112,6 +113,10 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
           diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into, Aside& aside) {
     const SourcePlaces places(request.headers);
     DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : headers.back().path);
+    bridge.hintAtMissingFile(
+        "give the folder that holds it (-I DIR), the package that installs it (-i PACKAGE), or the options that a "
+        "build knows "
+        "(-p BUILD)");
     FileCollector files;
     Reading reading(request, headers, places, sink, into, aside);
     Parse parse;
@@ -119,6 +124,7 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
     parse.files[kMainFile] = makeMainText(headers, aside.more);
     parse.flags = {"-D__orogen", "-D__orogen2", "-DOROCOS_TARGET=" + request.target};
     parse.flags.insert(parse.flags.end(), request.flags.begin(), request.flags.end());
+    for (const std::string& flag : toolchainFlagsBesides(request.flags)) parse.flags.push_back(flag);
     parse.resourceDir = resourceDir;
     parse.messages = &bridge;
     parse.skipsBody = [](clang::Decl&) { return true; };

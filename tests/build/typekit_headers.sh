@@ -40,3 +40,7 @@ if command -v clang++-19 > /dev/null; then
   build_package "$work/depends" "$work/b2" "$work/inst2" -DCMAKE_PREFIX_PATH="$prefix;$work/inst" -DCMAKE_CXX_COMPILER=clang++-19 \
     -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror"
 fi
+
+# From the command line typegen finds the headers of the moved installation that it is of.
+printf '#pragma once\n#include <rtt/ConnPolicy.hpp>\nstruct Plain { double value; };\n' > "$work/plain.hpp"
+(cd "$work" && env -u PKG_CONFIG_PATH typegen -o plain plain plain.hpp) || fail "typegen does not find its own <rtt/…>"
