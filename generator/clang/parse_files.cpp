@@ -4,7 +4,9 @@
 
 #include <array>
 
+#include "large_stack.hpp"
 #include "lean_library.hpp"
+#include "nesting_limit.hpp"
 #include "type_names.hpp"
 
 namespace oroforge::cxx {
@@ -30,11 +32,17 @@ public:
     explicit Action(const Parse& parse) : parse_(parse) {}
     std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
         if (parse_.begin) parse_.begin(compiler);
+        compiler.getPreprocessor().setTokenWatcher(
+            [this, &engine = compiler.getDiagnostics()](const clang::Token& word) {
+                nesting_.take(word, engine);
+                if (parse_.word) parse_.word(word);
+            });
         return std::make_unique<Consumer>(parse_);
     }
 
 private:
     const Parse& parse_;
+    NestingLimit nesting_;
 };
 
 llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> filesOf(const Parse& parse) {
@@ -62,9 +70,7 @@ std::shared_ptr<clang::CompilerInvocation> invocationOf(const Parse& parse, clan
     return invocation;
 }
 
-}  // namespace
-
-bool parseFiles(const Parse& parse) {
+bool parseHere(const Parse& parse) {
     const auto files = filesOf(parse);
     clang::CreateInvocationOptions options;
     options.Diags = clang::CompilerInstance::createDiagnostics(new clang::DiagnosticOptions, parse.messages,
@@ -79,6 +85,14 @@ bool parseFiles(const Parse& parse) {
     compiler.createFileManager(files);
     Action action(parse);
     return compiler.ExecuteAction(action);
+}
+
+}  // namespace
+
+bool parseFiles(const Parse& parse) {
+    bool started = false;
+    runOnLargeStack([&] { started = parseHere(parse); });
+    return started;
 }
 
 bool isLibrary(const clang::Decl& declaration) {

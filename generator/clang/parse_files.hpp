@@ -22,10 +22,12 @@ struct Parse {
     /// Bodies not to be read; those of constexpr functions and of 'auto' functions that are called always are.
     std::function<bool(clang::Decl&)> skipsBody;
     std::function<void(clang::CompilerInstance&)> begin = nullptr;  ///< before the first word is read
+    std::function<void(const clang::Token&)> word = nullptr;        ///< each, as it is read
     std::function<void(clang::Sema&)> end;                          ///< behind the last one
 };
 
-/// False if the compiler could not be started; `messages` may tell why.
+/// False if the compiler could not be started; `messages` may tell why. Runs, with all that it calls, in a thread with a large
+/// stack; texts that are nested too deeply for that are errors.
 bool parseFiles(const Parse& parse);
 
 /// A body that tells nothing about a user's class: of the standard library, boost, RTT, or a header of the system.

@@ -40,11 +40,12 @@ public:
     void begin(clang::Preprocessor& preprocessor) {
         attributes_.watch(preprocessor);
         if (into_.headers.size() > 1) includes_.watch(preprocessor);
-        preprocessor.setTokenWatcher([this](const clang::Token& token) {
-            attributes_.take(token);
-            if (into_.headers.size() > 1) includes_.take(token);
-        });
         watchForMacro(preprocessor, aside_.usesMacro);
+    }
+
+    void take(const clang::Token& word) {
+        attributes_.take(word);
+        if (into_.headers.size() > 1) includes_.take(word);
     }
 
     /// Sema is still there, to ask for implicit constructors.
@@ -133,6 +134,7 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
         files.attachToPreprocessor(compiler.getPreprocessor());
         reading.begin(compiler.getPreprocessor());
     };
+    parse.word = [&](const clang::Token& word) { reading.take(word); };
     parse.end = [&](clang::Sema& sema) { reading.end(sema); };
     const bool started = parseFiles(parse);
     for (const std::string& file : files.getDependencies()) {
