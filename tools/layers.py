@@ -99,7 +99,7 @@ MAY_INCLUDE = {
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
-    "clang": {"diag", "model", "adapters"},
+    "clang": {"diag", "model", "adapters", "xml"},
     "check": LEAFS | {"model"},
     "merge": {"diag", "model"},
     "flags": {"diag"},

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <xml/escape.hpp>
+
 namespace oroforge::cxx {
 
 namespace {
@@ -84,7 +86,7 @@ void Attributes::takeInside(const clang::Token& token) {
 }
 
 void Attributes::endAttribute(clang::SourceLocation at) {
-    if (isOurs_) notes_.push_back({name_, value_, at});
+    if (isOurs_) notes_.push_back({name_, xml::asUtf8(value_), at});
     isOurs_ = false;
     name_.clear();
     value_.clear();
@@ -93,7 +95,7 @@ void Attributes::endAttribute(clang::SourceLocation at) {
 void Attributes::addTo(DocComment& doc, const clang::Decl& declaration) const {
     for (const auto* annotation : declaration.specific_attrs<clang::AnnotateAttr>()) {
         const auto [name, value] = annotation->getAnnotation().split('=');
-        if (name.starts_with("oro.")) set(doc, name.drop_front(4), value.str());
+        if (name.starts_with("oro.")) set(doc, name.drop_front(4), xml::asUtf8(value.str()));
     }
     if (notes_.empty()) return;
     const clang::SourceManager& sources = declaration.getASTContext().getSourceManager();

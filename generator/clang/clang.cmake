@@ -48,7 +48,7 @@ set(types
   cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_forms find_accessors
   find_roots hidden_fields leave_out sound_types type_names type_reader)
 oroforge_clang_library(oroforge_gen_clang SUBJECTS reading types
-  LIBS oroforge_gen_types oroforge_gen_adapters oroforge_diag)
+  LIBS oroforge_gen_types oroforge_gen_adapters oroforge_diag oroforge_xml)
 
 # What orocreate-pkg needs besides: components found in sources, and followed through their code.
 set(components

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include <xml/escape.hpp>
+
 namespace oroforge::cxx {
 
 namespace {
@@ -94,7 +96,8 @@ DocComment parseDocText(const std::string& text) {
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration) {
     DocComment doc;
     if (const clang::RawComment* comment = context.getRawCommentForAnyRedecl(&declaration))
-        doc = parseDocText(comment->getFormattedText(context.getSourceManager(), context.getDiagnostics()));
+        doc =
+            parseDocText(xml::asUtf8(comment->getFormattedText(context.getSourceManager(), context.getDiagnostics())));
     return doc;
 }
 

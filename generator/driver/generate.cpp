@@ -26,7 +26,7 @@ void dumpViews(const model::Package& package, const std::string& manifest, std::
     for (const auto& component : package.components) {
         all["components"].push_back(view::componentView(package, component, manifest));
     }
-    out << all.dump(2) << '\n';
+    out << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 /// Reports OC012 for each file that is not as it would be written.

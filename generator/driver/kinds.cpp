@@ -11,6 +11,7 @@
 #include <emit/outputs.hpp>
 #include <model/cpp_type.hpp>
 #include <view/cpp_text.hpp>
+#include <xml/escape.hpp>
 
 namespace fs = std::filesystem;
 
@@ -152,8 +153,8 @@ model::Package packageOfKinds(const Options& options, diag::Sink& sink) {
             package.typekitHeaders.push_back({typekitHeader(name, name), given});
         }
     }
-    if (!options.license.empty()) package.license = {options.license, given};
-    for (const std::string& author : options.authors) package.authors.push_back(personOf(author, sink));
+    if (!options.license.empty()) package.license = {xml::asUtf8(options.license), given};
+    for (const std::string& author : options.authors) package.authors.push_back(personOf(xml::asUtf8(author), sink));
     for (const model::Person& person : package.authors) {
         if (person.email.given()) package.maintainers.push_back(person);
     }

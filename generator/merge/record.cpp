@@ -83,7 +83,7 @@ std::string toText(const Record& record) {
         for (const auto& [member, what] : one.members) value["members"][member] = toJson(what);
         all["classes"][name] = value;
     }
-    return all.dump(2) + "\n";
+    return all.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::optional<Record> parseRecord(const std::string& text, const std::string& file, diag::Sink& sink) {

@@ -205,7 +205,7 @@ std::string dump(const Package& package) {
     putList(json, "components", package.components);
     putList(json, "services", package.services);
     putList(json, "plugins", package.plugins);
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace oroforge::model

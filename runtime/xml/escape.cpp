@@ -69,6 +69,20 @@ std::string escapeExactly(const std::string& text, bool inAttribute) {
     return result;
 }
 
+std::string asUtf8(const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = detail::letterAt(text, i);
+        if (length == 0) {
+            const auto byte = static_cast<unsigned char>(text[i]);
+            result += {static_cast<char>(0xC0U | byte >> 6U), static_cast<char>(0x80U | (byte & 0x3FU))};
+        }
+        result.append(text, i, length);
+        i += length == 0 ? 1 : length;
+    }
+    return result;
+}
+
 std::string escapeText(const std::string& text) { return escape(text, false); }
 
 std::string escapeAttribute(const std::string& text) { return escape(text, true); }

@@ -10,6 +10,9 @@ namespace oroforge::xml {
 
 // Bytes that are no UTF-8 become the letters that they are in Latin-1, so that what is written is UTF-8.
 
+/// That alone, for text that is written elsewhere.
+std::string asUtf8(const std::string& text);
+
 /// For character data: & < > escaped; control characters XML cannot carry are dropped.
 std::string escapeText(const std::string& text);
 

@@ -46,6 +46,7 @@ TEST(Escape, BytesThatAreNoUtf8BecomeTheirLettersInLatin1) {
         ASSERT_TRUE(read.has_value());
         EXPECT_EQ(read->root().text, utf8);
         EXPECT_EQ(read->root().attribute("t")->value, utf8);
+        EXPECT_EQ(asUtf8(text), utf8);
     }
 }
 
