@@ -194,7 +194,11 @@ std::string resolveFile(const Text& file) {
     const fs::path path = file.value;
     if (path.is_absolute() || isThere(path)) return file.value;
     const fs::path beside = fs::path(file.where.file.str()).parent_path() / path;
-    return isThere(beside) ? beside.string() : file.value;
+    if (!isThere(beside)) return file.value;
+    // For messages; not where "dir/.." is elsewhere, dir being a link.
+    const fs::path plain = beside.lexically_normal();
+    std::error_code ignored;
+    return (fs::equivalent(plain, beside, ignored) ? plain : beside).string();
 }
 
 std::string whyUnreadable(const Text& file, bool readOnce) {

@@ -3,6 +3,7 @@
 #include "check_headers.hpp"
 
 #include "header_edit.hpp"
+#include "source_places.hpp"
 
 namespace oroforge::cxx {
 
@@ -20,7 +21,7 @@ void HeaderCheck::checkRead(const model::Header& header) {
     // By an option of the command line a header is left out on purpose.
     if (!definer || definer->getUniqueID() == entry->getUniqueID()) return;
     sink_
-        .error({header.path}, "TK063",
+        .error({plainPath(header.path)}, "TK063",
                "nothing of this header is read: its include guard '" + guard + "' is defined already")
         .note(places_.locate(sources, macro->getDefinitionLoc()), "defined here")
         .hint("give each header a guard of its own, or use #pragma once");

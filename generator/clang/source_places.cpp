@@ -4,11 +4,22 @@
 
 namespace oroforge::cxx {
 
+std::string plainPath(const std::string& path) {
+    llvm::SmallString<256> plain(path), kept(path);
+    llvm::sys::path::remove_dots(kept);
+    llvm::sys::path::remove_dots(plain, /*remove_dot_dot=*/true);
+    if (plain.empty()) return path;
+    llvm::sys::fs::UniqueID id, other;
+    const bool isSame = plain == kept || (!llvm::sys::fs::getUniqueID(path, id) &&
+                                          !llvm::sys::fs::getUniqueID(plain, other) && id == other);
+    return (isSame ? plain : kept).str().str();
+}
+
 SourcePlaces::SourcePlaces(const std::vector<model::Header>& headers, std::string program)
     : program_(std::move(program)) {
     for (const model::Header& header : headers) {
         llvm::sys::fs::UniqueID id;
-        if (!llvm::sys::fs::getUniqueID(header.path, id)) listed_.emplace(id, header.path);
+        if (!llvm::sys::fs::getUniqueID(header.path, id)) listed_.emplace(id, plainPath(header.path));
     }
 }
 
@@ -18,8 +29,8 @@ std::string SourcePlaces::given(const clang::SourceManager& sources, clang::File
         const auto found = listed_.find(entry->getUniqueID());
         if (found != listed_.end()) return found->second;
     }
-    // clang puts "./" before what it finds beside the main file; the user did not write that.
-    return spelled.rfind("./", 0) == 0 ? spelled.substr(2) : spelled;
+    // clang puts "./" before what it finds beside the main file, and "dir/" before what dir/x.hpp includes as "../y.hpp".
+    return plainPath(spelled);
 }
 
 diag::Location SourcePlaces::locate(const clang::SourceManager& sources, clang::SourceLocation at) const {

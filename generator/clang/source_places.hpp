@@ -18,6 +18,9 @@ namespace oroforge::cxx {
 /// Name of the main file that includes the listed headers; it exists in memory only.
 inline constexpr const char* kMainFile = "typegen_input.cpp";
 
+/// The same file without "a/../", "./" and "//", unless that would be another one, behind a link.
+std::string plainPath(const std::string& path);
+
 class SourcePlaces {
 public:
     /// `program` stands for the main file in messages.

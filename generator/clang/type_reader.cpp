@@ -113,7 +113,7 @@ std::string makeMainText(const std::vector<model::Header>& headers, const std::s
 bool read(const ParseRequest& request, const std::string& resourceDir, const std::vector<model::Header>& headers,
           diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into, Aside& aside) {
     const SourcePlaces places(request.headers);
-    DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : headers.back().path);
+    DiagnosticBridge bridge(places, compileErrors, headers.empty() ? "typegen" : plainPath(headers.back().path));
     bridge.hintAtMissingFile(
         "give the folder that holds it (-I DIR), the package that installs it (-i PACKAGE), or the options that a "
         "build knows "
@@ -148,7 +148,7 @@ std::size_t firstBroken(const std::vector<model::Header>& headers, const diag::S
     std::size_t first = headers.size();
     const auto add = [&](const diag::Location& where) {
         std::size_t i = 0;
-        while (i != headers.size() && headers[i].path != where.file.str()) ++i;
+        while (i != headers.size() && plainPath(headers[i].path) != where.file.str()) ++i;
         first = std::min(first, i == headers.size() ? 0 : i);
     };
     for (const diag::Diagnostic& error : compileErrors.all()) {
@@ -171,7 +171,7 @@ diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourc
         model::TypeModel unused;
         Aside aside;
         read(request, resourceDir, {header}, compileErrors, found, unused, aside);
-        if (!compileErrors.hadErrors()) complete.insert(header.path);
+        if (!compileErrors.hadErrors()) complete.insert(plainPath(header.path));
     }
     for (const diag::Diagnostic& one : found.all()) known.emplace(one.where, one.code);
     for (const diag::Diagnostic& one : inWhole.all()) {

@@ -232,6 +232,17 @@ TEST(XmlToPlan, FileHasTheNameByWhichItWasFirstIncluded) {
     EXPECT_EQ(p.components[0].name.where, p.components[1].name.where);
 }
 
+TEST(XmlToPlan, PlacesInIncludedFilesHaveNoDots) {
+    const TempDir dir;
+    dir.write("parts.xml", "<properties>" + component("") + "</properties>");
+    const auto main =
+        dir.write("sub/main.xml", "<properties>" + simple("Include", "string", ".././/parts.xml") + "</properties>");
+    Sink sink;
+    const Plan p = readPlanFile(main.string(), sink);
+    ASSERT_EQ(1u, p.components.size());
+    EXPECT_EQ((dir / "parts.xml").string(), p.components[0].name.where.file.str());
+}
+
 TEST(XmlToPlan, LinkToAFileInAnotherDirectoryIsAnotherFile) {
     const TempDir dir;
     dir.write("shared.xml", "<properties>" + simple("Include", "string", "part.xml") + "</properties>");

@@ -126,4 +126,24 @@ TEST(Latin1, ReportsForProgramsAreUtf8) {
     }
 }
 
+TEST(PlainPaths, NotesHaveNoDotsAndNoDoubleSlashes) {
+    const TempDir dir;
+    dir.write("include/types.hpp", "#pragma once\n#include \"../lib//m.hpp\"\nstruct Z { M m; };\n");
+    dir.write("lib/m.hpp", "#pragma once\nclass M { int x; };\n");
+    const Outcome outcome = runIn(dir.path(), TYPEGEN, {"-o", "out", "demo", "include/../include//types.hpp"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(has(outcome.err, "\nlib/m.hpp:2:15: note: ")) << outcome.err;
+    EXPECT_EQ(outcome.err.compare(0, 24, "include/types.hpp:3:14: "), 0) << outcome.err;
+}
+
+TEST(PlainPaths, WhereALinkLeadsElsewhereItStaysAsItIs) {
+    const TempDir dir;
+    dir.write("far/away/types.hpp", "#pragma once\n#include \"../m.hpp\"\nstruct Z { M m; };\n");
+    dir.write("far/m.hpp", "#pragma once\nclass M { int x; };\n");
+    dir.write("m.hpp", "#pragma once\nclass M { int x; };\n");
+    fs::create_directory_symlink("far/away", dir / "near");
+    const Outcome outcome = runIn(dir.path(), TYPEGEN, {"-o", "out", "demo", "near/types.hpp"});
+    EXPECT_TRUE(has(outcome.err, "\nnear/../m.hpp:2:15: note: ")) << outcome.err;
+}
+
 }  // namespace oroforge::test
