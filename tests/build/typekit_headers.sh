@@ -44,3 +44,14 @@ fi
 # From the command line typegen finds the headers of the moved installation that it is of.
 printf '#pragma once\n#include <rtt/ConnPolicy.hpp>\nstruct Plain { double value; };\n' > "$work/plain.hpp"
 (cd "$work" && env -u PKG_CONFIG_PATH typegen -o plain plain plain.hpp) || fail "typegen does not find its own <rtt/…>"
+
+# Where both packages are moved, the typekit finds the one that it is linked with by RTT_COMPONENT_PATH alone.
+cp -r "$work/inst" "$work/moved1"
+cp -r "$work/inst2" "$work/moved2"
+rm -rf "$work/inst" "$work/inst2"
+printf 'import("depends")\n' > "$work/moved.ops"
+(cd "$work" && RTT_COMPONENT_PATH=$work/moved2/lib/orocos:$work/moved1/lib/orocos timeout 60 rttscript -s moved.ops > moved.out 2>&1) ||
+  { cat "$work/moved.out" >&2; fail "a typekit that is linked with one in another, moved prefix is not loaded"; }
+! (cd "$work" && RTT_COMPONENT_PATH=$work/moved2/lib/orocos timeout 60 rttscript -s moved.ops > moved.out 2>&1) ||
+  fail "a typekit is loaded without the one that it needs"
+expect_text "$work/moved.out" "it needs libplaces-"
