@@ -57,4 +57,5 @@ set(components
 set(following
   follow_calls follow_containers follow_interface follow_late follow_library follow_memory follow_objects
   follow_result follow_services follow_statements follow_texts follow_values)
-oroforge_clang_library(oroforge_gen_describe SUBJECTS components following LIBS oroforge_gen_clang)
+set(lookup manifest_types)
+oroforge_clang_library(oroforge_gen_describe SUBJECTS components following lookup LIBS oroforge_gen_clang)

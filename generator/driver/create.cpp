@@ -10,6 +10,7 @@
 
 #include <check/check.hpp>
 #include <driver/kinds.hpp>
+#include <driver/manifest_types.hpp>
 #include <driver/package_files.hpp>
 #include <driver/wanted_classes.hpp>
 #include <manifest/reader.hpp>
@@ -82,6 +83,7 @@ void writePackage(const Scaffold& files, const std::string& name, const Options&
 void createFromManifest(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink) {
     const auto package = manifest::readFile(options.from, sink);
     if (package) check::run(*package, sink);
+    if (!sink.hadErrors()) checkTypes(*package, fs::path(options.from).parent_path(), options.flags, sink);
     if (sink.hadErrors()) return;
     const std::string& name = package->name.value;
     if (!options.words.empty() && options.words.front() != name) {

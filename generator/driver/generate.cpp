@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <ostream>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include <check/check.hpp>
+#include <driver/manifest_types.hpp>
 #include <driver/package_files.hpp>
 #include <emit/depfile.hpp>
 #include <manifest/reader.hpp>
@@ -44,6 +46,10 @@ void generateComponents(const Options& options, const render::Renderer& renderer
     if (package) check::run(*package, sink);
     if (sink.hadErrors()) return;
     const std::string manifest = fs::path(options.generate).filename().string();
+    std::vector<std::string> read;
+    if (options.dump.empty() && !options.listOutputs)
+        read = checkTypes(*package, fs::path(options.generate).parent_path(), options.flags, sink);
+    if (sink.hadErrors()) return;
     if (options.dump == "model") {
         out << model::dump(*package);
     } else if (options.dump == "view") {
@@ -61,7 +67,9 @@ void generateComponents(const Options& options, const render::Renderer& renderer
         } else {
             targets.push_back(options.depfileTarget);
         }
-        emit::writeDepfile(options.depfile, targets, {fs::absolute(options.generate).string()}, sink);
+        std::set<std::string> inputs{fs::absolute(options.generate).string()};
+        for (const std::string& header : read) inputs.insert(fs::absolute(header).lexically_normal().string());
+        emit::writeDepfile(options.depfile, targets, {inputs.begin(), inputs.end()}, sink);
     }
 }
 

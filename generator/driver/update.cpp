@@ -11,6 +11,7 @@
 #include <clang/toolchain_flags.hpp>
 #include <clang/user_class.hpp>
 #include <diag/nearest_match.hpp>
+#include <driver/manifest_types.hpp>
 #include <driver/new_classes.hpp>
 #include <driver/package_files.hpp>
 #include <driver/package_sources.hpp>
@@ -69,6 +70,7 @@ std::optional<Package> readPackage(const Options& options, const render::Rendere
     }
     const auto model = manifest::readFile(package.manifest, sink);
     if (model) check::run(*model, sink);
+    if (!sink.hadErrors()) checkTypes(*model, fs::path(package.manifest).parent_path(), options.flags, sink);
     if (sink.hadErrors()) return std::nullopt;
     package.model = *model;
     const fs::path folder = fs::path(package.manifest).parent_path();

@@ -152,6 +152,16 @@ TEST_F(OrocreatePkg, DepfileIsAboutAnotherFileOnRequest) {
     EXPECT_EQ(read("gen.d").compare(0, 10, "a\\ stamp: "), 0) << read("gen.d");
 }
 
+TEST_F(OrocreatePkg, DepfileNamesTheHeadersInWhichTypesWereLookedUp) {
+    dir_.write("tank.xml",
+               "<package name=\"tank\"><typekit header=\"include/tank/types.hpp\"/><component class=\"tank::A\">"
+               "<port name=\"p\" direction=\"in\" type=\"tank::Level\"/></component></package>\n");
+    const auto header = dir_.write("include/tank/types.hpp", "#pragma once\nnamespace tank { struct Level {}; }\n");
+    const auto made = run({"--generate", "tank.xml", "--output", "gen", "--depfile", "gen.d"});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_NE(read("gen.d").find(header.string()), std::string::npos) << read("gen.d");
+}
+
 TEST_F(OrocreatePkg, SecondGenerationTouchesNothing) {
     dir_.write("tank.xml", kManifest);
     ASSERT_EQ(run({"--generate", "tank.xml", "--output", "gen"}).status, 0);
