@@ -42,7 +42,8 @@ endfunction()
 # What typegen needs: files are read, types described.
 set(reading
   check_headers diagnostic_bridge fix_it header_edit header_needs include_watch large_stack lean_library
-  missing_header needed_files nesting_limit parse_files rejection resource_dir side_notes source_places toolchain_flags typekit_headers)
+  missing_header needed_files nesting_limit parse_files rejection resource_dir side_notes source_places standard_include
+  toolchain_flags typekit_headers)
 set(types
   accessor_check adapter_match attributes check_type classify classify_standard collect_fields constant_text
   cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_forms find_accessors

@@ -7,6 +7,7 @@
 #include "fix_it.hpp"
 #include "header_edit.hpp"
 #include "missing_header.hpp"
+#include "standard_include.hpp"
 
 namespace oroforge::cxx {
 
@@ -58,6 +59,11 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     last_->fixes = std::move(fixes);
     const unsigned what = info.getID();
     if (what == clang::diag::err_pp_file_not_found) hintAtMissing(info);
+    if (const std::string include = missingInclude(info, text); !include.empty()) {
+        last_->hint(include);
+        // A name that looks alike is not what was meant.
+        last_->fixes.clear();
+    }
     if (what == clang::diag::err_header_import_not_header_unit || what == clang::diag::err_module_not_found)
         last_->hint("typegen reads headers, no modules: put the types into a header, and include that");
 }

@@ -1,0 +1,7 @@
+#pragma once
+namespace bad {
+struct First {
+    std::vector<double> list;
+    uint8_t flags;
+};
+}
