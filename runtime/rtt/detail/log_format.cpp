@@ -45,6 +45,33 @@ std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept {
     return static_cast<std::size_t>(at + 16 - out);
 }
 
+namespace {
+
+bool isControl(char c) noexcept { return (static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7f'; }
+
+/** Terminals obey U+0080 to U+009F as well. */
+bool isLongControl(std::string_view text, std::size_t at) noexcept {
+    return text[at] == '\xC2' && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) < 0xA0U;
+}
+
+}  // namespace
+
+std::size_t findControl(std::string_view text, std::size_t at) noexcept {
+    while (at < text.size() && !isControl(text[at]) && !isLongControl(text, at)) ++at;
+    return at;
+}
+
+std::size_t formatControl(char (&out)[kLongestSpelling], std::string_view text, std::size_t& taken) noexcept {
+    static constexpr char digits[] = "0123456789abcdef";
+    taken = isControl(text[0]) ? 1 : 2;
+    const auto code = static_cast<unsigned char>(text[taken - 1]);
+    out[0] = '\\';
+    out[1] = 'x';
+    out[2] = digits[code >> 4U];
+    out[3] = digits[code & 15U];
+    return kLongestSpelling;
+}
+
 std::string compilerName() {
 #if defined(__clang__)
     return "Clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__);

@@ -30,16 +30,47 @@ std::size_t formatStart(char (&out)[kLongestStart], nsecs time, LoggerLevel leve
 constexpr std::size_t kLongestMark = 64;
 std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept;
 
+/** The first byte from `at` on that must not reach a log as it is: a control character other than the tab; its size if none. */
+std::size_t findControl(std::string_view text, std::size_t at) noexcept;
+/** What stands for the control character at the beginning of `text`, `\x1b`; `taken` gets its size in bytes. */
+constexpr std::size_t kLongestSpelling = 4;
+std::size_t formatControl(char (&out)[kLongestSpelling], std::string_view text, std::size_t& taken) noexcept;
+
+/**
+ * Text of users, so that no part of it passes for a line of the log or speaks to the terminal: what follows a line end is
+ * indented, or with `indented` false `\x0a` stands for it; other control characters are spelt out. Does not allocate.
+ */
+template <class Append>
+void appendHarmless(std::string_view text, bool indented, Append append) {
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = findControl(text, begin);
+        append(text.data() + begin, end - begin);
+        if (end == text.size()) return;
+        char spelling[kLongestSpelling];
+        std::size_t taken = 1;
+        if (indented && text[end] == '\n') {
+            append("\n", std::size_t(1));
+            if (end + 1 != text.size()) append("    ", std::size_t(4));
+        } else {
+            append(spelling, formatControl(spelling, text.substr(end), taken));
+        }
+        begin = end + taken;
+    }
+}
+
 /** Calls `append(text, size)` for each part of `<seconds>.<ms> [ LEVEL ][module] text`, with the end of line. */
 template <class Append>
 void composeLine(const LogParts& parts, Append append) {
     char start[kLongestStart], mark[kLongestMark];
     if (!parts.bare) {
         append(start, formatStart(start, parts.time, parts.level));
-        append(parts.module.data(), parts.module.size());
+        appendHarmless(parts.module, false, append);
         append("] ", std::size_t(2));
     }
-    append(parts.text.data(), parts.text.size());
+    if (parts.bare)
+        append(parts.text.data(), parts.text.size());
+    else
+        appendHarmless(parts.text, true, append);
     append(mark, formatMark(mark, parts.cut));
     append("\n", std::size_t(1));
 }

@@ -55,6 +55,26 @@ protected:
 
 }  // namespace
 
+TEST_F(LoggerTest, NoTextPassesForALineOfItsOwn) {
+    log(Error) << "first\n0.001 [ ERROR  ][forged] second\nthird\n" << endlog();
+    EXPECT_EQ("[ ERROR  ][Logger] first\n    0.001 [ ERROR  ][forged] second\n    third\n\n", lines());
+}
+
+TEST_F(LoggerTest, ControlCharactersAreSpeltOut) {
+    log(Error) << "a\rb\x1b[2Kc\x7f"
+               << "d\te \u00e9 \u009b" << endlog();
+    EXPECT_EQ(
+        "[ ERROR  ][Logger] a\\x0db\\x1b[2Kc\\x7f"
+        "d\te \u00e9 \\x9b\n",
+        lines());
+}
+
+TEST_F(LoggerTest, NoModulePassesForALineOfItsOwn) {
+    Logger::In in("forged]\n0.001 [ ERROR  ][other");
+    log(Error) << "text" << endlog();
+    EXPECT_EQ("[ ERROR  ][forged]\\x0a0.001 [ ERROR  ][other] text\n", lines());
+}
+
 TEST_F(LoggerTest, EverySpellingWorks) {
     RTT::log(RTT::Error) << "one " << 1 << RTT::endlog();
     log(Error) << std::string("two") << endlog();
@@ -148,7 +168,7 @@ TEST_F(LoggerTest, WhatNobodySeesIsNotFormatted) {
 
 TEST_F(LoggerTest, StdEndlDoesNotEndTheRecord) {
     log(Error) << "a" << std::endl << "b" << endlog();
-    EXPECT_EQ(lines(), "[ ERROR  ][Logger] a\nb\n");
+    EXPECT_EQ(lines(), "[ ERROR  ][Logger] a\n    b\n");
 }
 
 TEST_F(LoggerTest, ManipulatorsLastOneLine) {
