@@ -39,7 +39,7 @@ TEST_F(BigExample, RunsFromItsFiles) {
                      "Loop.supervision.inState(\"Approaching\")\n"
                      "while (!Loop.supervision.inState(\"Holding\")) { yield }\n"
                      // The recorder gets the processor late where the machine is busy.
-                     "var int n = 0\nwhile (n < 100) { n = n + 1; yield }\n"
+                     "var int n = 0\nwhile (n < 1000) { n = n + 1; yield }\n"
                      "Recorder.stop()\n");
     const Outcome outcome = deploy({"-linfo", "-s", "application.xml", "session.ops"});
     EXPECT_EQ(0, outcome.status) << outcome.err;
