@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace OCL::deploy {
 namespace {
@@ -52,12 +53,18 @@ bool doImport(const ImportPlan& step, std::string& error) {
 }
 
 void doImports(const Plan& plan, diag::Sink& sink) {
+    std::set<std::string> imported;  // found along the present search path
     for (const ImportPlan& step : plan.imports) {
         std::string error;
+        if (step.kind == ImportPlan::Path) imported.clear();
+        if (step.kind == ImportPlan::Import && imported.count(step.what.value)) continue;
         if (step.kind == ImportPlan::Path)
             for (const std::string& directory : missingDirectories(step.what.value))
                 sink.warning(step.what.where, "DEP030", "there is no directory '" + directory + "' to search");
-        if (doImport(step, error)) continue;
+        if (doImport(step, error)) {
+            if (step.kind == ImportPlan::Import) imported.insert(step.what.value);
+            continue;
+        }
         // A directory of packages has nothing to import itself, yet is a good search path.
         if (step.kind == ImportPlan::Path)
             RTT::log(RTT::Info) << "Path '" << step.what.value << "': " << error << RTT::endlog();

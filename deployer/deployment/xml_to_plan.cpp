@@ -38,19 +38,22 @@ public:
 
     void readFile(const std::string& file) {
         open_.push_back(identity(file));
-        if (const auto document = xml::Document::parseFile(file, sink_, xml::Blanks::condensed))
-            readRoot(document->root());
+        if (const auto text = xml::readText(file, sink_)) readText(*text, file);
         open_.pop_back();
     }
 
-    void readRoot(const xml::Element& root) {
-        if (root.name != "properties") {
+    /** Statement by statement: only what the plan needs of them stays in memory. */
+    void readText(const std::string& text, const std::string& name) {
+        const auto take = [this](const xml::Element& root, const xml::Element& child) {
+            if (root.name == "properties" && child.name != "description") readTopLevel(child);
+        };
+        const auto document = xml::Document::parseText(text, name, sink_, xml::Blanks::condensed, take);
+        if (!document) return;
+        const xml::Element& root = document->root();
+        if (root.name == "properties")
+            checkText(root, sink_);
+        else
             sink_.error(root.where, "DEP001", "found root element <" + root.name + ">, expected <properties>");
-            return;
-        }
-        checkText(root, sink_);
-        for (const xml::Element& child : root.children)
-            if (child.name != "description") readTopLevel(child);
     }
 
 private:
@@ -184,8 +187,7 @@ Plan readPlanFile(const std::string& file, diag::Sink& sink) {
 Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& sink) {
     Plan plan;
     plan.file = name;
-    if (const auto document = xml::Document::parseText(text, name, sink, xml::Blanks::condensed))
-        PlanReader(plan, sink).readRoot(document->root());
+    PlanReader(plan, sink).readText(text, name);
     checkNotEmpty(plan, sink);
     return plan;
 }

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include <xml/detail/references.hpp>
 
 namespace oroforge::xml::detail {
 
@@ -20,38 +23,50 @@ bool isNameStart(char c) {
 
 bool isNameLetter(char c) { return isNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
 
+/// The line ends of other systems become ours.
+std::string withPlainLineEnds(std::string_view raw) {
+    std::string text(raw);
+    if (text.find('\r') == std::string::npos) return text;
+    std::size_t to = 0;
+    for (std::size_t at = 0; at != text.size(); ++at) {
+        if (text[at] == '\r' && at + 1 != text.size() && text[at + 1] == '\n') continue;
+        text[to++] = text[at] == '\r' ? '\n' : text[at];
+    }
+    text.resize(to);
+    return text;
+}
+
 class Scanner {
 public:
-    Scanner(const std::string& text, const std::string& file, diag::Sink& sink, Places& places)
-        : text_(text),
-          file_(file),
-          sink_(sink),
-          tags_(places.tags),
-          attributes_(places.attributes),
-          instructions_(places.instructions) {}
+    Scanner(const std::string& text, const std::string& file, diag::Sink& sink, const Building& building)
+        : text_(text), file_(file), sink_(sink), building_(building) {}
 
-    bool run() {
+    std::optional<Element> run() {
         if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) position_ = lineStart_ = 3;
-        tags_.reserve(static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '<')) / 2);
         while (position_ < text_.size()) {
-            if (text_[position_] == '<' ? !markup() : !characters()) return false;
+            if (text_[position_] == '<' ? !markup() : !characters()) return std::nullopt;
         }
         if (!open_.empty()) {
-            const TagPlace& tag = tags_[open_.back()];
-            return fail(tag.at, "XML003", '<' + str(tag.name) + "> is never closed; expected </" + str(tag.name) + ">");
+            const Element& tag = open_.back().element;
+            report(tag.where, "XML003", '<' + tag.name + "> is never closed; expected </" + tag.name + ">");
+            return std::nullopt;
         }
-        if (tags_.empty()) return fail(here(), "XML005", "found no element; expected one root element");
-        return true;
+        if (!root_) fail(here(), "XML005", "found no element; expected one root element");
+        return std::move(root_);
     }
 
 private:
-    Place here() const { return {line_, static_cast<unsigned>(position_ - lineStart_ + 1)}; }
-    diag::Location inFile(const Place& place) const { return {file_, place.line, place.column}; }
+    struct Open {
+        Element element;
+        TextCollector text;
+    };
 
-    diag::Diagnostic& report(const Place& where, const char* code, const std::string& message) {
-        return sink_.error(inFile(where), code, message);
+    diag::Location here() const { return {file_, line_, static_cast<unsigned>(position_ - lineStart_ + 1)}; }
+
+    diag::Diagnostic& report(const diag::Location& where, const char* code, const std::string& message) {
+        return sink_.error(where, code, message);
     }
-    bool fail(const Place& where, const char* code, const std::string& message) {
+    bool fail(const diag::Location& where, const char* code, const std::string& message) {
         report(where, code, message);
         return false;
     }
@@ -82,35 +97,41 @@ private:
     }
 
     bool characters() {
+        const std::size_t begin = position_;
         skipSpace();
         if (position_ == text_.size() || text_[position_] == '<') return true;
         if (open_.empty()) return fail(here(), "XML004", "found text outside of the root element");
-        TagPlace& tag = tags_[open_.back()];
-        if (tag.text_at.line == 0) tag.text_at = here();
+        beginText();
         advanceTo(std::min(text_.find('<', position_), text_.size()));
+        open_.back().text.addText(withPlainLineEnds(between(begin, position_)).c_str());
         return true;
+    }
+
+    std::string_view between(std::size_t begin, std::size_t end) const {
+        return std::string_view(text_).substr(begin, end - begin);
+    }
+
+    void beginText() {
+        diag::Location& textWhere = open_.back().element.textWhere;
+        if (textWhere.line == 0) textWhere = here();
     }
 
     bool markup() {
         const char kind = position_ + 1 < text_.size() ? text_[position_ + 1] : '\0';
         if (kind == '/') return endTag();
-        if (kind == '?' || startsWith("<!DOCTYPE")) return instruction(kind);
+        if (kind == '?') return skipPast(2, "?>", "processing instruction");
+        if (startsWith("<!DOCTYPE")) return documentType();
         if (kind != '!') return startTag();
         if (startsWith("<!--")) return skipPast(4, "-->", "comment");
         if (startsWith("<![CDATA[")) {
             if (open_.empty()) return fail(here(), "XML004", "found a CDATA section outside of the root element");
-            TagPlace& tag = tags_[open_.back()];
-            if (tag.text_at.line == 0) tag.text_at = here();
-            return skipPast(9, "]]>", "CDATA section");
+            beginText();
+            const std::size_t begin = position_ + 9;
+            if (!skipPast(9, "]]>", "CDATA section")) return false;
+            open_.back().text.addCdata(withPlainLineEnds(between(begin, position_ - 3)).c_str());
+            return true;
         }
         return skipPast(2, ">", "declaration");
-    }
-
-    bool instruction(char kind) {
-        const std::size_t begin = position_;
-        if (kind == '?' ? !skipPast(2, "?>", "processing instruction") : !documentType()) return false;
-        instructions_.push_back({begin, position_});
-        return true;
     }
 
     /// It may have declarations between brackets; these, quoted text and comments may have ends like its own.
@@ -142,111 +163,120 @@ private:
     }
 
     bool endTag() {
-        const Place at = here();
+        const diag::Location at = here();
         const std::size_t begin = position_;
         advanceTo(position_ + 2);
         const std::string_view closed = name();
         if (open_.empty()) return fail(at, "XML003", "found </" + str(closed) + ">, but no element is open");
-        TagPlace& tag = tags_[open_.back()];
-        if (closed != tag.name) {
-            report(at, "XML003", "found </" + str(closed) + ">, expected </" + str(tag.name) + ">")
-                .note(inFile(tag.at), "<" + str(tag.name) + "> opened here");
+        Element& element = open_.back().element;
+        if (closed != element.name) {
+            report(at, "XML003", "found </" + str(closed) + ">, expected </" + element.name + ">")
+                .note(element.where, "<" + element.name + "> opened here");
             return false;
         }
         skipSpace();
         if (current() != '>') return fail(here(), "XML002", "expected '>' at the end of </" + str(closed) + ">");
         advance();
-        tag.extent.contentEnd = begin;
-        tag.extent.end = position_;
-        open_.pop_back();
+        element.extent.contentEnd = begin;
+        element.extent.end = position_;
+        close();
         return true;
     }
 
+    /// Gives the innermost element to its parent, or to who takes those.
+    void close() {
+        Open closed = std::move(open_.back());
+        open_.pop_back();
+        Element& element = closed.element;
+        element.text = closed.text.finish();
+        if (element.textWhere.line == 0) element.textWhere = element.where;
+        if (open_.empty())
+            root_ = std::move(element);
+        else if (building_.take && open_.size() == 1)
+            building_.take(open_.front().element, std::move(element));
+        else if (building_.keep)
+            open_.back().element.children.push_back(std::move(element));
+    }
+
     bool startTag() {
-        TagPlace tag;
-        tag.at = here();
-        tag.attributes_begin = attributes_.size();
+        Element tag;
+        tag.where = here();
         tag.extent.begin = position_;
-        if (open_.size() == maxDepth) return fail(tag.at, "XML007", "elements are nested too deeply");
+        if (open_.size() == maxDepth) return fail(tag.where, "XML007", "elements are nested too deeply");
         advance();
         tag.name = name();
         if (tag.name.empty())
-            return fail(tag.at, "XML002", "found '<' without an element name; write '&lt;' for the character");
-        if (open_.empty() && !tags_.empty()) {
-            report(tag.at, "XML005", "found a second root element <" + str(tag.name) + ">, expected only one")
-                .note(inFile(tags_.front().at), "<" + str(tags_.front().name) + "> is the first");
+            return fail(tag.where, "XML002", "found '<' without an element name; write '&lt;' for the character");
+        if (root_) {
+            report(tag.where, "XML005", "found a second root element <" + tag.name + ">, expected only one")
+                .note(root_->where, "<" + root_->name + "> is the first");
             return false;
         }
         for (;;) {
             const bool spaced = isSpace(current());
             skipSpace();
             if (current() == '>' || startsWith("/>")) break;
-            if (position_ >= text_.size() || current() == '<') {
-                return fail(tag.at, "XML002", "start tag <" + str(tag.name) + " is not finished; expected '>'");
-            }
+            if (position_ >= text_.size() || current() == '<')
+                return fail(tag.where, "XML002", "start tag <" + tag.name + " is not finished; expected '>'");
             if (!spaced) return fail(here(), "XML002", "expected white space before the next attribute");
             if (!attribute(tag)) return false;
         }
         const bool empty = current() == '/';
         advanceTo(position_ + (empty ? 2 : 1));
         tag.extent.contentBegin = tag.extent.contentEnd = tag.extent.end = position_;
-        tag.attributes_end = attributes_.size();
-        tags_.push_back(tag);
-        if (!empty) open_.push_back(tags_.size() - 1);
+        tag.attributes.shrink_to_fit();
+        open_.push_back({std::move(tag), TextCollector(building_.blanks == Blanks::condensed)});
+        if (empty) close();
         return true;
     }
 
-    bool attribute(const TagPlace& tag) {
-        AttributePlace place;
-        place.name_at = here();
-        place.name = name();
-        if (place.name.empty()) {
-            return fail(
-                here(), "XML002",
-                std::string("found '") + current() + "' in <" + str(tag.name) + ">, expected an attribute name");
+    bool attribute(Element& tag) {
+        Attribute attribute;
+        attribute.where = here();
+        attribute.name = name();
+        if (attribute.name.empty()) {
+            return fail(here(), "XML002",
+                        std::string("found '") + current() + "' in <" + tag.name + ">, expected an attribute name");
         }
-        for (std::size_t i = tag.attributes_begin; i != attributes_.size(); ++i) {
-            const AttributePlace& other = attributes_[i];
-            if (other.name != place.name) continue;
-            report(place.name_at, "XML006", "attribute '" + str(place.name) + "' is given twice")
-                .note(inFile(other.name_at), "first given here");
+        if (const Attribute* const other = tag.attribute(attribute.name)) {
+            report(attribute.where, "XML006", "attribute '" + attribute.name + "' is given twice")
+                .note(other->where, "first given here");
             return false;
         }
-        if (attributes_.size() - tag.attributes_begin == maxAttributes) {
-            return fail(place.name_at, "XML008",
-                        '<' + str(tag.name) + "> has more than " + std::to_string(maxAttributes) + " attributes");
+        if (tag.attributes.size() == maxAttributes) {
+            return fail(attribute.where, "XML008",
+                        '<' + tag.name + "> has more than " + std::to_string(maxAttributes) + " attributes");
         }
         skipSpace();
-        if (current() != '=') return fail(here(), "XML002", "expected '=' after attribute '" + str(place.name) + "'");
+        if (current() != '=') return fail(here(), "XML002", "expected '=' after attribute '" + attribute.name + "'");
         advance();
         skipSpace();
         const char quote = current();
         if (quote != '"' && quote != '\'') {
-            return fail(here(), "XML002", "the value of attribute '" + str(place.name) + "' is not in quotes");
+            return fail(here(), "XML002", "the value of attribute '" + attribute.name + "' is not in quotes");
         }
         const std::size_t end = text_.find(quote, position_ + 1);
-        const std::string_view value(text_.data() + position_ + 1,
-                                     (end == std::string::npos ? text_.size() : end) - position_ - 1);
+        const std::string_view value = between(position_ + 1, end == std::string::npos ? text_.size() : end);
         if (end == std::string::npos || value.find('<') != std::string_view::npos) {
             return fail(here(), "XML002",
-                        "the value of attribute '" + str(place.name) + "' has no closing quote before the next '<'");
+                        "the value of attribute '" + attribute.name + "' has no closing quote before the next '<'");
         }
         advance();
-        place.value_at = here();
-        place.value_begin = position_;
-        place.value_end = end;
+        attribute.valueWhere = here();
+        attribute.valueBegin = position_;
+        attribute.valueEnd = end;
+        attribute.value = resolved(withPlainLineEnds(value).c_str());
         advanceTo(end + 1);
-        attributes_.push_back(place);
+        tag.attributes.push_back(std::move(attribute));
         return true;
     }
 
     const std::string& text_;
-    const std::string& file_;
+    const diag::FileName file_;  // one text for all places
     diag::Sink& sink_;
-    std::vector<TagPlace>& tags_;
-    std::vector<AttributePlace>& attributes_;
-    std::vector<Span>& instructions_;
-    std::vector<std::size_t> open_;  // indices into tags_, outermost first
+    const Building& building_;
+    std::vector<Open> open_;  // outermost first
+    std::optional<Element> root_;
     std::size_t position_ = 0;
     std::size_t lineStart_ = 0;
     unsigned line_ = 1;
@@ -254,8 +284,9 @@ private:
 
 }  // namespace
 
-bool scan(const std::string& text, const std::string& file, diag::Sink& sink, Places& places) {
-    return Scanner(text, file, sink, places).run();
+std::optional<Element> scan(const std::string& text, const std::string& file, diag::Sink& sink,
+                            const Building& building) {
+    return Scanner(text, file, sink, building).run();
 }
 
 }  // namespace oroforge::xml::detail

@@ -5,6 +5,16 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/resource.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define OROFORGE_OWN_MEMORY 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define OROFORGE_OWN_MEMORY 1
+#endif
+#endif
+
 namespace {
 
 using namespace oroforge::test;
@@ -49,6 +59,50 @@ TEST_F(Limits, AnOptionSetsTheNumberOfElements) {
     const Outcome wrong = runText("var array a(1)", {"--max-elements", "0"});
     EXPECT_EQ(255, wrong.status);
     EXPECT_THAT(wrong.err, HasSubstr("no number of elements: 0"));
+}
+
+/** Mebibytes that the largest child of this process had in RAM. */
+[[maybe_unused]] long mostMemoryOfChildren() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return usage.ru_maxrss / 1024;
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i != times; ++i) all += text;
+    return all;
+}
+
+TEST_F(Limits, ManyElementsTakeLittleMemory) {
+    const int times = 200000;
+    directory_.write(
+        "many.xml",
+        "<properties>\n" +
+            repeated("<simple name=\"Import\" type=\"string\"><value>deploytest</value></simple>\n", times) +
+            "</properties>\n");
+    const Outcome outcome = run(command({"--dry-run", "-s", "many.xml"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err.substr(0, 1000);
+#ifndef OROFORGE_OWN_MEMORY
+    EXPECT_LT(mostMemoryOfChildren(), 130);
+#endif
+}
+
+TEST_F(Limits, ManyPropertiesInAFileTakeLittleMemory) {
+    const int times = 100000;
+    directory_.write("many.cpf",
+                     "<properties>\n" +
+                         repeated("<simple name=\"first\" type=\"long\"><value>1</value></simple>\n", times) +
+                         "</properties>\n");
+    directory_.write("app.xml",
+                     "<properties><simple name=\"Import\" type=\"string\"><value>deploytest</value></simple>\n"
+                     "<struct name=\"c\" type=\"deploytest::Producer\"><simple name=\"PropertyFile\" "
+                     "type=\"string\"><value>many.cpf</value></simple></struct></properties>\n");
+    const Outcome outcome = run(command({"--dry-run", "-s", "app.xml"}));
+    EXPECT_EQ(0, outcome.status) << outcome.err.substr(0, 1000);
+#ifndef OROFORGE_OWN_MEMORY
+    EXPECT_LT(mostMemoryOfChildren(), 130);
+#endif
 }
 
 }  // namespace

@@ -28,14 +28,16 @@ public:
     Reader(diag::Sink& sink, Places* places) : sink_(sink), places_(places) {}
 
     void readChildren(const xml::Element& parent, PropertyBag& into) {
-        for (const auto& child : parent.children) {
-            if (child.name == "simple")
-                readSimpleElement(child, into);
-            else if (child.name == "struct" || child.name == "sequence")
-                readBagElement(child, into);
-            else if (child.name != "description")
-                readUnknown(child, into);
-        }
+        for (const auto& child : parent.children) readChild(child, into);
+    }
+
+    void readChild(const xml::Element& child, PropertyBag& into) {
+        if (child.name == "simple")
+            readSimpleElement(child, into);
+        else if (child.name == "struct" || child.name == "sequence")
+            readBagElement(child, into);
+        else if (child.name != "description")
+            readUnknown(child, into);
     }
 
 private:
@@ -115,6 +117,12 @@ void checkTexts(const xml::Element& element, diag::Sink& sink) {
         for (const xml::Element& child : element.children) checkTexts(child, sink);
 }
 
+bool checkRoot(const xml::Element& root, diag::Sink& sink) {
+    if (root.name == "properties") return true;
+    sink.error(root.where, "CPF001", "found <" + root.name + ">, expected <properties>");
+    return false;
+}
+
 }  // namespace
 
 void setLenientReading(bool lenient) { lenientProcess = lenient; }
@@ -151,10 +159,7 @@ std::optional<xml::Document> readText(const std::string& text, const std::string
                                       diag::Sink& sink, Places* places) {
     auto document = xml::Document::parseText(text, name, sink, xml::Blanks::condensed);
     if (!document) return std::nullopt;
-    if (document->root().name != "properties") {
-        sink.error(document->root().where, "CPF001", "found <" + document->root().name + ">, expected <properties>");
-        return std::nullopt;
-    }
+    if (!checkRoot(document->root(), sink)) return std::nullopt;
     const auto before = sink.errorCount();
     checkTexts(document->root(), sink);
     return readBag(document->root(), into, sink, places) && sink.errorCount() == before ? std::move(document)
@@ -163,7 +168,17 @@ std::optional<xml::Document> readText(const std::string& text, const std::string
 
 bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places) {
     const auto text = xml::readText(file, sink);
-    return text && readText(*text, file, into, sink, places);
+    if (!text) return false;
+    const auto before = sink.errorCount();
+    Reader reader(sink, places);
+    const auto take = [&](const xml::Element& root, const xml::Element& child) {
+        if (root.name != "properties") return;
+        checkTexts(child, sink);
+        reader.readChild(child, into);
+    };
+    const auto document = xml::Document::parseText(*text, file, sink, xml::Blanks::condensed, take);
+    if (document && checkRoot(document->root(), sink)) checkTexts(document->root(), sink);
+    return sink.errorCount() == before;
 }
 
 void logDiagnostics(const diag::Sink& sink) {
