@@ -50,7 +50,7 @@ std::string uriOf(const std::string& path) {
 }
 
 unsigned characterColumn(const diag::Location& where, diag::SourceCache& sources) {
-    const auto line = sources.line(where.file, where.line);
+    const std::string* const line = sources.line(where.file, where.line);
     if (!line || where.column == 0) return where.column;
     unsigned column = where.column;
     for (std::size_t i = 0; i + 1 < where.column && i < line->size(); ++i) {

@@ -104,7 +104,7 @@ std::string shownPart(const std::string& line, std::size_t column, std::size_t& 
 }
 
 void printSource(std::ostream& out, const Location& where, const std::vector<Fix>& fixes, SourceCache& sources) {
-    const auto line = sources.line(where.file, where.line);
+    const std::string* const line = sources.line(where.file, where.line);
     if (!line) return;
     std::size_t shift = 0;
     const std::string shown = shownPart(*line, where.column, shift);
@@ -117,7 +117,7 @@ void printSource(std::ostream& out, const Location& where, const std::vector<Fix
 /// What stands there now, if it is within one line that can be read.
 std::string replacedText(const Fix& fix, SourceCache& sources) {
     if (fix.begin.line != fix.end.line || fix.begin.column == 0 || fix.end.column < fix.begin.column) return {};
-    const auto line = sources.line(fix.begin.file, fix.begin.line);
+    const std::string* const line = sources.line(fix.begin.file, fix.begin.line);
     if (!line || fix.begin.column > line->size()) return {};
     return line->substr(fix.begin.column - 1, fix.end.column - fix.begin.column);
 }

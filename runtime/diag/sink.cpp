@@ -17,6 +17,15 @@ Diagnostic make(Severity severity, Location&& where, std::string&& code, std::st
     return Diagnostic{severity, std::move(code), std::move(where), std::move(message), {}, {}};
 }
 
+/// "3 more errors and 2 more warnings"; empty if all are kept.
+std::string notKept(std::size_t errors, std::size_t warnings) {
+    std::string text;
+    if (errors > Sink::kMost) text = std::to_string(errors - Sink::kMost) + " more errors";
+    if (warnings <= Sink::kMost) return text;
+    if (!text.empty()) text += " and ";
+    return text + std::to_string(warnings - Sink::kMost) + " more warnings";
+}
+
 }  // namespace
 
 Diagnostic& Sink::error(Location where, std::string code, std::string message) {
@@ -32,8 +41,10 @@ Diagnostic& Sink::note(Location where, std::string message) {
 }
 
 Diagnostic& Sink::add(Diagnostic diagnostic) {
-    errors_ += diagnostic.severity == Severity::Error;
-    warnings_ += diagnostic.severity == Severity::Warning;
+    const bool isError = diagnostic.severity == Severity::Error, isWarning = diagnostic.severity == Severity::Warning;
+    errors_ += isError;
+    warnings_ += isWarning;
+    if ((isError && errors_ > kMost) || (isWarning && warnings_ > kMost)) return unkept_ = std::move(diagnostic);
     all_.push_back(std::move(diagnostic));
     return all_.back();
 }
@@ -50,6 +61,8 @@ std::vector<Diagnostic> Sink::sorted() const {
                                        [&](const Diagnostic& other) { return sameReport(candidate, other); });
         if (!known) result.push_back(std::move(candidate));
     }
+    if (const std::string rest = notKept(errors_, warnings_); !rest.empty())
+        result.push_back(make(Severity::Note, {}, {}, rest + " are not shown"));
     return result;
 }
 

@@ -12,9 +12,12 @@
 
 namespace oroforge::diag {
 
-/// Not thread-safe: one sink belongs to one run in one thread.
+/// Not thread-safe: one sink belongs to one run in one thread. The first kMost errors and warnings are kept; the others are
+/// counted only, because nobody reads them and a broken file may have millions.
 class Sink {
 public:
+    static constexpr std::size_t kMost = 1000;
+
     /// The reference stays valid until the next report; use it at once to add notes.
     Diagnostic& error(Location where, std::string code, std::string message);
     Diagnostic& warning(Location where, std::string code, std::string message);
@@ -26,16 +29,17 @@ public:
     std::size_t warningCount() const { return warnings_; }
     bool empty() const { return all_.empty(); }
 
-    /// In the order of reporting, repeats included.
+    /// What is kept, in the order of reporting, repeats included.
     const std::vector<Diagnostic>& all() const { return all_; }
 
-    /// Ordered by place (those without a place first) and without repeats.
+    /// Ordered by place (those without a place first) and without repeats. A note at the end tells how many were not kept.
     std::vector<Diagnostic> sorted() const;
 
 private:
     std::vector<Diagnostic> all_;
     std::size_t errors_ = 0;
     std::size_t warnings_ = 0;
+    Diagnostic unkept_;
 };
 
 }  // namespace oroforge::diag

@@ -34,11 +34,11 @@ const SourceCache::Lines& SourceCache::linesOf(const std::string& file) {
     return files_[file] = in ? readLines(in) : Lines{};
 }
 
-std::optional<std::string> SourceCache::line(const std::string& file, unsigned number) {
-    if (file.empty() || number == 0) return std::nullopt;
+const std::string* SourceCache::line(const std::string& file, unsigned number) {
+    if (file.empty() || number == 0) return nullptr;
     const Lines& lines = linesOf(file);
-    if (number > lines.size()) return std::nullopt;
-    return lines[number - 1];
+    if (number > lines.size()) return nullptr;
+    return &lines[number - 1];
 }
 
 }  // namespace oroforge::diag

@@ -5,7 +5,6 @@
 #define OROFORGE_DIAG_SOURCE_CACHE_HPP
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,9 @@ public:
     /// Makes `text` the content of `name`, for texts that are not files on disk.
     void add(const std::string& name, const std::string& text);
 
-    /// Line `number` (from 1) without its end-of-line; nothing if there is no such file or line.
-    std::optional<std::string> line(const std::string& file, unsigned number);
+    /// Line `number` (from 1) without its end-of-line; null if there is no such file or line. It lives as long as the cache, or
+    /// until the file is added anew.
+    const std::string* line(const std::string& file, unsigned number);
 
 private:
     using Lines = std::vector<std::string>;

@@ -68,5 +68,19 @@ TEST(Sink, KeepsNotesWithTheirDiagnostic) {
     EXPECT_EQ(sink.all().front().notes[1].where.line, 0U);
 }
 
+TEST(Sink, CountsWhatIsTooMuchToShow) {
+    Sink sink;
+    for (unsigned i = 1; i <= 1500; ++i) sink.error({"f", i, 1}, "E", "wrong").hint("a hint");
+    for (unsigned i = 1; i <= 2000; ++i) sink.warning({"g", i, 1}, "W", "odd");
+
+    EXPECT_EQ(sink.errorCount(), 1500U);
+    EXPECT_EQ(sink.warningCount(), 2000U);
+    EXPECT_EQ(sink.all().size(), 2 * Sink::kMost);
+    const auto sorted = sink.sorted();
+    ASSERT_EQ(sorted.size(), 2 * Sink::kMost + 1);
+    EXPECT_EQ(sorted.back().message, "500 more errors and 1000 more warnings are not shown");
+    EXPECT_EQ(sorted.back().severity, Severity::Note);
+}
+
 }  // namespace
 }  // namespace oroforge::diag
