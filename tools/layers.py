@@ -154,6 +154,8 @@ SHARED_DETAIL = {
     "runtime/rtt/scripting/detail/script_syntax.hpp": ["deployer/deployment/"],
     # The compiler of scripts says itself where a value is converted.
     "runtime/rtt/types/detail/conversion_watch.hpp": ["runtime/rtt/scripting/"],
+    # ... and why one is not.
+    "runtime/rtt/types/detail/refusal_watch.hpp": ["runtime/rtt/scripting/"],
     # Scripts compute with numbers as the constructors of the built-in types do.
     "runtime/rtt/types/detail/number_conversion.hpp": ["runtime/rtt/scripting/", "runtime/rtt/typekit/"],
     # Activities and operation calls wait on the futex that threads wait on; activities log where os logs.

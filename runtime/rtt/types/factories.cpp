@@ -14,6 +14,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/types/detail/conversion_watch.hpp>
+#include <rtt/types/detail/refusal_watch.hpp>
 #include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/internal/Reference.hpp>
 #include <sstream>
@@ -99,11 +100,21 @@ void* storageOfType(const base::DataSourceBase::shared_ptr& source, const std::t
 
 namespace {
 thread_local ConversionWatch* watch = nullptr;
-}
+thread_local RefusalWatch* refusals = nullptr;
+}  // namespace
 
 ConversionWatch::ConversionWatch() : outer_(watch) { watch = this; }
 ConversionWatch::~ConversionWatch() { watch = outer_; }
 ConversionWatch* ConversionWatch::current() { return watch; }
+
+RefusalWatch::RefusalWatch() : outer_(refusals) { refusals = this; }
+RefusalWatch::~RefusalWatch() { refusals = outer_; }
+RefusalWatch* RefusalWatch::current() { return refusals; }
+
+std::string RefusalWatch::takeReason(const char* otherwise) {
+    if (!refusals || refusals->reason_.empty()) return otherwise;
+    return std::exchange(refusals->reason_, {});
+}
 
 void warnConversion(const base::DataSourceBase& from, const base::DataSourceBase& to) {
     if (auto* const watching = ConversionWatch::current())

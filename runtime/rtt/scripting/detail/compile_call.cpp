@@ -84,6 +84,9 @@ bool Unit::isConverted(const OperationInterfacePart& part, unsigned index, const
 base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const OperationInterfacePart& part,
                                                 unsigned index, const std::vector<Operand>& values) {
     const Operand& value = values[index];
+    const types::TypeInfo* const type = part.getArgumentType(index + 1);
+    if (!isOutput(part, index) && isEnum(type))
+        return watched(value.at, [&] { return type->convert(sourceOf(value)); });
     if (!isConverted(part, index, value)) return sourceOf(value);
     const Kind wanted = wantedKind(part, index);
     const auto descriptions = part.getArgumentList();
@@ -229,7 +232,8 @@ bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     OperationInterfacePart::Args sources;
     for (const Operand& value : values(name.arguments, [](std::size_t) { return false; }))
         sources.push_back(sourceOf(value));
-    const Source value = type->construct(sources);
+    const ast::Place first = name.arguments.empty() ? at : name.arguments[0]->at;
+    const Source value = watched(name.arguments.size() == 1 ? first : at, [&] { return type->construct(sources); });
     if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources), elementsOf(*type));
     result = fromSource(value, at);
     return true;

@@ -244,8 +244,12 @@ Operand Unit::combined(const Operand& left, Operand right, const ast::Binary::St
         if (direct.act && conversion(right.kind, left.kind) != Conversion::None)
             return computedBy(direct.act, left.address, loadAs(right, left.kind).address, direct.result, step.at);
     }
+    // A text and a value of an enum are compared as texts.
+    const bool compares = step.op == "==" || step.op == "!=";
+    if (compares && left.constant && !isDirect(left.kind) && right.source && isEnum(right.source->getTypeInfo()))
+        watched(left.at, [&] { return right.source->getTypeInfo()->convert(left.source); });
     if (left.kind != Kind::None && right.kind != Kind::None)
-        if (auto* const made = watched(right.at, [&] {
+        if (const Source made = watched(right.at, [&]() -> Source {
                 return types::operators()->applyBinary(step.op, sourceOf(left).get(), sourceOf(right).get());
             }))
             return fromSource(made, step.at);
@@ -324,8 +328,9 @@ void Unit::store(const Operand& to, Operand value, const std::string& what) {
         return;
     }
     try {
-        std::shared_ptr<base::ActionInterface> action(
-            watched(value.at, [&] { return to.source->updateAction(sourceOf(value).get()); }));
+        auto action = watched(value.at, [&] {
+            return std::shared_ptr<base::ActionInterface>(to.source->updateAction(sourceOf(value).get()));
+        });
         if (!action) refuse();
         emit(&instructions::perform, nullptr, nullptr, action.get());
         code_.keep(std::move(action));

@@ -5,11 +5,14 @@
 #include <rtt/SendStatus.hpp>
 #include <rtt/os/TimeService.hpp>
 #include <rtt/scripting/detail/told_send.hpp>
+#include <rtt/types/detail/refusal_watch.hpp>
 
 namespace RTT {
 namespace scripting {
 namespace detail {
 namespace instructions {
+
+using types::detail::RefusalWatch;
 
 const Instruction* leave(const Instruction&, Process& process) { return process.leave(); }
 
@@ -36,7 +39,8 @@ const Instruction* evaluate(const Instruction& self, Process& process) {
 const Instruction* perform(const Instruction& self, Process& process) {
     auto* const action = static_cast<base::ActionInterface*>(self.to);
     action->readArguments();
-    if (!action->execute()) return process.fail("there is no value to be assigned, or it does not fit");
+    if (!action->execute())
+        return process.fail(RefusalWatch::takeReason("there is no value to be assigned, or it does not fit"));
     return process.proceed(&self + 1);
 }
 
@@ -64,7 +68,7 @@ const Instruction* forgetSent(const Instruction& self, Process&) {
 }
 
 const Instruction* failEvaluation(Process& process) {
-    return process.fail("an expression has no value, or a call was not accepted");
+    return process.fail(RefusalWatch::takeReason("an expression has no value, or a call was not accepted"));
 }
 
 }  // namespace instructions

@@ -3,6 +3,8 @@
 #include <rtt/scripting/detail/operand.hpp>
 
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/types/CompositionFactory.hpp>
+#include <rtt/types/TypeInfo.hpp>
 
 #include <typeinfo>
 
@@ -29,6 +31,10 @@ const void* addressIn(base::DataSourceBase& source) {
 
 bool isSmallNumber(const Operand& operand) {
     return operand.kind == Kind::Other && operand.source && isDirect(widened(operand.source->getTypeId()));
+}
+
+bool isEnum(const types::TypeInfo* type) {
+    return type && dynamic_cast<const types::Enumeration*>(type->getCompositionFactory().get());
 }
 
 std::string typeName(const Operand& operand) {

@@ -32,6 +32,9 @@ struct Operand {
 /** Of a type that widened() knows. */
 bool isSmallNumber(const Operand& operand);
 
+/** Of a type whose values have names. */
+bool isEnum(const types::TypeInfo* type);
+
 /** The type's name for messages. */
 std::string typeName(const Operand& operand);
 

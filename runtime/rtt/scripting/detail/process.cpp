@@ -7,6 +7,7 @@
 #include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/Interruption.hpp>
 #include <rtt/internal/Sending.hpp>
+#include <rtt/types/detail/refusal_watch.hpp>
 
 #include <diag/print.hpp>
 
@@ -39,6 +40,7 @@ Process::Outcome Process::execute(Until until) {
     rounds_ = 0;
     const Instruction* next = next_;
     outcome_ = Outcome::Yielded;
+    const types::detail::RefusalWatch refusals;
     while (next) {
         try {
             do {

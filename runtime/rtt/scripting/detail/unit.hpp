@@ -8,6 +8,7 @@
 #include <rtt/scripting/detail/compiler.hpp>
 #include <rtt/scripting/detail/operand.hpp>
 #include <rtt/types/detail/conversion_watch.hpp>
+#include <rtt/types/detail/refusal_watch.hpp>
 
 #include <functional>
 #include <set>
@@ -182,7 +183,7 @@ private:
                     const std::vector<Operand>& values);
     Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
                 const std::function<Source()>& make);
-    /** Does what `convert` does, and reports the conversions that lose something. */
+    /** Does what `convert` does, and reports the conversions that lose something or cannot be. */
     template <class Convert>
     auto watched(ast::Place at, Convert convert);
     void warnOfConversion(ast::Place at, const std::string& from, const std::string& to);
@@ -232,8 +233,10 @@ private:
 template <class Convert>
 auto Unit::watched(ast::Place at, Convert convert) {
     const types::detail::ConversionWatch watch;
+    const types::detail::RefusalWatch refusals;
     auto made = convert();
     for (const auto& conversion : watch.conversions()) warnOfConversion(at, conversion.from, conversion.to);
+    if (!refusals.reason().empty()) error(at, "OPS154", refusals.reason());
     return made;
 }
 

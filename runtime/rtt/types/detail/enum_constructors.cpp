@@ -2,9 +2,12 @@
 // Copyright Oroforge contributors
 #include "enum_constructors.hpp"
 
+#include <rtt/internal/DataSources.hpp>
 #include <rtt/types/Operators.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
+#include "refusal_watch.hpp"
 #include "type_info_state.hpp"
+#include <diag/nearest_match.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -19,8 +22,29 @@ namespace detail {
 namespace {
 using SourcePtr = base::DataSourceBase::shared_ptr;
 
-bool enumFromInt(const void* names, const void* const* arguments, void* result) {
-    static_cast<const EnumNames*>(names)->ops.set(result, *static_cast<const int*>(arguments[0]));
+/** What a conversion goes by. */
+struct NamedEnum {
+    EnumNames names;
+    std::string type;
+};
+
+/** Leaves the reason with whoever watches; false. */
+bool refuse(const NamedEnum& known, const std::string& found, bool isName) {
+    auto* const watch = RefusalWatch::current();
+    if (!watch) return false;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i != known.names.count; ++i) names.emplace_back(known.names.values[i].name);
+    watch->note("'" + found + "' is no value of type " + known.type + "; expected " +
+                (names.empty() ? "a number" : oroforge::diag::oneOf(names)) +
+                (isName ? oroforge::diag::didYouMean(found, names) : std::string()));
+    return false;
+}
+
+bool enumFromInt(const void* context, const void* const* arguments, void* result) {
+    const auto& known = *static_cast<const NamedEnum*>(context);
+    const int number = *static_cast<const int*>(arguments[0]);
+    if (!known.names.takes(number)) return refuse(known, std::to_string(number), false);
+    known.names.ops.set(result, number);
     return true;
 }
 
@@ -29,9 +53,11 @@ bool intFromEnum(const void* names, const void* const* arguments, void* result) 
     return true;
 }
 
-bool enumFromText(const void* names, const void* const* arguments, void* result) {
-    const auto& known = *static_cast<const EnumNames*>(names);
-    return known.set(*static_cast<const std::string*>(arguments[0]), result);
+bool enumFromText(const void* context, const void* const* arguments, void* result) {
+    const auto& known = *static_cast<const NamedEnum*>(context);
+    const std::string& text = *static_cast<const std::string*>(arguments[0]);
+    if (!known.names.set(text, result)) return refuse(known, text, true);
+    return known.names.takes(known.names.ops.get(result)) || refuse(known, text, false);
 }
 
 bool textFromEnum(const void* names, const void* const* arguments, void* result) {
@@ -51,26 +77,57 @@ bool areOthers(const void* names, const void* const* arguments, void* result) {
     return true;
 }
 
-ErasedFunction function(ComputeFunction call, const EnumNames& names, TypeRef result, std::vector<TypeRef> arguments) {
+bool isNumber(const void* names, const void* const* arguments, void* result) {
+    const EnumOps& ops = static_cast<const EnumNames*>(names)->ops;
+    *static_cast<bool*>(result) = ops.get(arguments[0]) == *static_cast<const int*>(arguments[1]);
+    return true;
+}
+
+bool isOtherNumber(const void* names, const void* const* arguments, void* result) {
+    isNumber(names, arguments, result);
+    *static_cast<bool*>(result) = !*static_cast<bool*>(result);
+    return true;
+}
+
+template <class Context>
+ErasedFunction function(ComputeFunction call, const Context& context, TypeRef result, std::vector<TypeRef> arguments) {
     ErasedFunction made;
     made.call = call;
-    made.context = std::make_shared<EnumNames>(names);
+    made.context = std::make_shared<Context>(context);
     made.result = result;
     made.arity = arguments.size();
     std::copy(arguments.begin(), arguments.end(), made.arguments.begin());
     return made;
 }
 
-/// Others of the same arguments are asked first, whenever they are added.
-class LastConstructor : public TypeConstructor, public AskedLast {
+/// Of constants it is known at once whether there is such a value.
+class EnumConstructor : public TypeConstructor {
 public:
-    explicit LastConstructor(const ErasedFunction& function) : erased_(newErasedConstructor(function, true)) {}
+    explicit EnumConstructor(const ErasedFunction& function) : erased_(newErasedConstructor(function, true)) {}
 
-    SourcePtr build(const std::vector<SourcePtr>& arguments) const override { return erased_->build(arguments); }
-    SourcePtr convert(SourcePtr argument) const override { return erased_->convert(argument); }
+    SourcePtr build(const std::vector<SourcePtr>& arguments) const override {
+        return tried(erased_->build(arguments), arguments);
+    }
+    SourcePtr convert(SourcePtr argument) const override { return tried(erased_->convert(argument), {argument}); }
 
 private:
+    static SourcePtr tried(SourcePtr made, const std::vector<SourcePtr>& arguments) {
+        const auto isConstant = [](const SourcePtr& argument) {
+            return dynamic_cast<const internal::ConstantDataSource<int>*>(argument.get()) ||
+                   dynamic_cast<const internal::ConstantDataSource<std::string>*>(argument.get());
+        };
+        if (made && RefusalWatch::current() && std::all_of(arguments.begin(), arguments.end(), isConstant))
+            made->evaluate();
+        return made;
+    }
+
     const std::unique_ptr<TypeConstructor> erased_;
+};
+
+/// Others of the same arguments are asked first, whenever they are added.
+class LastConstructor : public EnumConstructor, public AskedLast {
+public:
+    using EnumConstructor::EnumConstructor;
 };
 }  // namespace
 
@@ -122,14 +179,18 @@ bool readNumber(const std::string& text, int& number) {
 }
 
 void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& names) {
-    info.addConstructor(newErasedConstructor(function(&enumFromInt, names, enumType, {&typeRef<int>}), true));
-    info.addConstructor(new LastConstructor(function(&enumFromText, names, enumType, {&typeRef<std::string>})));
+    const NamedEnum known{names, info.getTypeName()};
+    info.addConstructor(new EnumConstructor(function(&enumFromInt, known, enumType, {&typeRef<int>})));
+    info.addConstructor(new LastConstructor(function(&enumFromText, known, enumType, {&typeRef<std::string>})));
     if (TypeInfo* number = Types()->getTypeInfo<int>())
         number->addConstructor(newErasedConstructor(function(&intFromEnum, names, &typeRef<int>, {enumType}), true));
     if (TypeInfo* text = Types()->getTypeInfo<std::string>())
         text->addConstructor(new LastConstructor(function(&textFromEnum, names, &typeRef<std::string>, {enumType})));
     operators()->add(new BinaryOp{"==", function(&areSame, names, &typeRef<bool>, {enumType, enumType})});
     operators()->add(new BinaryOp{"!=", function(&areOthers, names, &typeRef<bool>, {enumType, enumType})});
+    // With any number, also one that is no value of the enum.
+    operators()->add(new BinaryOp{"==", function(&isNumber, names, &typeRef<bool>, {enumType, &typeRef<int>})});
+    operators()->add(new BinaryOp{"!=", function(&isOtherNumber, names, &typeRef<bool>, {enumType, &typeRef<int>})});
 }
 
 }  // namespace detail
