@@ -9,6 +9,7 @@
 
 #include <diag/nearest_match.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/types/Types.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -87,11 +88,15 @@ void help(Session& session, const Input& input) {
     if (helpForCommand(session, word.text) || helpForMember(session, word.text)) return;
     Lookup lookup = lookUp(*session.context(), word.text);
     if (lookup.target.service) return describeInterface(session.screen, lookup.target);
+    if (describeType(session.screen, word.text)) return;
     const std::string before = word.text.substr(0, lookup.wrongAt ? lookup.wrongAt - 1 : 0);
     const Lookup owner = lookUp(*session.context(), before);
     if (owner.target.service)
         for (const std::string& name : memberNames(*owner.target.service)) lookup.known.push_back(name);
     for (const Command& command : commands()) lookup.known.push_back(command.word);
+    const bool isWhole = lookup.wrong == word.text;
+    for (const std::string& type : RTT::types::Types()->getDottedTypes())
+        if (isWhole || type.find('.') != std::string::npos) lookup.known.push_back(type);
     complain(session.screen, input, word.begin + lookup.wrongAt,
              "there is nothing called '" + lookup.wrong + "' here" + didYouMean(lookup.wrong, lookup.known));
 }
@@ -197,7 +202,7 @@ const std::vector<Command>& commands() {
          "goes to a peer; '..' is the component visited before; without a path, where the console began",
          Argument::Component, &changePlace},
         {"peers", "", "shows the peers and their states", Argument::None, &peers},
-        {"help", "[NAME]", "explains a command, or what a component, service, operation, port or value is",
+        {"help", "[NAME]", "explains a command, or what a component, service, operation, port, value or type is",
          Argument::Name, &help},
         {"leave", "", "watches the component from outside: the console gets a port for each of its ports",
          Argument::None, &leave},

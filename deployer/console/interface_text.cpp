@@ -12,11 +12,15 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/standard_operations.hpp>
+#include <rtt/types/CompositionFactory.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/MemberFactory.hpp>
 #include <rtt/types/Types.hpp>
 
+#include <algorithm>
 #include <ostream>
+#include <set>
 
 namespace OCL::console {
 namespace {
@@ -62,7 +66,49 @@ void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& v
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
 }
 
+/** "  title: a, b", in lines that fit; nothing without names. */
+void writeNames(Screen& screen, const std::string& title, const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? title + ": " : ", ") + name;
+    writeDoc(screen, text, "  ");
+}
+
+std::vector<std::string> otherNames(const RTT::types::TypeInfo& type) {
+    std::set<std::string> names;
+    for (const std::string& name : type.getTypeNames()) names.insert(dotted(name));
+    names.erase(dotted(type.getTypeName()));
+    return {names.begin(), names.end()};
+}
+
+/** The types of which one value is enough for `type(value)`. */
+std::vector<std::string> madeFrom(const RTT::types::TypeInfo& type) {
+    std::set<std::string> names;
+    for (const std::string& each : RTT::types::Types()->getTypes()) {
+        const RTT::types::TypeInfo* const other = RTT::types::Types()->type(each);
+        if (!other || other == &type) continue;
+        const auto value = other->buildValue();
+        if (value && type.construct({value})) names.insert(dotted(other->getTypeName()));
+    }
+    return {names.begin(), names.end()};
+}
+
+void writeEnumerators(Screen& screen, const RTT::types::TypeInfo& type, const std::vector<std::string>& names) {
+    const auto value = type.buildValue();
+    Table table({Style::Name, Style::Value});
+    for (const std::string& name : names) {
+        const bool known = value && type.fromString(name, value);
+        const auto number = known ? RTT::types::Types()->getTypeInfo<int>()->convert(value) : nullptr;
+        table.add({name, number && number != value ? "= " + valueText(number, screen.hex) : ""});
+    }
+    table.write(screen.out, screen.theme, "    ", screen.tableWidth());
+}
+
 }  // namespace
+
+std::vector<std::string>::iterator standardOperationsLast(std::vector<std::string>& names) {
+    return std::stable_partition(names.begin(), names.end(),
+                                 [](const std::string& name) { return !RTT::internal::standardOperation(name); });
+}
 
 std::string signatureOf(const RTT::OperationInterface& operations, const std::string& name) {
     std::string text = dotted(operations.getResultType(name)) + " " + name + "(";
@@ -100,9 +146,15 @@ void describeInterface(Screen& screen, const Target& target) {
         title(screen, "Attributes");
         writeAttributes(screen, service, "    ");
     }
-    const auto operations = service.getNames();
-    if (!operations.empty()) title(screen, "Operations");
-    for (const std::string& name : operations) describeOperation(screen, service, name, "    ");
+    auto operations = service.getNames();
+    const auto usual = target.component ? standardOperationsLast(operations) : operations.end();
+    for (auto each = operations.begin(); each != operations.end(); ++each) {
+        if (each == usual)
+            title(screen, kUsualOperations);
+        else if (each == operations.begin())
+            title(screen, "Operations");
+        describeOperation(screen, service, *each, "    ");
+    }
     if (!service.getPorts().empty()) {
         title(screen, "Ports");
         writePorts(screen, service, "    ");
@@ -147,6 +199,28 @@ bool describeValue(Screen& screen, const RTT::ConfigurationInterface& values, co
                << screen.paint(Style::Value, valueText(value, screen.hex)) << (unit.empty() ? "" : " " + unit) << '\n';
     writeDoc(screen, doc, "  ");
     writeMembers(screen, value, "    ");
+    return true;
+}
+
+bool describeType(Screen& screen, const std::string& name) {
+    const RTT::types::TypeInfo* const type = RTT::types::Types()->type(name);
+    if (!type) return false;
+    const auto factory = type->getCompositionFactory();
+    const auto* const enumeration = dynamic_cast<const RTT::types::Enumeration*>(factory.get());
+    screen.out << (enumeration ? "Enum " : "Type ") << screen.paint(Style::Type, dotted(type->getTypeName())) << '\n';
+    writeDoc(screen, type->getDescription(), "  ");
+    writeNames(screen, "also called", otherNames(*type));
+    const auto value = type->buildValue();
+    const auto members = value ? value->getMemberNames() : std::vector<std::string>();
+    if (std::find(members.begin(), members.end(), "capacity") == members.end()) {
+        writeNames(screen, "made from", madeFrom(*type));
+    } else if (const auto element = value->getMember("0")) {
+        writeNames(screen, "elements", {dotted(element->getTypeName())});
+    }
+    if (enumeration) writeEnumerators(screen, *type, enumeration->enumerators());
+    // What members are and hold before anybody sets them is known of a value only.
+    else if (value)
+        writeMembers(screen, value, "    ");
     return true;
 }
 

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "listing.hpp"
 
+#include "interface_text.hpp"
 #include "port_table.hpp"
 #include "scripted.hpp"
 #include "table.hpp"
@@ -30,6 +31,13 @@ void listNames(Screen& screen, const char* text, const std::vector<std::string>&
     if (names.empty()) return;
     title(screen, text);
     writeColumns(screen.out, names, screen.theme, Style::Name, kIndent, screen.width());
+}
+
+void listOperations(Screen& screen, const Target& target) {
+    auto names = target.service->getNames();
+    const auto usual = target.component ? standardOperationsLast(names) : names.end();
+    listNames(screen, "Operations", {names.begin(), usual});
+    listNames(screen, kUsualOperations, {usual, names.end()});
 }
 
 void listServices(Screen& screen, const Target& target) {
@@ -120,7 +128,7 @@ void list(Screen& screen, const Target& target) {
         title(screen, "Attributes");
         writeAttributes(screen, service, kIndent);
     }
-    listNames(screen, "Operations", service.getNames());
+    listOperations(screen, target);
     if (!service.getPorts().empty()) {
         title(screen, "Ports");
         writePorts(screen, service, kIndent);

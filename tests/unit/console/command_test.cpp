@@ -28,6 +28,17 @@ TEST_F(Commands, LsShowsAComponentInAlignedTables) {
     EXPECT_THAT(text, HasSubstr("    fillings        int   = 0\n"));
 }
 
+TEST_F(Commands, OperationsOfTheComponentComeBeforeThoseOfEveryOne) {
+    EXPECT_THAT(answer("ls tank"),
+                HasSubstr("\n  Operations\n    empty  fill\n\n  Operations of every component\n    activate "));
+    EXPECT_THAT(answer("ls"),
+                testing::AllOf(Not(HasSubstr("  Operations\n")), HasSubstr("  Operations of every component\n")));
+    plant.loadService("scripting");
+    EXPECT_THAT(answer("ls scripting"), testing::AllOf(HasSubstr("  Operations\n"), Not(HasSubstr("every component"))));
+    EXPECT_THAT(answer("help tank"), testing::ContainsRegex("\n  Operations\n    void empty(.|\n)*bool fill(.|\n)*"
+                                                            "\n  Operations of every component\n    bool activate"));
+}
+
 TEST_F(Commands, LookingConnectsNoPort) {
     answer("ls tank\ncd tank\nls\nhelp tank\ntank.flow");
     EXPECT_FALSE(tank->getPort("flow")->connected());
