@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What is reported: peers, ports and values by name, and the property ReportData that lists them.
+#include "report_name.hpp"
 #include "reporting_state.hpp"
 
 #include <diag/nearest_match.hpp>
@@ -59,6 +60,10 @@ TaskContext* peerOf(TaskContext& self, const std::string& component) {
         log(RTT::Error) << "'" << self.getName() << "' could not report component '" << component
                         << "': no such peer; its peers: " << (known.empty() ? "none" : known)
                         << didYouMean(component, peers) << endlog();
+    } else if (reporting::hasControl(component)) {
+        log(RTT::Error) << "'" << self.getName() << "' could not report component '" << component
+                        << "': its name has a control character, such as a line end" << endlog();
+        return nullptr;
     }
     return peer;
 }

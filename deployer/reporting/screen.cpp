@@ -3,6 +3,8 @@
 // What the interface of a component is at one moment.
 #include <ocl/ReportingComponent.hpp>
 
+#include "report_name.hpp"
+
 #include <rtt/Logger.hpp>
 
 #include <ostream>
@@ -20,6 +22,11 @@ bool ReportingComponent::screenImpl(const std::string& component, std::ostream& 
     RTT::TaskContext* const peer = getPeer(component);
     if (!peer) {
         RTT::log(RTT::Error) << "could not screen component '" << component << "': no such peer" << RTT::endlog();
+        return false;
+    }
+    if (reporting::hasControl(component)) {
+        RTT::log(RTT::Error) << "could not screen component '" << component
+                             << "': its name has a control character, such as a line end" << RTT::endlog();
         return false;
     }
     output << "Screening Component '" << component << "' : \n\n";

@@ -98,6 +98,21 @@ TEST_F(Deployment, UnknownNamesAreRefusedByAll) {
     EXPECT_FALSE(deployer_->kickOutComponent("x"));
 }
 
+TEST_F(Deployment, NamesThatArePathsOrBeginOtherLinesAreRefusedByAll) {
+    ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
+    const auto peers = deployer_->getPeerList();
+    for (const char* name : {"../x", "a/b", "/", "a\n9.999 forged", "a\x1b[2J", "a\tb", "a\x7f"}) {
+        EXPECT_FALSE(deployer_->loadComponent(name, "deploytest::Consumer")) << name;
+        EXPECT_FALSE(deployer_->aliasPeer("c", "this", name)) << name;
+        RTT::TaskContext made(name);
+        EXPECT_FALSE(deployer_->addPeer(&made)) << name;
+        EXPECT_FALSE(deployer_->addPeer(peer("c"), name)) << name;
+        EXPECT_FALSE(deployer_->connectPeers(&made)) << name;
+        EXPECT_EQ(peers, deployer_->getPeerList()) << name;
+    }
+    EXPECT_FALSE(peer("c")->hasPeer("../x"));
+}
+
 TEST_F(Deployment, PortsAreConnectedByPath) {
     ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
     ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));
