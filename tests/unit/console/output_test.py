@@ -114,7 +114,7 @@ class OutputOfOthers(DeployerCase):
         program.wait_for(PROMPT + "20 +")
         self.go()
         self.done(program)
-        program.wait_for(PROMPT + "20 +hello")
+        program.wait_for(PROMPT + "20 +hello\n")  # with its end of line, which comes for itself
         self.assertEqual(" = 23", program.type("3", PROMPT))
 
     def test_a_terminal_that_cannot_erase_shows_it_below(self):

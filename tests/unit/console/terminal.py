@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 """A program on a terminal of its own: keys in, screen out."""
+import codecs
 import fcntl
 import os
 import pty
@@ -12,6 +13,10 @@ import termios
 import time
 
 SEQUENCE = re.compile(r"\x1b\[(?P<numbers>[0-9;?]*)(?P<letter>[A-Za-z@])")
+
+
+def set_width(terminal, width):
+    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 40, width, 0, 0))
 
 
 class Screen:
@@ -85,6 +90,7 @@ class Program:
 
     def __init__(self, command, directory, environment, width=100, limit=20):
         self.written = ""  # with all sequences
+        self.decoder = codecs.getincrementaldecoder("utf-8")(errors="replace")  # letters come in parts
         self.limit = limit
         self.width = width
         self.status = None
@@ -96,8 +102,8 @@ class Program:
             # As a shell starts it: Python ignores some of these, and nohup another one.
             for number in signal.SIGPIPE, signal.SIGXFSZ, signal.SIGHUP:
                 signal.signal(number, signal.SIG_DFL)
+            set_width(0, width)  # before the program asks for it
             os.execve(command[0], command, own)
-        self.resize(width)
 
     def __enter__(self):
         return self
@@ -110,7 +116,7 @@ class Program:
 
     def resize(self, width):
         self.width = width
-        fcntl.ioctl(self.terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 40, width, 0, 0))
+        set_width(self.terminal, width)
 
     def send(self, keys):
         os.write(self.terminal, keys.encode())
@@ -124,7 +130,7 @@ class Program:
             block = os.read(self.terminal, 65536)
         except OSError:
             return False
-        self.written += block.decode(errors="replace")
+        self.written += self.decoder.decode(block)
         return bool(block)
 
     def screen(self):
