@@ -35,6 +35,7 @@ TerminalSignals::TerminalSignals(int wakes) {
     action.sa_flags = SA_RESTART;  // whatever a command or a component waits for
     sigaction(SIGWINCH, &action, &resize_);
     sigaction(SIGCONT, &action, &resume_);
+    resized = true;  // since somebody asked for the size, for all that is known
 }
 
 TerminalSignals::~TerminalSignals() {
