@@ -122,7 +122,6 @@ INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/"]
 # header name (regular expression, from the start) -> folders that alone may include it
 FOREIGN = {
     r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/"],
-    r"tinyxml2\.h": ["runtime/xml/"],
     r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/"],
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],

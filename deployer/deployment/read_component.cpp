@@ -6,35 +6,38 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/marsh/detail/cpf_reader.hpp>
 
+#include <utility>
+
 namespace OCL::deploy {
 namespace {
 
-using Reader = void (*)(const xml::Element&, ComponentPlan&, diag::Sink&);
+/** What the plan keeps may be moved out of the element. */
+using Reader = void (*)(xml::Element&, ComponentPlan&, diag::Sink&);
 
 template <Flag ComponentPlan::*member>
-void flag(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void flag(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (const auto value = readBoolean(element, sink)) plan.*member = *value;
 }
 
-void service(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void service(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (const auto name = readWord(element, sink)) plan.services.push_back(*name);
 }
 
 template <PropertyFilePlan::Mode mode>
-void propertyFile(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void propertyFile(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (const auto file = readWord(element, sink)) plan.propertyFiles.push_back(PropertyFilePlan{mode, *file});
 }
 
 template <ScriptPlan::Kind kind>
-void script(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void script(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (const auto file = readWord(element, sink)) plan.scripts.push_back(ScriptPlan{kind, *file});
 }
 
-void properties(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
-    if (readProperties(element, sink)) plan.properties.push_back(element);
+void properties(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+    if (readProperties(element, sink)) plan.properties.push_back(std::move(element));
 }
 
-void ports(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void ports(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     for (const xml::Element& child : element.children) {
         if (child.name == "description") continue;
@@ -50,14 +53,14 @@ void ports(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     }
 }
 
-void peers(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void peers(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     for (const xml::Element& child : element.children)
         if (child.name != "description")
             if (const auto peer = readWord(child, sink)) plan.peers.push_back(*peer);
 }
 
-void activity(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void activity(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     if (!requireStruct(element, sink)) return;
     if (plan.activity)
         sink.warning(element.where, "DEP013",
@@ -66,14 +69,14 @@ void activity(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink
     plan.activity = readActivity(element, sink);
 }
 
-void server(const xml::Element& element, ComponentPlan&, diag::Sink& sink) {
+void server(xml::Element& element, ComponentPlan&, diag::Sink& sink) {
     if (readBoolean(element, sink).value_or(false))
         sink.warning(element.where, "DEP019", "'Server' is ignored: this deployer has no CORBA");
 }
 
-void checkedFlag(const xml::Element& element, ComponentPlan&, diag::Sink& sink) { (void)readBoolean(element, sink); }
+void checkedFlag(xml::Element& element, ComponentPlan&, diag::Sink& sink) { (void)readBoolean(element, sink); }
 
-void withoutEffect(const xml::Element& element, ComponentPlan&, diag::Sink& sink) {
+void withoutEffect(xml::Element& element, ComponentPlan&, diag::Sink& sink) {
     const std::string name = nameOf(element).value;
     sink.warning(element.where, "DEP019",
                  "'" + name + "' has no effect here; " +
@@ -109,7 +112,7 @@ const Entry kEntries[] = {
     {"UseNamingService", checkedFlag},
 };
 
-void readElement(const xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
+void readElement(xml::Element& element, ComponentPlan& plan, diag::Sink& sink) {
     const Text name = nameOf(element);
     if (name.value == "PropFile") {
         sink.error(name.where, "DEP006", "'PropFile' is an old name; please write 'PropertyFile'");
@@ -133,17 +136,19 @@ bool readProperties(const xml::Element& element, diag::Sink& sink) {
         if (child.name != "description" && nameOf(child).empty())
             sink.error(child.where, "DEP003", "an element of 'Properties' has no name, expected that of a property");
     checkTwice(element, {}, sink);
-    RTT::PropertyBag scratch;
-    (void)RTT::marsh::readBag(element, scratch, sink);
+    for (const xml::Element& child : element.children) {
+        RTT::PropertyBag scratch;  // of one property at a time, as there may be many
+        (void)RTT::marsh::readProperty(child, scratch, sink);
+    }
     return true;
 }
 
-ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink) {
+ComponentPlan readComponent(xml::Element&& element, diag::Sink& sink) {
     ComponentPlan plan;
     plan.name = nameOf(element);
     plan.type = typeOf(element);
     checkTwice(element, {"AutoConf", "AutoConnect", "AutoSave", "AutoStart"}, sink);
-    for (const xml::Element& child : element.children)
+    for (xml::Element& child : element.children)
         if (child.name != "description") readElement(child, plan, sink);
     return plan;
 }

@@ -44,8 +44,8 @@ public:
 
     /** Statement by statement: only what the plan needs of them stays in memory. */
     void readText(const std::string& text, const std::string& name) {
-        const auto take = [this](const xml::Element& root, const xml::Element& child) {
-            if (root.name == "properties" && child.name != "description") readTopLevel(child);
+        const auto take = [this](const xml::Element& root, xml::Element&& child) {
+            if (root.name == "properties" && child.name != "description") readTopLevel(std::move(child));
         };
         const auto document = xml::Document::parseText(text, name, sink_, xml::Blanks::condensed, take);
         if (!document) return;
@@ -63,7 +63,7 @@ private:
         return error ? file : real.string();
     }
 
-    void readTopLevel(const xml::Element& element) {
+    void readTopLevel(xml::Element&& element) {
         if (element.name == "simple") return readStatement(element);
         if (element.name != "struct") {
             sink_.error(element.where, "DEP002", "found <" + element.name + ">, expected <simple> or <struct>");
@@ -81,7 +81,7 @@ private:
         else if (const std::string why = nameFault(name->value); !why.empty())
             sink_.error(name->valueWhere, "DEP063", "component '" + name->value + "' cannot have this name: " + why);
         else if (element.requireAttribute("type", sink_))
-            plan_.components.push_back(readComponent(element, sink_));
+            plan_.components.push_back(readComponent(std::move(element), sink_));
     }
 
     /** The policy of this name is that of connections for which none is given, and where others leave out members. */

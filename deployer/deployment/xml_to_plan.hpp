@@ -22,7 +22,7 @@ Plan readPlanFile(const std::string& file, diag::Sink& sink);
 Plan readPlanText(const std::string& text, const std::string& name, diag::Sink& sink);
 
 // The steps, for the files that implement them.
-ComponentPlan readComponent(const xml::Element& element, diag::Sink& sink);
+ComponentPlan readComponent(xml::Element&& element, diag::Sink& sink);
 ActivityPlan readActivity(const xml::Element& element, diag::Sink& sink);
 /** Members that are left out are those of `policy`. */
 PolicyPlan readPolicy(const xml::Element& element, const RTT::ConnPolicy& policy, diag::Sink& sink);

@@ -47,10 +47,6 @@ class CheckLayers(unittest.TestCase):
         check_one(self, SCRIPT, {"generator/model/type.hpp": "#include <llvm/ADT/StringRef.h>\n"},
                   "generator/model/type.hpp:1: error: [LAY02]")
 
-    def test_tinyxml2_only_in_xml(self):
-        check_one(self, SCRIPT, {"runtime/rtt/marsh/read.cpp": "#include <tinyxml2.h>\n"},
-                  "runtime/rtt/marsh/read.cpp:1: error: [LAY02]")
-
     def test_detail_is_private(self):
         check_one(self, SCRIPT, {"runtime/rtt/marsh/detail/read.hpp": "",
                                  "deployer/console/load.cpp": "#include <rtt/marsh/detail/read.hpp>\n"},

@@ -50,8 +50,8 @@ cp "$work/bin/apt-get" "$work/bin/apt-cache"
 printf '#!/bin/sh\n[ "$1" = env ] && shift && shift\n"$@"\n' > "$work/bin/sudo"
 chmod +x "$work"/bin/*
 needs() { PATH=$work/bin:$PATH "$work/copy/dev" setup "$@" 2>&1 | grep '^== installing'; }
-[[ $(needs) = *libtinyxml2-dev* && $(needs) != *gtest* && $(needs) != *benchmark* ]] || { echo "demo wants: $(needs)"; failed=1; }
-[[ $(needs tests) = *libtinyxml2-dev*libgtest-dev* && $(needs tests) != *lintian* ]] || { echo "tests want: $(needs tests)"; failed=1; }
+[[ $(needs) = *libcli11-dev* && $(needs) != *gtest* && $(needs) != *benchmark* ]] || { echo "demo wants: $(needs)"; failed=1; }
+[[ $(needs tests) = *libcli11-dev*libgtest-dev* && $(needs tests) != *lintian* ]] || { echo "tests want: $(needs tests)"; failed=1; }
 
 for script in "$source/dev" "$source/.ci/run" "$source"/tools/*.sh "$source"/examples/*/run; do
   expect "" 0 bash -n "$script"

@@ -155,6 +155,12 @@ bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Pl
     return sink.errorCount() == before;
 }
 
+bool readProperty(const xml::Element& child, PropertyBag& into, diag::Sink& sink, Places* places) {
+    const auto before = sink.errorCount();
+    Reader(sink, places).readChild(child, into);
+    return sink.errorCount() == before;
+}
+
 std::optional<xml::Document> readText(const std::string& text, const std::string& name, PropertyBag& into,
                                       diag::Sink& sink, Places* places) {
     auto document = xml::Document::parseText(text, name, sink, xml::Blanks::condensed);

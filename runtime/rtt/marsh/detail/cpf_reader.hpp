@@ -28,6 +28,9 @@ typedef std::unordered_map<const base::PropertyBase*, diag::Location> Places;
  */
 RTT_API bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
 
+/** The same for one of the children. */
+RTT_API bool readProperty(const xml::Element& child, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
+
 /** The same for a file, whose root must be <properties>. */
 RTT_API bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
 /** The same for its text; `name` stands for the file in diagnostics. Nothing if there was an error. */
