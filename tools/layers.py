@@ -6,6 +6,7 @@
 LAYER_OF = {
     "runtime/diag/": "diag",
     "runtime/files/": "files",
+    "runtime/report/": "report",
     "runtime/xml/": "xml",
     "runtime/rtt/os/": "os",
     "runtime/rtt/rtt-config.h": "os",       # made by CMake from rtt-config.h.in
@@ -51,7 +52,7 @@ LAYER_OF = {
     "generator/render/": "render",
     "generator/emit/": "emit",
     "generator/emit/banner.": "banner",     # text that views put on top of generated files; writes nothing
-    "generator/report/": "report",
+    "generator/explain/": "explain",
     "generator/driver/": "driver",
     "typekit_gen/collect/": "collect",
     "typekit_gen/plan/": "plan",
@@ -63,7 +64,7 @@ LAYER_OF = {
 LEAFS = {"diag", "files", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
-GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "merge", "view", "render", "emit", "banner", "report", "flags"}
+GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "merge", "view", "render", "emit", "banner", "explain", "report", "flags"}
 OUTER = LEAFS | API | {"plugin"}
 DEPLOYER = RUNTIME | {"ocl"}
 UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
@@ -72,6 +73,7 @@ UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
 MAY_INCLUDE = {
     "diag": set(),
     "files": set(),
+    "report": {"diag"},
     "xml": {"diag"},
     "os": set(),
     "plugin_api": {"os"},
@@ -95,7 +97,7 @@ MAY_INCLUDE = {
     "logging": DEPLOYER,
     "components": DEPLOYER,
     "rt_check": set(),                      # preloaded: it must not bring the runtime along
-    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "rt_check", "corba"},
+    "bin": DEPLOYER | {"deployment", "console", "lua", "reporting", "logging", "components", "rt_check", "corba", "report"},
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
@@ -107,7 +109,7 @@ MAY_INCLUDE = {
     "view": LEAFS | {"model", "banner"},
     "render": {"diag"},
     "emit": {"diag", "files", "banner"},
-    "report": {"diag"},
+    "explain": {"diag"},
     "driver": GENERATOR | {"xml"},
     "collect": {"diag", "model", "clang", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
@@ -127,6 +129,8 @@ FOREIGN = {
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
+    # Of the runtime, what stays out of components and their libraries.
+    r"nlohmann/": ["runtime/report/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test
@@ -137,7 +141,7 @@ FOREIGN = {
 
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
-NOT_INSTALLED = ["runtime/diag/", "runtime/files/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
+NOT_INSTALLED = ["runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/"]
 
@@ -147,6 +151,9 @@ SHARED_DETAIL = {
     "runtime/rtt/plugin/detail/": ["runtime/rtt/deployment/"],
     # Property files update bags as updateProperties() does, but report where in the file.
     "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/", "deployer/deployment/"],
+    # Who reports of files asks whether a document of all reports is written, which a program does.
+    "runtime/rtt/internal/detail/diagnostic_taker.hpp": ["runtime/rtt/marsh/", "runtime/rtt/scripting/",
+                                                         "deployer/deployment/", "deployer/bin/"],
     # The deployer reads property structs that stand inside its own XML.
     "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
     # ... and tells the syntax errors of scripts before it creates the components that they are for.

@@ -46,6 +46,8 @@ const struct {
      "the result; without the option this is a warning"},
     {"lenient", Takes::Nothing,
      "leave out text behind numbers in XML and property files, with a warning; without the option this is an error"},
+    {"format", Takes::Word,
+     "how errors and warnings are reported: text, or json or sarif, a document on standard output at the end"},
     {"dot", Takes::Word, "write the graph of the components to this file, for Graphviz"},
     {"rt-check", Takes::Nothing,
      "tell at the end what components with a real-time scheduler allocated, locked or waited for in updateHook(); then "
@@ -195,6 +197,15 @@ bool takeValues(const po::variables_map& values, const std::vector<std::string>&
     options.strict = values.count("strict") != 0;
     options.lenient = values.count("lenient") != 0;
     if (values.count("dot")) options.graphFile = values["dot"].as<std::string>();
+    if (values.count("format")) {
+        const std::string format = values["format"].as<std::string>();
+        const auto known = oroforge::report::formatOf(format);
+        options.format = known.value_or(oroforge::report::Format::Text);
+        if (!known)
+            error = "unknown value '" + format + "' of --format, expected " +
+                    diag::oneOf(oroforge::report::formatNames()) +
+                    diag::didYouMean(format, oroforge::report::formatNames());
+    }
     options.daemon = values.count("daemon") != 0 && !options.endsAtOnce();
     options.realTimeCheck = values.count("rt-check") != 0;
     options.lockMemory = values.count("lock-memory") != 0;
@@ -271,6 +282,8 @@ std::string version(const std::string& program) {
     return program + " " ORO_STRINGIFY(RTT_VERSION) " (Oroforge, target " OROCOS_TARGET_NAME ", compiler " __VERSION__
                                                     ")\n";
 }
+
+std::string programVersion() { return ORO_STRINGIFY(RTT_VERSION); }
 
 std::vector<char*> wordsForRuntime(int argc, char** argv) {
     std::vector<char*> words(argv, argv + argc);

@@ -4,6 +4,8 @@
 #ifndef OROFORGE_DEPLOYER_OPTIONS_HPP
 #define OROFORGE_DEPLOYER_OPTIONS_HPP
 
+#include <report/report.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct Options {
     bool strict = false;
     bool lenient = false;
     std::string graphFile;  // for the graph of the components; empty: none wanted
+    oroforge::report::Format format = oroforge::report::Format::Text;
     bool daemon = false;
     bool realTimeCheck = false;
     bool lockMemory = false;
@@ -49,6 +52,8 @@ struct ProgramText {
 std::string usage(const std::string& program, const ProgramText& text);
 /** What --version shows. */
 std::string version(const std::string& program);
+/** "2.10.0" */
+std::string programVersion();
 
 /** The program's name and, if there is a "--", what stands after it, else all; a null ends the list. */
 std::vector<char*> wordsForRuntime(int argc, char** argv);

@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include "explain.hpp"
 
-#include <diag/explain.hpp>
+#include "program_report.hpp"
+
 #include <diag/print.hpp>
 
 #include <cctype>
@@ -37,9 +38,13 @@ bool isOfGenerators(const std::string& code) {
 
 }  // namespace
 
-bool explain(const std::vector<std::string>& codes, const std::string& program) {
+const diag::Explanations& explanations() {
+    static const diag::Explanations all(oroforge::embedded::codesOfDeployer());
+    return all;
+}
+
+bool explain(const std::vector<std::string>& codes, const std::string& program, ProgramReport& report) {
     diag::Sink sink;
-    const diag::Explanations all(oroforge::embedded::codesOfDeployer());
     std::vector<std::string> own;
     for (const std::string& code : codes) {
         if (isOfGenerators(code))
@@ -48,8 +53,9 @@ bool explain(const std::vector<std::string>& codes, const std::string& program) 
         else
             own.push_back(code);
     }
-    if (codes.empty() || !own.empty()) all.print(own, {program, ""}, std::cout, sink);
-    diag::print(std::cerr, sink);
+    if (codes.empty() || !own.empty()) explanations().print(own, {program, ""}, std::cout, sink);
+    if (report.isText()) diag::print(std::cerr, sink);
+    for (const diag::Diagnostic& diagnostic : sink.all()) report.add(diagnostic);
     return diag::arrived(std::cout, std::cerr, program) && !sink.hadErrors();
 }
 

@@ -6,6 +6,7 @@
 #include "../deployment/signals.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
+#include "program_report.hpp"
 #include "real_time_check.hpp"
 #include "real_time_memory.hpp"
 #include "script_end.hpp"
@@ -48,7 +49,7 @@ bool runScript(DeploymentComponent& deployer, const std::string& file, const Opt
     return false;
 }
 
-bool deployFile(DeploymentComponent& deployer, const std::string& file, const Options& options) {
+bool deployFile(DeploymentComponent& deployer, const std::string& file, const Options& options, ProgramReport& report) {
     for (const char* suffix : {".xml", ".cpf"})
         if (endsWith(file, suffix))
             return options.dryRun ? deployer.planOnly(file) : deployer.kickStart2(file, !options.check);
@@ -56,9 +57,7 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
         if (options.endsAtOnce() && endsWith(file, suffix)) return deployer.checkScript(file);
     for (const char* suffix : {".ops", ".osd", ".lua"})
         if (endsWith(file, suffix)) return runScript(deployer, file, options);
-    std::cerr
-        << file
-        << ": error: unknown kind of file, expected .xml or .cpf for deployment, .ops, .osd or .lua for scripts\n";
+    report.error(file, "unknown kind of file, expected .xml or .cpf for deployment, .ops, .osd or .lua for scripts");
     return false;
 }
 
@@ -70,12 +69,12 @@ void tellOfEnd() {
     (void)written;
 }
 
-bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options) {
+bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Options& options, ProgramReport& report) {
     bool all = !deployer.siteFileFailed();
     if (!all && !options.dryRun) return false;
     for (const std::string& file : options.files) {
         if (ending.caught()) {
-            std::cerr << file << ": error: not deployed: a signal came that ends the program\n";
+            report.error(file, "not deployed: a signal came that ends the program");
             return false;
         }
         std::snprintf(
@@ -84,8 +83,11 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
             "seconds, and a second signal ends all at once\n",
             file.c_str());
         ending.atFirst(&tellOfEnd);
-        const bool good = deployFile(deployer, file, options);
+        const std::size_t before = report.errorCount();
+        const bool good = deployFile(deployer, file, options, report);
         ending.atFirst(nullptr);
+        if (!good && !report.isText() && report.errorCount() == before)
+            report.error(file, "could not be deployed; the log says why");
         all = good && all;
         if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
     }
@@ -93,11 +95,11 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
 }
 
 /** Writes the graph where one is wanted. */
-bool writeGraph(const DeploymentComponent& deployer, const std::string& file) {
+bool writeGraph(const DeploymentComponent& deployer, const std::string& file, ProgramReport& report) {
     if (file.empty()) return true;
     std::ofstream out(file);
     if (out << deployer.graph() && out.flush()) return true;
-    std::cerr << file << ": error: the graph cannot be written: " << std::strerror(errno) << "\n";
+    report.error(file, std::string("the graph cannot be written: ") + std::strerror(errno));
     return false;
 }
 
@@ -107,7 +109,7 @@ void tellSummary(const DeploymentComponent& deployer) {
     if (!planned.empty()) std::cout << planned << ": ok; scripts not executed" << std::endl;
 }
 
-int deploy(const Options& options, Stay stay) {
+int deploy(const Options& options, Stay stay, ProgramReport& report) {
     // Caught from now on, so that a signal during start-up ends the program in order as well.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
@@ -120,7 +122,8 @@ int deploy(const Options& options, Stay stay) {
                                  options.dryRun  ? Purpose::PlanOnly
                                  : options.check ? Purpose::Check
                                                  : Purpose::Deploy);
-    const bool deployed = deployFiles(deployer, *ending, options) && writeGraph(deployer, options.graphFile);
+    const bool deployed =
+        deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
     if (options.dryRun && deployed) tellSummary(deployer);
     scriptEnd.reset();  // those of the shutdown have a limit of their own
     bool succeeded = deployed;
@@ -139,15 +142,15 @@ int processors() {
     return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
-int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay stay) {
+int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay stay, ProgramReport& report) {
     if (__os_init(static_cast<int>(words.size()) - 1, const_cast<char**>(words.data())) != 0) {
-        std::cerr << words.front() << ": error: the runtime does not start\n";
+        report.error(words.front(), "the runtime does not start");
         return kFailure;
     }
     tellCrashes();
     int status = kFailure;
     try {
-        status = deploy(options, stay);
+        status = deploy(options, stay, report);
     } catch (const std::exception& thrown) {
         RTT::log(RTT::Critical) << "uncaught exception: " << thrown.what() << RTT::endlog();
     }
@@ -166,47 +169,60 @@ bool hasFiles(const Options& options, const ProgramText& text, std::string& erro
     return false;
 }
 
-}  // namespace
+/** What is asked for instead of a deployment. */
+int tellOnly(const Options& options, const ProgramText& text, const std::string& program, ProgramReport& report) {
+    if (options.action == Options::Explain) return explain(options.codes, program, report) ? 0 : kFailure;
+    std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
+    return oroforge::diag::arrived(std::cout, std::cerr, program) ? 0 : kFailure;
+}
 
-int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
-    const std::string program = std::filesystem::path(argv[0]).filename().string();
-    Options options;
-    std::string error;
-    if (!parseOptions(argc, argv, options, error) || !hasFiles(options, text, error)) {
-        std::cerr << program << ": error: " << error << "\n" << program << " --help shows all options\n";
-        return kFailure;
-    }
-    if (!options.warning.empty()) std::cerr << program << ": warning: " << options.warning << "\n";
-    if (options.action == Options::Explain) return explain(options.codes, program) ? 0 : kFailure;
-    if (options.action != Options::Run) {
-        std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
-        return oroforge::diag::arrived(std::cout, std::cerr, program) ? 0 : kFailure;
-    }
+int run(int argc, char** argv, const Options& options, Stay stay, ProgramReport& report) {
     if (processors() < options.minimumProcessors) {
-        std::cerr << program << ": error: " << options.minimumProcessors
-                  << " processors are needed, and this process has " << processors() << "\n";
+        report.error("", std::to_string(options.minimumProcessors) + " processors are needed, and this process has " +
+                             std::to_string(processors()));
         return kTooFewProcessors;
     }
+    std::string error;
     if (options.realTimeCheck) error = startRealTimeCheck(argv);
     // Threads do not survive a fork: this comes before the runtime starts.
     const pid_t child = error.empty() && options.daemon ? fork() : 0;
     if (child > 0) _exit(0);
     if (child < 0) error = std::string("cannot go to the background: ") + std::strerror(errno);
 
+    report.reserveOutput();
     if (error.empty() && options.realTimeMemory != 0) error = setRealTimeMemoryAside(options.realTimeMemory);
     if (!error.empty()) {
-        std::cerr << program << ": error: " << error << "\n";
+        report.error("", error);
         return kFailure;
     }
     if (options.lockMemory)  // after the fork, which locks do not survive
-        if (const std::string problem = lockMemory(); !problem.empty())
-            std::cerr << program << ": warning: " << problem << "\n";
+        if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
-    int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay);
+    int status = runWithRuntime(wordsForRuntime(argc, argv), options, stay, report);
     if (options.realTimeMemory != 0) reportRealTimeMemory();
-    if (options.realTimeCheck && !reportRealTimeCheck(program)) status = kFailure;
+    if (options.realTimeCheck && !reportRealTimeCheck(report)) status = kFailure;
     return status;
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
+    const std::string program = std::filesystem::path(argv[0]).filename().string();
+    Options options;
+    std::string error;
+    const bool understood = parseOptions(argc, argv, options, error) && hasFiles(options, text, error);
+    ProgramReport report(program,
+                         understood ? options.format : oroforge::report::wantedFormat({argv + 1, argv + argc}));
+    if (options.endsAtOnce() || !understood) report.onlyInDocument();
+    if (!understood) {
+        report.error("", error, program + " --help shows all options");
+        return report.finish(kFailure);
+    }
+    if (!options.warning.empty()) report.warning(options.warning);
+    if (options.action == Options::Run) return report.finish(run(argc, argv, options, stay, report));
+    const int status = tellOnly(options, text, program, report);
+    return status == 0 ? 0 : report.finish(status);
 }
 
 }  // namespace OCL::deploy

@@ -3,6 +3,7 @@
 #include "real_time_check.hpp"
 
 #include "../rt_check/interface.h"
+#include "program_report.hpp"
 #include "real_time_findings.hpp"
 #include "source_lines.hpp"
 
@@ -222,14 +223,18 @@ std::string startRealTimeCheck(char** words) {
     return {};
 }
 
-bool reportRealTimeCheck(const std::string& program) {
+bool reportRealTimeCheck(ProgramReport& report) {
+    const std::string& program = report.program();
     HookInProgress::setWatch(nullptr);
     Findings calls;
     const oroforge_rt_totals totals = findings(&add, &calls);
     addPlaces(calls);
     const std::vector<oroforge::diag::Diagnostic> found = arranged(calls);
     oroforge::diag::SourceCache sources;
-    for (const oroforge::diag::Diagnostic& finding : found) oroforge::diag::print(std::cerr, finding, sources);
+    for (const oroforge::diag::Diagnostic& finding : found) {
+        oroforge::diag::print(std::cerr, finding, sources);
+        report.add(finding);
+    }
     if (std::any_of(found.begin(), found.end(), &lacksLines))
         std::cerr << program
                   << ": note: --rt-check knows no lines for some of these: they are shown for libraries that are built "

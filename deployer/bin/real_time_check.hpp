@@ -8,6 +8,8 @@
 
 namespace OCL::deploy {
 
+class ProgramReport;
+
 /**
  * Begins to watch. A library has to stand in front of libc for that, which the dynamic linker arranges when a program
  * starts: the first call executes the program anew, with the same words, and does not return. Empty if the watch has begun,
@@ -16,7 +18,7 @@ namespace OCL::deploy {
 std::string startRealTimeCheck(char** words);
 
 /** Writes what was found to standard error. True if there was nothing. */
-bool reportRealTimeCheck(const std::string& program);
+bool reportRealTimeCheck(ProgramReport& report);
 
 }  // namespace OCL::deploy
 

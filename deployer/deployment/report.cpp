@@ -4,6 +4,7 @@
 
 #include <diag/print.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/detail/diagnostic_taker.hpp>
 
 #include <iostream>
 
@@ -33,9 +34,13 @@ private:
 }  // namespace
 
 void report(const oroforge::diag::Sink& sink) {
-    if (sink.empty()) return;
+    if (sink.empty() || RTT::internal::takeDiagnostics(sink)) return;
     oroforge::diag::print(std::cerr, sink);
     std::cerr.flush();
+    logToFile(sink);
+}
+
+void logToFile(const oroforge::diag::Sink& sink) {
     const FileLogOnly quiet;
     for (const oroforge::diag::Diagnostic& diagnostic : sink.sorted())
         RTT::log(diagnostic.severity == oroforge::diag::Severity::Error ? RTT::Error : RTT::Warning)

@@ -7,8 +7,12 @@
 
 namespace OCL::deploy {
 
-/** Writes diagnostics with their source lines to standard error, and one line for each to the log file. */
+/** Writes diagnostics with their source lines to standard error, and one line for each to the log file; or gives them to who
+    takes all diagnostics of the process. */
 void report(const oroforge::diag::Sink& sink);
+
+/** One line for each to the log file only. */
+void logToFile(const oroforge::diag::Sink& sink);
 
 }  // namespace OCL::deploy
 

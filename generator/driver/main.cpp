@@ -11,7 +11,7 @@
 #include <driver/update.hpp>
 #include <driver/upgrade.hpp>
 #include <render/renderer.hpp>
-#include <report/explain.hpp>
+#include <explain/explanations.hpp>
 #include <report/report.hpp>
 
 namespace oroforge::embedded {
@@ -23,7 +23,7 @@ namespace {
 using namespace oroforge;
 
 void work(const driver::Options& options, std::ostream& out, diag::Sink& sink) {
-    if (options.explain) return report::explanations().print(options.words, {"orocreate-pkg", "OC001"}, out, sink);
+    if (options.explain) return explain::explanations().print(options.words, {"orocreate-pkg", "OC001"}, out, sink);
     try {
         render::Templates templates(embedded::componentTemplates());
         if (!options.templateDir.empty() && !templates.overrideFrom(options.templateDir, sink)) return;
@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
     if (options) work(*options, format == report::Format::Text ? std::cout : std::cerr, sink);
     const bool toldOnly = !options && status == 0;  // --help, --version
     const bool written =
-        toldOnly || report::write(format, {"orocreate-pkg", OROFORGE_VERSION}, sink, std::cout, std::cerr);
+        toldOnly || report::write(format, {"orocreate-pkg", OROFORGE_VERSION, &explain::explanations()}, sink,
+                                  std::cout, std::cerr);
     const bool arrived = diag::arrived(std::cout, std::cerr, "orocreate-pkg", "EMIT004");
     return !written || !arrived || sink.hadErrors() ? 1 : status;
 }

@@ -23,6 +23,7 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/EngineGate.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/FunctionList.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/FailureReport.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/detail/diagnostic_taker.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalEngine.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalService.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/HookInProgress.cpp

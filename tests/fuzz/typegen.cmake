@@ -7,8 +7,8 @@ endif()
 set(generator ${PROJECT_SOURCE_DIR}/generator)
 set(typekit_gen ${PROJECT_SOURCE_DIR}/typekit_gen)
 file(GLOB parts CONFIGURE_DEPENDS ${generator}/adapters/*.cpp ${generator}/emit/*.cpp ${generator}/flags/*.cpp
-  ${generator}/model/*.cpp ${generator}/render/*.cpp ${generator}/report/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
-  ${typekit_gen}/driver/*.cpp ${typekit_gen}/plan/*.cpp ${runtime}/diag/*.cpp)
+  ${generator}/model/*.cpp ${generator}/render/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
+  ${typekit_gen}/driver/*.cpp ${typekit_gen}/plan/*.cpp ${runtime}/diag/*.cpp ${runtime}/report/*.cpp)
 list(FILTER parts EXCLUDE REGEX "/driver/main.cpp$")
 # What reads components is no part of typegen. Units as in generator/clang/clang.cmake.
 set(units ${PROJECT_BINARY_DIR}/generator)
@@ -29,7 +29,7 @@ add_custom_command(OUTPUT ${prefix}.a
 
 # The libraries of the build have the texts that are compiled in.
 set(common DEFINITIONS ${clang_options} -DFUZZ_SMALL_STD="${CMAKE_CURRENT_SOURCE_DIR}/typegen/small_std.hpp"
-  LIBS oroforge_typekit_gen oroforge_gen_adapters oroforge_gen_report clang-cpp LLVM LINK ${prefix}.a)
+  LIBS oroforge_typekit_gen oroforge_gen_adapters oroforge_gen_explain clang-cpp LLVM LINK ${prefix}.a)
 oroforge_add_fuzzer(typegen_text_fuzz CORPUS typegen_text RUNS 2000 SOURCES typegen_text_fuzz.cpp ${common})
 # What clang allocates for a header that is broken it does not always give back.
 oroforge_add_fuzzer(typegen_fuzz CORPUS typegen RUNS 600 SOURCES typegen_fuzz.cpp ${common}

@@ -47,6 +47,18 @@ class CheckLayers(unittest.TestCase):
         check_one(self, SCRIPT, {"generator/model/type.hpp": "#include <llvm/ADT/StringRef.h>\n"},
                   "generator/model/type.hpp:1: error: [LAY02]")
 
+    def test_deployer_must_not_know_the_generator(self):
+        check_one(self, SCRIPT, {"generator/explain/explanations.hpp": "",
+                                 "deployer/bin/program.cpp": "#include <explain/explanations.hpp>\n"},
+                  "deployer/bin/program.cpp:1: error: [LAY01]")
+
+    def test_reports_are_written_by_programs_only(self):
+        check_one(self, SCRIPT, {"runtime/report/report.hpp": "",
+                                 "deployer/deployment/load.cpp": "#include <report/report.hpp>\n"},
+                  "deployer/deployment/load.cpp:1: error: [LAY01]")
+        check_one(self, SCRIPT, {"deployer/bin/program.cpp": "#include <nlohmann/json.hpp>\n"},
+                  "deployer/bin/program.cpp:1: error: [LAY02]")
+
     def test_detail_is_private(self):
         check_one(self, SCRIPT, {"runtime/rtt/marsh/detail/read.hpp": "",
                                  "deployer/console/load.cpp": "#include <rtt/marsh/detail/read.hpp>\n"},

@@ -23,7 +23,7 @@
 #include <plan/output_names.hpp>
 #include <plan/render_typekit.hpp>
 #include <plan/typekit_view.hpp>
-#include <report/explain.hpp>
+#include <explain/explanations.hpp>
 
 #include "check_output.hpp"
 #include "run_record.hpp"
@@ -191,7 +191,7 @@ bool tellOnly(const Options& options, diag::Sink& sink, std::ostream& out) {
     } else if (options.version) {
         out << "typegen " << OROFORGE_VERSION << "\n";
     } else if (options.explain) {
-        report::explanations().print(options.codes, {"typegen", "TK003"}, out, sink);
+        explain::explanations().print(options.codes, {"typegen", "TK003"}, out, sink);
     } else {
         return false;
     }
@@ -215,7 +215,8 @@ int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& 
         sink.error({"typegen"}, "TK009", std::string("stopped by a failure that was not expected: ") + failure.what());
     }
     const bool complete = told && !sink.hadErrors();
-    const bool written = complete || report::write(format, {"typegen", OROFORGE_VERSION}, sink, out, err);
+    const bool written =
+        complete || report::write(format, {"typegen", OROFORGE_VERSION, &explain::explanations()}, sink, out, err);
     (isText ? out : err) << last.str();
     const bool arrived = diag::arrived(out, err, "typegen", "EMIT004");
     return !written || !arrived || sink.hadErrors() ? 1 : 0;

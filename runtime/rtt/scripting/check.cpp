@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/check.hpp>
 
+#include <rtt/internal/detail/diagnostic_taker.hpp>
 #include <rtt/scripting/detail/script_checker.hpp>
 #include <rtt/scripting/detail/script_text.hpp>
 
@@ -27,7 +28,7 @@ bool check(const std::string& text, const std::string& name, TaskContext& compon
     sources.add(name, text);
     const auto file = std::make_shared<detail::SourceFile>(name, text, nullptr);
     const oroforge::diag::Sink found = detail::ScriptChecker(component, file, forecast, expected).check();
-    oroforge::diag::print(messages, found, sources);
+    if (!internal::takeDiagnostics(found)) oroforge::diag::print(messages, found, sources);
     return !found.hadErrors();
 }
 
@@ -46,7 +47,7 @@ bool checkScript(const std::string& file, TaskContext& component, std::ostream& 
     oroforge::diag::Sink sink;
     if (const auto text = detail::readScript(file, sink))
         return check(*text, file, component, messages, forecast, expected);
-    oroforge::diag::print(messages, sink);
+    if (!internal::takeDiagnostics(sink)) oroforge::diag::print(messages, sink);
     return false;
 }
 

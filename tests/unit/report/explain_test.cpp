@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Every code has an explanation, and what explanations show is true: the example gives the error, the advice does not.
-#include <report/explain.hpp>
+#include <explain/explanations.hpp>
 
 #include <support/child_process.hpp>
 #include <support/explained.hpp>
@@ -43,26 +43,26 @@ class WayOut : public testing::TestWithParam<std::string> {};
 }  // namespace
 
 TEST(Explanations, AreThereForEveryCodeAndForNoOther) {
-    expectExplained(report::explanations(),
+    expectExplained(explain::explanations(),
                     {"generator/adapters", "generator/check", "generator/clang", "generator/driver", "generator/emit",
                      "generator/flags", "generator/manifest", "generator/merge", "generator/model", "generator/render",
                      "generator/report", "generator/view", "typekit_gen"},
                     "TK|EMIT|OM|OC");
 }
 
-TEST_P(Explained, ByATitleAndAParagraph) { expectReadable(*report::explanations().of(GetParam())); }
+TEST_P(Explained, ByATitleAndAParagraph) { expectReadable(*explain::explanations().of(GetParam())); }
 
 TEST_P(Example, GivesTheCode) {
-    const Ran ran = readBy(GetParam(), block(*report::explanations().of(GetParam()), "Example:"));
+    const Ran ran = readBy(GetParam(), block(*explain::explanations().of(GetParam()), "Example:"));
     EXPECT_NE(ran.err.find("[" + GetParam() + "]"), std::string::npos) << ran.err;
 }
 
 TEST_P(WayOut, IsAccepted) {
-    const Ran ran = readBy(GetParam(), block(*report::explanations().of(GetParam()), "Instead:"));
+    const Ran ran = readBy(GetParam(), block(*explain::explanations().of(GetParam()), "Instead:"));
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.err, "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Codes, Explained, testing::ValuesIn(codesOf(report::explanations())), caseName);
-INSTANTIATE_TEST_SUITE_P(Codes, Example, testing::ValuesIn(codesWith("Example:", report::explanations())), caseName);
-INSTANTIATE_TEST_SUITE_P(Codes, WayOut, testing::ValuesIn(codesWith("Instead:", report::explanations())), caseName);
+INSTANTIATE_TEST_SUITE_P(Codes, Explained, testing::ValuesIn(codesOf(explain::explanations())), caseName);
+INSTANTIATE_TEST_SUITE_P(Codes, Example, testing::ValuesIn(codesWith("Example:", explain::explanations())), caseName);
+INSTANTIATE_TEST_SUITE_P(Codes, WayOut, testing::ValuesIn(codesWith("Instead:", explain::explanations())), caseName);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <explain/explanations.hpp>
 #include <report/parts.hpp>
 #include <support/temp_dir.hpp>
 
@@ -17,7 +18,7 @@ using nlohmann::json;
 
 namespace {
 
-const report::Tool kTool{"tool", "1.2"};
+const report::Tool kTool{"tool", "1.2", &explain::explanations()};
 
 json jsonOf(const diag::Sink& sink) { return json::parse(report::jsonReport(kTool, sink)); }
 json firstResult(const diag::Sink& sink) {
@@ -96,6 +97,17 @@ TEST(SarifReport, ListsEachRuleOnceWithItsExplanation) {
     EXPECT_EQ(rules[0]["shortDescription"]["text"], "a union");
     EXPECT_EQ(run["results"][1]["ruleIndex"], 1);
     EXPECT_EQ(run["results"][2]["ruleIndex"], 0);
+}
+
+TEST(Reports, TakeCodeAndExitStatusFromTheTool) {
+    diag::Sink sink;
+    sink.warning({}, "", "of the program");
+    const report::Tool tool{"tool", "1.2", nullptr, "own", 7};
+    EXPECT_EQ(json::parse(report::jsonReport(tool, sink))["diagnostics"][0]["code"], "own");
+    const json run = json::parse(report::sarifReport(tool, sink))["runs"][0];
+    EXPECT_EQ(run["results"][0]["ruleId"], "own");
+    EXPECT_EQ(run["invocations"][0]["exitCode"], 7);
+    EXPECT_EQ(run["invocations"][0]["executionSuccessful"], false);
 }
 
 TEST(SarifReport, CountsColumnsInCharacters) {

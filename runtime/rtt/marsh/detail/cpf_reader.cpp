@@ -4,6 +4,7 @@
 
 #include "cpf_values.hpp"
 
+#include <rtt/internal/detail/diagnostic_taker.hpp>
 #include <rtt/internal/located_log.hpp>
 #include <diag/print.hpp>
 
@@ -188,6 +189,7 @@ bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Plac
 }
 
 void logDiagnostics(const diag::Sink& sink) {
+    if (RTT::internal::takeDiagnostics(sink)) return;
     for (const auto& diagnostic : sink.sorted())
         RTT::internal::logLocated(diagnostic.severity == diag::Severity::Error ? Error : Warning,
                                   diag::toString(diagnostic));

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/failed_call.hpp>
 
+#include <rtt/internal/detail/diagnostic_taker.hpp>
 #include <rtt/internal/located_log.hpp>
 
 #include <diag/print.hpp>
@@ -47,6 +48,7 @@ void logFailure(diag::Severity severity, const CallPlace& place, const std::stri
         sink.error(place.where, "OPS420", reasons);
     else
         sink.warning(place.where, "OPS420", reasons);
+    if (internal::takeDiagnostics(sink)) return;
     diag::SourceCache sources;
     sources.add(place.where.file, place.line.empty() ? "" : std::string(place.where.line - 1, '\n') + place.line);
     std::ostringstream text;

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/log_diagnostics.hpp>
 
+#include <rtt/internal/detail/diagnostic_taker.hpp>
 #include <rtt/internal/located_log.hpp>
 
 #include <diag/print.hpp>
@@ -16,6 +17,7 @@ namespace detail {
 namespace diag = oroforge::diag;
 
 void logDiagnostics(const diag::Sink& sink, diag::SourceCache& sources) {
+    if (internal::takeDiagnostics(sink)) return;
     std::ostringstream errors, warnings;
     for (const diag::Diagnostic& diagnostic : sink.sorted())
         diag::print(diagnostic.severity == diag::Severity::Error ? errors : warnings, diagnostic, sources);

@@ -16,8 +16,8 @@ const char* severityName(diag::Severity severity) {
     return "error";
 }
 
-std::string codeOf(const diag::Diagnostic& diagnostic) {
-    return diagnostic.code.empty() ? kCompilerCode : diagnostic.code;
+std::string codeOf(const diag::Diagnostic& diagnostic, const Tool& tool) {
+    return diagnostic.code.empty() ? tool.unnamed : diagnostic.code;
 }
 
 bool isFile(const diag::Location& where, const Tool& tool) {

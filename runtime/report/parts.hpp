@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /// What the formats for programs have in common.
-#ifndef OROFORGE_GENERATOR_REPORT_PARTS_HPP
-#define OROFORGE_GENERATOR_REPORT_PARTS_HPP
+#ifndef OROFORGE_REPORT_PARTS_HPP
+#define OROFORGE_REPORT_PARTS_HPP
 
 #include <string>
 
@@ -12,7 +12,7 @@
 namespace oroforge::report {
 
 const char* severityName(diag::Severity severity);
-std::string codeOf(const diag::Diagnostic& diagnostic);
+std::string codeOf(const diag::Diagnostic& diagnostic, const Tool& tool);
 
 /// A complaint about the command line stands at the name of the program, which is no file.
 bool isFile(const diag::Location& where, const Tool& tool);

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /// How a program tells its user, or the user's tools, what it found: as text, as JSON, or as SARIF 2.1.0.
-#ifndef OROFORGE_GENERATOR_REPORT_REPORT_HPP
-#define OROFORGE_GENERATOR_REPORT_REPORT_HPP
+#ifndef OROFORGE_REPORT_REPORT_HPP
+#define OROFORGE_REPORT_REPORT_HPP
 
 #include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <diag/explain.hpp>
 #include <diag/sink.hpp>
 
 namespace oroforge::report {
 
 enum class Format { Text, Json, Sarif };
 
+/// What is reported without a code comes from the compiler that typegen is built on.
+inline constexpr const char* kCompilerCode = "clang";
+
 struct Tool {
     std::string name;
     std::string version;
+    const diag::Explanations* codes = nullptr;  ///< what they mean; null: it is not known
+    std::string unnamed = kCompilerCode;        ///< stands for the code of what has none
+    std::optional<int> exitStatus = {};         ///< none: 1 if there are errors, else 0
 };
-
-/// What is reported without a code comes from the compiler that typegen is built on.
-inline constexpr const char* kCompilerCode = "clang";
 
 /// Names for the command line.
 const std::vector<std::string>& formatNames();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <report/explain.hpp>
+#include <explain/explanations.hpp>
 
 namespace oroforge {
 
@@ -8,7 +8,7 @@ namespace embedded {
 diag::EmbeddedFiles explanationFiles();
 }
 
-const diag::Explanations& report::explanations() {
+const diag::Explanations& explain::explanations() {
     static const diag::Explanations all(embedded::explanationFiles());
     return all;
 }

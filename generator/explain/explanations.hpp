@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef OROFORGE_GENERATOR_REPORT_EXPLAIN_HPP
-#define OROFORGE_GENERATOR_REPORT_EXPLAIN_HPP
+#ifndef OROFORGE_GENERATOR_EXPLAIN_EXPLANATIONS_HPP
+#define OROFORGE_GENERATOR_EXPLAIN_EXPLANATIONS_HPP
 
 #include <diag/explain.hpp>
 
-namespace oroforge::report {
+namespace oroforge::explain {
 
 /// What the codes of the generators mean: the texts of generator/explain/.
 const diag::Explanations& explanations();
 
-}  // namespace oroforge::report
+}  // namespace oroforge::explain
 
 #endif

@@ -34,7 +34,7 @@ Json fixesOf(const std::vector<diag::Fix>& fixes) {
 Json itemOf(const diag::Diagnostic& diagnostic, const Tool& tool) {
     Json item;
     item["severity"] = severityName(diagnostic.severity);
-    item["code"] = codeOf(diagnostic);
+    item["code"] = codeOf(diagnostic, tool);
     item["message"] = diagnostic.message;
     addPlace(diagnostic.where, tool, item);
     item["notes"] = Json::array();

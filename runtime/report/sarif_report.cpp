@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <report/explain.hpp>
 #include <report/parts.hpp>
 #include <report/report.hpp>
 
@@ -31,8 +30,8 @@ public:
         Json driver = {{"name", tool_.name}, {"version", tool_.version}, {"rules", std::move(rules_)}};
         Json run;
         run["tool"]["driver"] = std::move(driver);
-        run["invocations"] =
-            Json::array({{{"executionSuccessful", !sink.hadErrors()}, {"exitCode", sink.hadErrors() ? 1 : 0}}});
+        const int status = tool_.exitStatus.value_or(sink.hadErrors() ? 1 : 0);
+        run["invocations"] = Json::array({{{"executionSuccessful", status == 0}, {"exitCode", status}}});
         run["columnKind"] = "unicodeCodePoints";
         run["results"] = std::move(results);
         return {{"$schema", kSchema}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
@@ -45,19 +44,21 @@ private:
             std::find_if(rules_.begin(), rules_.end(), [&](const Json& rule) { return rule["id"] == code; });
         if (known != rules_.end()) return static_cast<std::size_t>(known - rules_.begin());
         Json rule = {{"id", code}};
-        if (const diag::Explanation* explanation = explanations().of(code)) {
+        if (const diag::Explanation* explanation = tool_.codes ? tool_.codes->of(code) : nullptr) {
             rule["shortDescription"] = textOf(explanation->title);
             rule["fullDescription"] = textOf(explanation->firstParagraph());
             rule["help"] = textOf(explanation->text);
         } else if (code == kCompilerCode) {
             rule["shortDescription"] = textOf("an error that the compiler reports");
+        } else if (code == tool_.unnamed) {
+            rule["shortDescription"] = textOf("what " + tool_.name + " reports without a code");
         }
         rules_.push_back(std::move(rule));
         return rules_.size() - 1;
     }
 
     Json resultOf(const diag::Diagnostic& diagnostic) {
-        const std::string code = codeOf(diagnostic), hint = hintOf(diagnostic);
+        const std::string code = codeOf(diagnostic, tool_), hint = hintOf(diagnostic);
         Json result = {{"ruleId", code}, {"ruleIndex", ruleIndex(code)}, {"level", severityName(diagnostic.severity)}};
         result["message"] = textOf(hint.empty() ? diagnostic.message : diagnostic.message + "\n" + hint);
         if (isFile(diagnostic.where, tool_)) result["locations"] = Json::array({locationOf(diagnostic.where)});
