@@ -2,6 +2,9 @@
 // Copyright Oroforge contributors
 #include "graph.hpp"
 
+#include "dot_text.hpp"
+#include "foreseen_graph.hpp"
+
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
@@ -22,21 +25,6 @@ namespace {
 using RTT::base::OutputPortInterface;
 using RTT::base::PortInterface;
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
-std::string quoted(const std::string& text) { return '"' + escaped(text) + '"'; }
-
-std::string twoLines(const std::string& first, const std::string& second) {
-    return '"' + escaped(first) + "\\n" + escaped(second) + '"';
-}
-
 /** The policy as people speak of it. */
 std::string policyText(const RTT::ConnPolicy& policy) {
     switch (policy.type) {
@@ -52,14 +40,15 @@ public:
     explicit Graph(const Session& session) : session_(session) {}
 
     std::string text() {
-        text_ << "digraph " << quoted(session_.deployer->getName()) << " {\n  rankdir=LR;\n  node [shape=box];\n";
+        text_ << "digraph " << dotQuoted(session_.deployer->getName()) << " {\n  rankdir=LR;\n  node [shape=box];\n";
         findNodes();
         for (const auto& [name, component] : nodes_) addNode(*component, name);
         for (const auto& [name, component] : nodes_) addEdges(*component, name);
         for (const Plan& plan : session_.planned)
             for (const ComponentPlan& component : plan.components) addPlanned(component);
+        text_ << foreseenGraphOf(session_);
         for (const std::string& connection : connections_)
-            text_ << "  " << quoted("connection " + connection) << " [shape=ellipse, label=" << quoted(connection)
+            text_ << "  " << dotQuoted("connection " + connection) << " [shape=ellipse, label=" << dotQuoted(connection)
                   << "];\n";
         text_ << "}\n";
         return text_.str();
@@ -83,7 +72,7 @@ private:
         std::string type;
         for (const Record& record : session_.records.all)
             if (record.instance == &component) type = record.plan.type.value;
-        text_ << "  " << quoted(name) << " [label=" << label(name, type) << "];\n";
+        text_ << "  " << dotQuoted(name) << " [label=" << label(name, type) << "];\n";
     }
 
     /** The node of a component, whatever its peers call it. */
@@ -93,7 +82,7 @@ private:
     }
 
     static std::string label(const std::string& name, const std::string& type) {
-        return type.empty() || type == "PropertyBag" ? quoted(name) : twoLines(name, type);
+        return type.empty() || type == "PropertyBag" ? dotQuoted(name) : dotTwoLines(name, type);
     }
 
     void addEdges(RTT::TaskContext& component, const std::string& node) {
@@ -105,7 +94,8 @@ private:
     }
 
     void addPeer(const std::string& from, const std::string& to, const std::string& name) {
-        text_ << "  " << quoted(from) << " -> " << quoted(to) << " [style=dashed, label=" << quoted(name) << "];\n";
+        text_ << "  " << dotQuoted(from) << " -> " << dotQuoted(to) << " [style=dashed, label=" << dotQuoted(name)
+              << "];\n";
     }
 
     /** Of the output ports of a service, and of those in it. */
@@ -120,24 +110,24 @@ private:
         for (const auto& connection : output.getManager()->getConnections()) {
             const PortInterface* const peer = connection.get<0>()->peer();
             const RTT::DataFlowInterface* const owner = peer ? peer->getInterface() : nullptr;
-            const std::string end = owner && owner->getOwner() ? quoted(nodeOf(*owner->getOwner()))
-                                                               : quoted(connection.get<0>()->toString());
+            const std::string end = owner && owner->getOwner() ? dotQuoted(nodeOf(*owner->getOwner()))
+                                                               : dotQuoted(connection.get<0>()->toString());
             std::string text = path + output.getName();
             if (peer) text += " → " + peer->getName();
             const std::string data = RTT::internal::sampleTypeName(output) + ", " + policyText(connection.get<2>());
-            text_ << "  " << quoted(component) << " -> " << end << " [label=" << twoLines(text, data) << "];\n";
+            text_ << "  " << dotQuoted(component) << " -> " << end << " [label=" << dotTwoLines(text, data) << "];\n";
         }
     }
 
     void addPlanned(const ComponentPlan& component) {
         const std::string& name = component.name.value;
         if (planned_.insert(name).second)  // further structs of it add options
-            text_ << "  " << quoted(name) << " [label=" << label(name, component.type.value) << "];\n";
+            text_ << "  " << dotQuoted(name) << " [label=" << label(name, component.type.value) << "];\n";
         for (const PortPlan& port : component.ports) {
             connections_.insert(port.connection.value);
             if (!ends_.emplace(name, port.port.value, port.connection.value).second) continue;
-            text_ << "  " << quoted(name) << " -> " << quoted("connection " + port.connection.value)
-                  << " [dir=none, label=" << quoted(port.port.value) << "];\n";
+            text_ << "  " << dotQuoted(name) << " -> " << dotQuoted("connection " + port.connection.value)
+                  << " [dir=none, label=" << dotQuoted(port.port.value) << "];\n";
         }
         for (const Text& peer : component.peers)
             if (peers_.emplace(name, peer.value).second) addPeer(name, peer.value, "peer");

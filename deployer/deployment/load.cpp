@@ -182,6 +182,7 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
     session.deployer->addPeer(component, name);
     Record& record = session.records.add(name, component);
     record.loadedHere = true;
+    record.plan.type.value = type;
     record.group = record.optionsGroup = group;
     RTT::log(RTT::Info) << "created component '" << name << "' of type " << type << RTT::endlog();
     return component;

@@ -24,10 +24,6 @@ using RTT::plugin::PluginLoader;
 
 namespace {
 
-const std::string* textOf(const RTT::scripting::ForeseenCall& call, std::size_t argument) {
-    return argument < call.texts.size() ? call.texts[argument] : nullptr;
-}
-
 RTT::scripting::CallProblem problem(std::string text, const char* code, std::size_t argument) {
     RTT::scripting::CallProblem result;
     result.text = std::move(text);
@@ -122,6 +118,7 @@ RTT::scripting::CallProblem ScriptForecast::callOfDeployer(const std::string& op
         case Effect::Require: return require(call, expected);
         default: break;
     }
+    if (!isRun()) recordFor(operation, call, expected);
     Problem wrong = wrongName(called.names, call, expected);
     if (wrong.text.empty() && operation == "setMasterSlaveActivity") wrong = ownMaster(call, expected);
     const bool fails = !wrong.text.empty();
@@ -232,27 +229,6 @@ RTT::scripting::CallProblem ScriptForecast::made(const std::string& name, const 
     return result;
 }
 
-void ScriptForecast::peers(const std::string& operation, const Call& call, Expectations& expected) const {
-    const std::string* const one = textOf(call, 0);
-    const std::string* const two = textOf(call, 1);
-    const std::string* const alias = operation == "aliasPeer" ? textOf(call, 2) : two;
-    if (!one || !two || !alias) return anyOperation(expected);
-    RTT::TaskContext* const first = known(*one, expected);
-    RTT::TaskContext* const second = known(*two, expected);
-    const bool mutual = operation == "connectPeers";
-    if (!isRun() && call.certain && first && second) {
-        const std::string name = operation == "aliasPeer" ? *alias : second->getName();
-        if (!first->hasPeer(name)) first->addPeer(second, name);
-        if (mutual && !second->hasPeer(first->getName())) second->addPeer(first, first->getName());
-        return;
-    }
-    if (first == session_.deployer) expected.components.insert(*alias);
-    // One that is not there yet may do with the deployer, or another one, what it likes.
-    if (second == session_.deployer || (mutual && first == session_.deployer)) return anyOperation(expected);
-    if (first) expected.more.insert(first);
-    if (second) touch(*second, expected);
-}
-
 RTT::scripting::CallProblem ScriptForecast::service(const Call& call, Expectations& expected) const {
     const std::string* const name = textOf(call, 0);
     const std::string* const wanted = textOf(call, 1);
@@ -347,18 +323,6 @@ RTT::scripting::CallProblem ScriptForecast::missingScript(const Call& call, cons
     const std::string* const file = textOf(call, 0);
     if (isRun() || !file || !tells(call, expected) || !fileOf(*file, call.script).empty()) return {};
     return problem("cannot read the script '" + *file + "': No such file or directory", "OPS411", 0);
-}
-
-/** What comes through a port may be a reason to do something, for a component that is to come as well. */
-void ScriptForecast::wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const {
-    std::vector<RTT::TaskContext*> there;
-    for (const NamedArgument& named : names)
-        if (const std::string* const given = textOf(call, named.argument))
-            if (RTT::TaskContext* const component = known(given->substr(0, given->find('.')), expected))
-                there.push_back(component);
-    if (names.size() < 2 || there.size() == names.size()) return;
-    for (RTT::TaskContext* const component : there)
-        if (component != session_.deployer) expected.more.insert(component);
 }
 
 RTT::scripting::CallProblem ScriptForecast::wrongName(const std::vector<NamedArgument>& names, const Call& call,

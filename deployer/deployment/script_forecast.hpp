@@ -9,6 +9,7 @@
 
 #include <rtt/scripting/check.hpp>
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ enum class Foresight {
     Run,  ///< for a script that runs afterwards: tells only what is certain whatever code of others does; makes no components
     Check  ///< for a script that does not run: makes the components, whose operations are known then, and tells what will fail
 };
+
+/** An argument that is a text as it stands in the script; null: it is none. */
+inline const std::string* textOf(const RTT::scripting::ForeseenCall& call, std::size_t argument) {
+    return argument < call.texts.size() ? call.texts[argument] : nullptr;
+}
 
 /** Does the imports that a script is certain to do; of one that runs afterwards, those that it does before anything else. */
 class ScriptForecast final : public RTT::scripting::CallForecast {
@@ -51,6 +57,9 @@ private:
     Problem script(const Call& call, Expectations& expected) const;
     Problem missingScript(const Call& call, const Expectations& expected) const;
     void wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const;
+
+    /** What there is to draw of it. */
+    void recordFor(const std::string& operation, const Call& call, const Expectations& expected);
 
     Problem wrongName(const std::vector<NamedArgument>& names, const Call& call, const Expectations& expected) const;
     Problem wrongName(const std::string& given, NamedArgument::Kind kind, const Expectations& expected) const;

@@ -9,6 +9,7 @@
 #ifndef OROFORGE_DEPLOYMENT_SESSION_HPP
 #define OROFORGE_DEPLOYMENT_SESSION_HPP
 
+#include "foreseen.hpp"
 #include "records.hpp"
 
 #include <diag/sink.hpp>
@@ -25,6 +26,7 @@ struct Session {
     RTT::TaskContext* deployer = nullptr;
     Records records;
     std::vector<Plan> planned;                      // that are only to be checked
+    Foreseen foreseen;                              // by scripts that are only looked through
     std::set<std::string> masters;                  // whose activities have, or once had, slaves
     std::map<int, RTT::ConnPolicy> formerDefaults;  // by the group that replaced it
     int nextGroup = 1;                              // of the next file; 0: components created one by one

@@ -40,6 +40,7 @@ struct ForeseenCall {
     bool certain = true;   ///< it is made in any case, and before what stands behind it
     bool ignored = false;  ///< the script does not look at its result
     std::string script;    ///< the file in which it stands
+    unsigned line = 0;     ///< and where
 };
 
 /** What is wrong with a call, or what it runs. */

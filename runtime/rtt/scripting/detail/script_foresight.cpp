@@ -113,6 +113,7 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
     foreseen.certain = certain && certain_;
     foreseen.ignored = call.ignored;
     foreseen.script = file_->name;
+    foreseen.line = call.at.line;
     const CallProblem problem = forecast_.foresee(foreseen, expected_);
     if (!problem.script.empty()) follow(problem.script, certain, found);
     if (problem.text.empty()) return;
