@@ -3,6 +3,7 @@
 #include "check_described.hpp"
 
 #include "described_values.hpp"
+#include "missing_typekits.hpp"
 #include "read_value.hpp"
 #include "xml_to_plan.hpp"
 
@@ -139,8 +140,10 @@ private:
     }
 
     void checkNames() {
+        MissingTypekits typekits(plan_, sink_);
         for (const ComponentPlan& component : plan_.components)
             if (const Described* described = find(component)) {
+                typekits.check(component, *described->description);
                 if (!described->hasMore && !described->hasLater) checkPortNames(component, *described);
                 if (!described->hasMore) checkPropertyNames(component, *described);
                 checkDescribedValues(component, *described->description, sink_);

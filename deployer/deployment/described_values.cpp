@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "described_values.hpp"
 
+#include "missing_typekits.hpp"
 #include "xml_to_plan.hpp"
 
 #include <rtt/PropertyBag.hpp>
@@ -32,7 +33,7 @@ public:
             if (made)
                 properties_.ownProperty(made);
             else
-                unknown_[property.name] = boost::core::demangle(property.type->name());
+                unknown_[property.name] = property.type;
         }
     }
 
@@ -71,14 +72,15 @@ private:
         if (found == unknown_.end()) return;
         sink_
             .error(where, "DEP065",
-                   owner() + ": no loaded typekit has the type '" + found->second + "' of property '" + name + "'")
-            .hint("an 'Import' statement with the name of the package that has the typekit loads it");
+                   owner() + ": no loaded typekit has the type '" + boost::core::demangle(found->second->name()) +
+                       "' of property '" + name + "'")
+            .hint(typekitAdvice(*found->second));
     }
 
     const ComponentPlan& component_;
     diag::Sink& sink_;
     PropertyBag properties_;
-    std::map<std::string, std::string> unknown_;  // types in no typekit, by property
+    std::map<std::string, const std::type_info*> unknown_;  // types in no typekit, by property
 };
 
 }  // namespace

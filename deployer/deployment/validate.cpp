@@ -171,13 +171,24 @@ private:
         }
         for (const ScriptPlan& script : component.scripts) {
             const std::string service = serviceFor(script.kind, script.file.value);
-            if (checkFile(script.file) && service == "scripting")
-                RTT::scripting::detail::checkSyntax(resolveFile(script.file), sink_);
+            if (checkFile(script.file) && service == "scripting") checkScript(component, script);
             if (!contains(around_.services, service))
                 sink_.error(
                     script.file.where, "DEP022",
                     "cannot run script '" + script.file.value + "': the service '" + service + "' is not installed");
         }
+    }
+
+    /** What scripts that are to run say of the component itself, it tells when they do. */
+    void checkScript(const ComponentPlan& component, const ScriptPlan& script) {
+        using namespace RTT::scripting::detail;
+        const std::string file = resolveFile(script.file);
+        if (!around_.planOnly) return checkSyntax(file, sink_);
+        checkAlone(file, component.name.value,
+                   script.kind == ScriptPlan::Program        ? Contents::Programs
+                   : script.kind == ScriptPlan::StateMachine ? Contents::StateMachines
+                                                             : Contents::Everything,
+                   sink_);
     }
 
     bool checkFile(const Text& file) {

@@ -9,6 +9,7 @@
 #include <rtt/scripting/detail/log_diagnostics.hpp>
 #include <rtt/scripting/detail/machine_build.hpp>
 #include <rtt/scripting/detail/program.hpp>
+#include <rtt/scripting/detail/script_contents.hpp>
 
 #include <diag/print.hpp>
 
@@ -135,21 +136,8 @@ bool ScriptRunner::take(const ast::Item&, const ast::Instance& machine) {
 }
 
 void ScriptRunner::checkContents(Contents contents) {
-    if (contents == Contents::Everything) return;
-    const bool programs = contents == Contents::Programs;
-    const char* const what[] = {"a statement", "a function", "a program", "a type of state machines",
-                                "a state machine"};
-    bool machines = false;
-    for (const ast::Item& item : file_->tree.items) {
-        const std::size_t index = item.what.index();
-        const bool allowed = programs ? index == 1 || index == 2 : index == 3 || index == 4;
-        machines = machines || index == 4;
-        if (!allowed)
-            error(item.at, "OPS412",
-                  std::string("found ") + what[index] + ", expected " +
-                      (programs ? "functions and programs" : "state machines") + " only; runScript takes everything");
-    }
-    if (!programs && !machines) error({}, "OPS413", "found no RootMachine, expected at least one");
+    detail::checkContents(file_->tree.items, contents,
+                          [this](ast::Place at, const char* code, const std::string& text) { error(at, code, text); });
 }
 
 bool ScriptRunner::isFree(const char* kind, const char* code, const ast::Identifier& name) {

@@ -5,6 +5,7 @@
 #define ORO_SCRIPTING_DETAIL_SCRIPT_RUNNER_HPP
 
 #include <rtt/scripting/detail/script_reader.hpp>
+#include <rtt/scripting/detail/script_syntax.hpp>
 
 #include <string>
 #include <vector>
@@ -15,9 +16,6 @@ namespace scripting {
 class ScriptingService;
 
 namespace detail {
-
-/** What a text may have. */
-enum class Contents { Everything, Programs, StateMachines };
 
 /** Statements see the variables of the script of the same component that runs this one, in the same thread. */
 class ScriptRunner final : private ScriptReader {
