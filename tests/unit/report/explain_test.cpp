@@ -46,7 +46,7 @@ TEST(Explanations, AreThereForEveryCodeAndForNoOther) {
     expectExplained(explain::explanations(),
                     {"generator/adapters", "generator/check", "generator/clang", "generator/driver", "generator/emit",
                      "generator/flags", "generator/manifest", "generator/merge", "generator/model", "generator/render",
-                     "generator/report", "generator/view", "typekit_gen"},
+                     "generator/view", "typekit_gen"},
                     "TK|EMIT|OM|OC");
 }
 
