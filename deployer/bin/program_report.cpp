@@ -93,8 +93,10 @@ void ProgramReport::warning(const std::string& message) {
     add({diag::Severity::Warning, "", {}, message, {}, {}});
 }
 
-void ProgramReport::add(const diag::Diagnostic& diagnostic) {
+void ProgramReport::add(diag::Diagnostic diagnostic) {
     if (isText()) return;
+    // The program is no file.
+    if (diagnostic.where.line == 0 && diagnostic.where.file.str() == program_) diagnostic.where = {};
     Kept& all = kept();
     const std::lock_guard<std::mutex> lock(all.mutex);
     if (all.known.size() == kMost) {

@@ -31,7 +31,7 @@ public:
     void error(const std::string& where, const std::string& message, const std::string& hint = "");
     void warning(const std::string& message);
     /** As all parts of the runtime do with what they report of files. */
-    void add(const oroforge::diag::Diagnostic& diagnostic);
+    void add(oroforge::diag::Diagnostic diagnostic);
     std::size_t errorCount() const;
 
     /** Writes the document, if one is wanted. Returns the exit status: `status`, or a failure if it cannot be written. */

@@ -153,6 +153,9 @@ TEST_F(Format, AWrongCommandLineIsReportedInTheFormatItAsksFor) {
     EXPECT_THAT(diagnostic["message"], HasSubstr("--nonsense"));
     EXPECT_THAT(diagnostic["hint"], HasSubstr("--help"));
     EXPECT_EQ(0U, diagnostic.count("file"));
+    const Outcome code = run(command({"--format=json", "--explain", "DEP999"}));
+    EXPECT_EQ(255, code.status);
+    EXPECT_EQ(0U, json::parse(code.out)["diagnostics"][0].count("file")) << code.out;
     const Outcome unknown = run(command({"--format=jsn"}));
     EXPECT_EQ(255, unknown.status);
     EXPECT_THAT(unknown.err, HasSubstr("unknown value 'jsn' of --format, expected 'text', 'json' or 'sarif'; did you "
