@@ -39,6 +39,7 @@ bool holds(const fs::path& library, const std::type_info& type) {
 }
 
 bool hasTypekit(const fs::path& package, const std::type_info& type) {
+    if (package.filename() == OROCOS_TARGET_NAME) return false;  // no package, but the folder of all of them
     const std::vector<fs::path> libraries = entriesOf(package / "types");
     return std::any_of(libraries.begin(), libraries.end(), [&](const fs::path& library) {
         return library.filename().string().find(".so") != std::string::npos &&
