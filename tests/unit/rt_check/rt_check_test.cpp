@@ -4,6 +4,7 @@
 #include "../deployer/deployer_program.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -114,6 +115,20 @@ TEST_F(RtCheck, EachComponentIsToldOfByItself) {
     EXPECT_EQ(2, errors(outcome)) << outcome.err;
     EXPECT_LT(outcome.err.find("component 'locker'"), outcome.err.find("component 'sleeper'"));
     EXPECT_THAT(outcome.err, ContainsRegex("--rt-check: 2 findings in [0-9]+ executions of updateHook\\(\\)\n"));
+}
+
+TEST_F(RtCheck, FindingsAreInTheDocumentOfAFormat) {
+    directory_.write("app.xml", application(realTime("sleeper")));
+    Command shell = command({"-c", "sleep 2 | \"$0\" --rt-check --format=json -s app.xml", DEPLOYER_PROGRAM});
+    shell.program = "/bin/sh";
+    const Outcome outcome = run(shell);
+    EXPECT_EQ(255, outcome.status);
+    const nlohmann::json found = nlohmann::json::parse(outcome.out)["diagnostics"];
+    ASSERT_EQ(1u, found.size()) << outcome.out;
+    EXPECT_EQ("RTC004", found[0]["code"]);
+    EXPECT_THAT(found[0]["file"].get<std::string>(), testing::EndsWith("plantedfaults.cpp"));
+    EXPECT_GT(found[0]["line"], 0);
+    EXPECT_THAT(outcome.err, HasSubstr("--rt-check: 1 finding in "));
 }
 
 TEST_F(RtCheck, EachPlaceIsToldOfByItself) {
