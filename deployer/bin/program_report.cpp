@@ -107,7 +107,7 @@ void ProgramReport::add(diag::Diagnostic diagnostic) {
 }
 
 bool ProgramReport::take(const diag::Sink& sink) {
-    for (const diag::Diagnostic& diagnostic : sink.all()) current->add(diagnostic);
+    for (const diag::Diagnostic& diagnostic : sink.sorted()) current->add(diagnostic);
     if (current->alone_) logToFile(sink);
     return current->alone_;
 }
