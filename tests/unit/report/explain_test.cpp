@@ -21,8 +21,16 @@ Ran typegen(const std::string& text) {
     return runTypegen({"-o", (dir / "out").string(), "demo", header});
 }
 
+/// Beside the manifest lies the header that some explanations show.
 Ran orocreatePkg(const std::string& manifest) {
     const TempDir dir;
+    dir.write("types.hpp",
+              "#pragma once\n"
+              "namespace tank {\n"
+              "class Filter { double state_ = 0; };\n"
+              "struct Gains { double p = 0; };\n"
+              "enum class Mode { idle, heat };\n"
+              "}\n");
     Command command;
     command.program = OROCREATE_PKG;
     command.directory = dir.path();
