@@ -27,14 +27,13 @@ namespace documents = oroforge::report;  // report() is a function here
 namespace {
 
 constexpr int kFailure = 255;
-/** Of different ones: a program that runs for months may report something new each second. */
-constexpr std::size_t kMost = 10000;
+/** Of which repeats are known: a program that runs for months may report something new each second, which the sink counts. */
+constexpr std::size_t kMost = 2 * diag::Sink::kMost;
 
 struct Kept {
     std::mutex mutex;
     diag::Sink sink;
     std::set<std::string> known;
-    std::size_t lost = 0;
 };
 
 /** Never destroyed: threads of components report until the very end. */
@@ -99,11 +98,8 @@ void ProgramReport::add(diag::Diagnostic diagnostic) {
     if (diagnostic.where.line == 0 && diagnostic.where.file.str() == program_) diagnostic.where = {};
     Kept& all = kept();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.known.size() == kMost) {
-        if (all.known.count(diag::toString(diagnostic)) == 0) ++all.lost;
-    } else if (all.known.insert(diag::toString(diagnostic)).second) {
-        all.sink.add(diagnostic);
-    }
+    if (all.known.size() == kMost || all.known.insert(diag::toString(diagnostic)).second)
+        all.sink.add(std::move(diagnostic));
 }
 
 bool ProgramReport::take(const diag::Sink& sink) {
@@ -125,7 +121,6 @@ int ProgramReport::finish(int status) {
               "what it wrote to standard error, and the log, say more");
     Kept& all = kept();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.lost != 0) all.sink.warning({}, "", std::to_string(all.lost) + " more messages are left out");
     const std::string name = plainName(program_);
     const documents::Tool tool{name, programVersion(), &explanations(), name, status};
     const bool isJson = format_ == documents::Format::Json;
