@@ -4,6 +4,39 @@
 # a "devel space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one, or rosbuild, where the source folder of
 # a package is such a prefix. Neither need be there.
 
+# catkin asks the first python3 on PATH for catkin_pkg, unless PYTHON_EXECUTABLE is given: here, before catkin is looked for,
+# it is, if there is a python3 that has catkin_pkg.
+function(_oro_choose_catkin_python)
+  if(PYTHON_EXECUTABLE)
+    return()
+  endif()
+  find_program(_oro_first_python NAMES python3)
+  set(candidates ${_oro_first_python} /usr/bin/python3)
+  unset(_oro_first_python CACHE)
+  foreach(python ${candidates})
+    execute_process(COMMAND ${python} -c "import catkin_pkg" RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if(status STREQUAL "0")
+      set(PYTHON_EXECUTABLE ${python} CACHE FILEPATH "The python3 that catkin uses; it needs the module catkin_pkg")
+      return()
+    endif()
+  endforeach()
+  message(STATUS "catkin needs a python3 with the module catkin_pkg, and the first on PATH has none: "
+    "where there is one, pass -DPYTHON_EXECUTABLE=<it>")
+endfunction()
+
+# Whether package.xml says that catkin builds the package.
+function(_oro_names_catkin result)
+  set(lines "")
+  if(EXISTS ${PROJECT_SOURCE_DIR}/package.xml)
+    file(STRINGS ${PROJECT_SOURCE_DIR}/package.xml lines REGEX "<buildtool_depend[^>]*>[ \t]*catkin[ \t]*<")
+  endif()
+  if(lines)
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
 # Sets _oro_devel to the devel space, or to nothing where there is none.
 macro(_oro_choose_flavour)
   set(_oro_devel "")
@@ -23,6 +56,7 @@ macro(_oro_choose_flavour)
   endif()
   if(_oro_catkin)
     if(NOT CATKIN_DEVEL_PREFIX)
+      _oro_choose_catkin_python()
       find_package(catkin QUIET)
     endif()
     if(NOT CATKIN_DEVEL_PREFIX)
@@ -30,6 +64,12 @@ macro(_oro_choose_flavour)
       message(STATUS "ORO_USE_CATKIN without catkin: the devel space is ${CATKIN_DEVEL_PREFIX}")
     endif()
     get_filename_component(_oro_devel ${CATKIN_DEVEL_PREFIX} ABSOLUTE BASE_DIR ${CMAKE_BINARY_DIR})
+  elseif(NOT _oro_rosbuild AND NOT DEFINED ORO_USE_CATKIN)
+    # The package may look for catkin further on.
+    _oro_names_catkin(_oro_later)
+    if(_oro_later)
+      _oro_choose_catkin_python()
+    endif()
   endif()
 endmacro()
 
