@@ -47,7 +47,7 @@ set(reading
 set(types
   accessor_check adapter_match attributes check_type classify classify_standard collect_fields constant_text
   cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_forms find_accessors
-  find_roots hidden_fields leave_out sound_types type_names type_reader)
+  find_names find_roots hidden_fields leave_out sound_types type_names type_reader)
 oroforge_clang_library(oroforge_gen_clang SUBJECTS reading types
   LIBS oroforge_gen_types oroforge_gen_adapters oroforge_diag oroforge_xml)
 

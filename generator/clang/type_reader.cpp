@@ -10,6 +10,7 @@
 #include "check_headers.hpp"
 #include "describe_type.hpp"
 #include "diagnostic_bridge.hpp"
+#include "find_names.hpp"
 #include "find_roots.hpp"
 #include "fix_it.hpp"
 #include "header_needs.hpp"
@@ -18,6 +19,7 @@
 #include "side_notes.hpp"
 #include "sound_types.hpp"
 #include "toolchain_flags.hpp"
+#include "type_names.hpp"
 
 namespace oroforge::cxx {
 
@@ -63,15 +65,18 @@ public:
         TypeDescriber types(sema, places_, attributes_, adapters, needs, request_.strict, found, into_);
         SoundTypes sound;
         const std::vector<Root> roots = findRoots(context, places_, adapters);
+        std::vector<Root> described;
         for (const Root& root : roots) {
             headers.checkGuard(*root.type);
             const DocComment doc = types.docOf(*root.type);
             if (doc.skip || (doc.bytes && root.type->isUnion())) continue;
             // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
             if (broken && !sound.has(*root.type)) continue;
+            described.push_back(root);
             if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root.type)) types.describe(*record, root);
             if (const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(root.type)) types.describe(*enumeration);
         }
+        for (const OtherName& name : findNames(context, places_, described)) addName(name, types);
         passOnWithFixes(found, context, places_, sink_);
         for (diag::Note& note : unusedTemplates(context, places_, into_)) into_.notes.push_back(std::move(note));
         if (aside_.usesMacro) aside_.layouts = layoutsOf(context, roots);
@@ -79,6 +84,18 @@ public:
     }
 
 private:
+    void addName(const OtherName& name, TypeDescriber& types) {
+        const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(name.type);
+        const TypeFate& fate =
+            record != nullptr ? types.describe(*record) : types.describe(*llvm::cast<clang::EnumDecl>(name.type));
+        const auto first = nameOf(*name.type);
+        if (!fate.usable || !first) return;
+        // A type is called by its first alias, so one that keeps its name has that as an alias.
+        const bool isCalled = std::any_of(into_.aliases.begin(), into_.aliases.end(),
+                                          [&](const model::Alias& one) { return one.of == first->registry; });
+        if (!isCalled) into_.aliases.push_back({first->registry, first->registry, types.locate(name.at)});
+        into_.aliases.push_back({name.alias, first->registry, types.locate(name.at)});
+    }
     /// Nothing, unless all were read: the headers that one of them depends on count.
     std::vector<model::Header> headersToTell() {
         if (into_.headers.size() < 2) return {};

@@ -96,7 +96,7 @@ void preferAliases(model::TypeModel& model) {
         else
             alias.of = entry->second;
     }
-    // An adapter that keeps a type's name says so by an alias that is none.
+    // A type that keeps its name has an alias that is none.
     model.aliases.erase(std::remove_if(model.aliases.begin(), model.aliases.end(),
                                        [](const model::Alias& alias) { return alias.name == alias.of; }),
                         model.aliases.end());
@@ -105,6 +105,7 @@ void preferAliases(model::TypeModel& model) {
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
     for (const auto& [instance, name] : ordered) {
+        for (model::Alias& alias : model.aliases) replaceAll(alias.of, instance, name);
         for (model::Struct& type : model.structs) {
             replaceAll(type.name, instance, name);
             for (model::Field& field : type.fields) rename(field.type, instance, name);

@@ -199,8 +199,8 @@ bool addTypes5() {
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::library::Pose>("/library/Position", members, 5, ""));
     }
-    added &= RTT::types::aliasType("/library/Pose", "/library/Position");
-    added &= RTT::types::aliasType("/Position", "/library/Position");
+    RTT::types::aliasType("/library/Pose", "/library/Position");
+    RTT::types::aliasType("/Position", "/library/Position");
     return added;
 }
 

@@ -142,7 +142,7 @@ bool addTypes7();
 bool addTypes7() {
     bool added = true;
     added &= RTT::types::addType(RTT::types::makeAdaptedSequence<Access7_0>("ring_of_library/Pose", "Elements have addresses; a resized ring forgets them."));
-    added &= RTT::types::aliasType("/library/Ring</library/Pose,0>", "ring_of_library/Pose");
+    RTT::types::aliasType("/library/Ring</library/Pose,0>", "ring_of_library/Pose");
     return added;
 }
 

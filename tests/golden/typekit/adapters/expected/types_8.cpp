@@ -115,7 +115,7 @@ bool addTypes8() {
         };
         added &= RTT::types::addType(RTT::types::makeStructType<RTT::types::KeyValue<std::string, ::library::Square>>("/KeyValue</std/string,/library/Square>", members, 2));
     }
-    added &= RTT::types::aliasType("/library/Grid<2>", "/library/Grid2x");
+    RTT::types::aliasType("/library/Grid<2>", "/library/Grid2x");
     return added;
 }
 

@@ -143,6 +143,9 @@ bool addTypes11() {
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::enum_and_nested::State>("/enum_and_nested/State", members, 2, ""));
     }
+    RTT::types::aliasType("/enum_and_nested/Condition", "/enum_and_nested/State");
+    RTT::types::aliasType("/enum_and_nested/Latest", "/enum_and_nested/State");
+    RTT::types::aliasType("/EnumAndNestedState", "/enum_and_nested/State");
     return added;
 }
 

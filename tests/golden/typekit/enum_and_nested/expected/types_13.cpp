@@ -94,6 +94,7 @@ bool addTypes13() {
         };
         added &= RTT::types::addType(RTT::types::makeEnumType<::enum_and_nested::Mode>("/enum_and_nested/Mode", values, 2, ""));
     }
+    RTT::types::aliasType("/enum_and_nested/Activity", "/enum_and_nested/Mode");
     return added;
 }
 

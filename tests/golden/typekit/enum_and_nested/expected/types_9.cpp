@@ -99,6 +99,7 @@ bool addTypes9() {
         };
         added &= RTT::types::addType(RTT::types::makeStructType<::enum_and_nested::State::Part>("/enum_and_nested/State/Part", members, 2, ""));
     }
+    RTT::types::aliasType("/enum_and_nested/State/Piece", "/enum_and_nested/State/Part");
     return added;
 }
 
