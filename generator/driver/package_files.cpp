@@ -120,6 +120,7 @@ Scaffold scaffold(const model::Package& package, const std::string& manifest, bo
     Scaffold files;
     json view = view::packageView(package, manifest);
     view["buildTool"] = catkin ? "catkin" : "cmake";
+    if (catkin) view["isCatkin"] = true;
     const auto addShared = [&](const std::string& path, const char* what) {
         files.shared[path] = renderer.render(std::string("package/") + what, view);
     };

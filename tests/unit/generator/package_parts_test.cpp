@@ -80,6 +80,7 @@ TEST_F(PackageParts, CatkinByOptionAndByName) {
     for (const std::string name : {"one", "two"}) {
         EXPECT_NE(read(name + "/package.xml").find("<buildtool_depend>catkin</buildtool_depend>"), kNowhere) << name;
         EXPECT_FALSE(has(name + "/Makefile")) << name;
+        EXPECT_NE(read(name + "/README.md").find("catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3"), kNowhere) << name;
     }
 }
 
