@@ -37,6 +37,10 @@ BUILTIN = re.compile(r"^(bool|char|short|int|long|float|double|string|u?int(8|16
 NUMBER = re.compile(r"^\d[\w.]*$")
 WORD = re.compile(r"^[A-Za-z_]\w*$")
 SUCCESSES_COMPILED = 0.3
+DEPTHS = (3, 100, 300, 2000, 20000)
+NESTED = [("std::vector<", "int", ">"), ("(", "1", ")"), ("{", "1", "}"), ("[", "1", "]"), ("- ", "1", ""), ("*", " p", ""),
+          ("struct { ", "int x; ", "} y; "), ("namespace n { ", "", "} "), ("a < ", "b", ""), ("!", "x", ""), ("(int)", "1", "")]
+BYTES = ["\udcff", "F\udcfcr", "\udcc3", "\udced\udca0\udc80", "\x1a", "\r", "\ufeff"]
 
 
 def bend(text, dice):
@@ -84,6 +88,22 @@ def damage(text, dice):
             tokens.insert(at, " " + dice.choice(SPICE) + " ")
         else:
             del tokens[min(at, other):min(max(at, other), min(at, other) + 12)]
+    return "".join(tokens)
+
+
+def strain(text, dice):
+    """What is nested deeply, bytes that are no UTF-8, ends without a newline or in the middle of something."""
+    tokens = TOKEN.findall(text)
+    at = dice.randrange(len(tokens))
+    kind = dice.randrange(3)
+    if kind == 0:
+        opening, inner, closing = dice.choice(NESTED)
+        depth = dice.choice(DEPTHS)
+        tokens[at] = opening * depth + inner + closing * (depth - dice.choice((0, 0, 1)))
+    elif kind == 1:
+        tokens.insert(at, dice.choice(("", "// ", "/** ", '"')) + dice.choice(BYTES))
+    else:
+        tokens = tokens[:at] if dice.random() < 0.5 else tokens[:-1]
     return "".join(tokens)
 
 
@@ -143,7 +163,7 @@ def try_one(number, seed, cases, typegen, compiler):
         shutil.copytree(case, folder, ignore=shutil.ignore_patterns("expected"))
         headers = sorted(file for file in folder.rglob("*") if file.suffix in (".hpp", ".h"))
         victim = dice.choice(headers)
-        change = dice.choice((damage, bend))
+        change = dice.choice((damage, damage, bend, bend, strain))
         victim.write_bytes(change(victim.read_bytes().decode("utf-8"), dice).encode("utf-8", "surrogateescape"))
         wrong, succeeded = complaint(typegen, compiler, folder, (folder / "args").read_text().splitlines(), dice)
         if wrong and os.environ.get("TYPEGEN_KEEP"):
