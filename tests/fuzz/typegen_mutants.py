@@ -39,7 +39,7 @@ WORD = re.compile(r"^[A-Za-z_]\w*$")
 SUCCESSES_COMPILED = 0.3
 DEPTHS = (3, 100, 300, 2000, 20000)
 NESTED = [("std::vector<", "int", ">"), ("(", "1", ")"), ("{", "1", "}"), ("[", "1", "]"), ("- ", "1", ""), ("*", " p", ""),
-          ("struct { ", "int x; ", "} y; "), ("namespace n { ", "", "} "), ("a < ", "b", ""), ("!", "x", ""), ("(int)", "1", "")]
+          ("struct { ", "int x; ", "} y; "), ("namespace n { ", "", "} "), ("~", "x", ""), ("!", "x", ""), ("(int)", "1", "")]
 BYTES = ["\udcff", "F\udcfcr", "\udcc3", "\udced\udca0\udc80", "\x1a", "\r", "\ufeff"]
 
 
