@@ -131,7 +131,7 @@ struct Enum {
     diag::Location where;
 };
 
-/// Another name of a template instance.
+/// Another name of a type.
 struct Alias {
     std::string name;  ///< in the type registry
     std::string of;    ///< the type's first name there
