@@ -103,7 +103,7 @@ TEST_F(RealTimeLogging, AThreadOfTheRuntimeLogs) {
         << all;
     EXPECT_NE(all.find("] 000000ff\n"), std::string::npos) << all;
     EXPECT_NE(all.find("[CRITICAL]"), std::string::npos) << all;
-    EXPECT_NE(all.find("] 3.142\nmore\n"), std::string::npos) << all;
+    EXPECT_NE(all.find("] 3.142\n    more\n"), std::string::npos) << all;
 }
 
 TEST_F(RealTimeLogging, AnyThreadLogsFromItsFirstLineOn) {
