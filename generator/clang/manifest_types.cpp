@@ -92,7 +92,7 @@ public:
         for (const clang::Decl* declaration : scope.decls()) {
             const auto* named = llvm::dyn_cast<clang::NamedDecl>(declaration);
             if (llvm::isa<clang::LinkageSpecDecl>(declaration)) walk(*llvm::cast<clang::DeclContext>(declaration));
-            if (named == nullptr || named->getName().empty() || isOfSystem(*named)) continue;
+            if (named == nullptr || !named->getIdentifier() || isOfSystem(*named)) continue;
             if (named->getName().starts_with(kTypeProbe)) {
                 answer(*llvm::cast<clang::TypedefNameDecl>(named));
                 continue;
