@@ -136,10 +136,7 @@ bool readProperties(const xml::Element& element, diag::Sink& sink) {
         if (child.name != "description" && nameOf(child).empty())
             sink.error(child.where, "DEP003", "an element of 'Properties' has no name, expected that of a property");
     checkTwice(element, {}, sink);
-    for (const xml::Element& child : element.children) {
-        RTT::PropertyBag scratch;  // of one property at a time, as there may be many
-        (void)RTT::marsh::readProperty(child, scratch, sink);
-    }
+    for (const xml::Element& child : element.children) RTT::marsh::checkProperty(child, sink);
     return true;
 }
 

@@ -156,10 +156,9 @@ bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Pl
     return sink.errorCount() == before;
 }
 
-bool readProperty(const xml::Element& child, PropertyBag& into, diag::Sink& sink, Places* places) {
-    const auto before = sink.errorCount();
-    Reader(sink, places).readChild(child, into);
-    return sink.errorCount() == before;
+void checkProperty(const xml::Element& child, diag::Sink& sink) {
+    PropertyBag scratch;
+    Reader(sink, nullptr).readChild(child, scratch);
 }
 
 std::optional<xml::Document> readText(const std::string& text, const std::string& name, PropertyBag& into,

@@ -28,8 +28,8 @@ typedef std::unordered_map<const base::PropertyBase*, diag::Location> Places;
  */
 RTT_API bool readBag(const xml::Element& parent, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
 
-/** The same for one of the children. */
-RTT_API bool readProperty(const xml::Element& child, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
+/** Reports what is wrong with one of the children, whose property is not kept. */
+RTT_API void checkProperty(const xml::Element& child, diag::Sink& sink);
 
 /** The same for a file, whose root must be <properties>. */
 RTT_API bool readFile(const std::string& file, PropertyBag& into, diag::Sink& sink, Places* places = nullptr);
