@@ -151,7 +151,7 @@ SHARED_DETAIL = {
     "runtime/rtt/plugin/detail/": ["runtime/rtt/deployment/"],
     # Property files update bags as updateProperties() does, but report where in the file.
     "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/", "deployer/deployment/"],
-    # Who reports of files asks whether a document of all reports is written, which a program does.
+    # Parts that report errors in files first offer them to the program, which may collect them for --format.
     "runtime/rtt/internal/detail/diagnostic_taker.hpp": ["runtime/rtt/marsh/", "runtime/rtt/scripting/",
                                                          "deployer/deployment/", "deployer/bin/"],
     # The deployer reads property structs that stand inside its own XML.

@@ -80,7 +80,7 @@ std::vector<std::string> otherNames(const RTT::types::TypeInfo& type) {
     return {names.begin(), names.end()};
 }
 
-/** The types of which one value is enough for `type(value)`. */
+/** The types that have a conversion to `type`: it can be constructed from one value of them. */
 std::vector<std::string> madeFrom(const RTT::types::TypeInfo& type) {
     std::set<std::string> names;
     for (const std::string& each : RTT::types::Types()->getTypes()) {

@@ -10,13 +10,13 @@
 namespace RTT {
 namespace internal {
 
-/** Gets what is reported of files, in whatever thread. True if it is not to be told in another way. */
+/** Receives what a part reports about files, in any thread. Returns true if that part must not write it elsewhere, too. */
 using DiagnosticTaker = bool (*)(const oroforge::diag::Sink& sink);
 
-/** For a program that writes a document of all that is reported; null: nobody does. Any thread. */
+/** A program that writes a document of all reports sets this; null removes it. Any thread. */
 RTT_API void setDiagnosticTaker(DiagnosticTaker taker) noexcept;
 
-/** For those who report: true if nothing else has to tell this. Any thread; not real-time safe. */
+/** Offers a report to the program. Returns true if the caller must not write it elsewhere, too. Any thread; not real-time safe. */
 RTT_API bool takeDiagnostics(const oroforge::diag::Sink& sink);
 
 }  // namespace internal
