@@ -82,7 +82,9 @@ void ProgramReport::error(const std::string& where, const std::string& message, 
     if (isText() || !alone_)
         std::cerr << (where.empty() ? program_ : where) << ": error: " << message << "\n"
                   << hint << (hint.empty() ? "" : "\n");
-    diag::Diagnostic made{diag::Severity::Error, "", {where, 0, 0}, message, {}, {}};
+    diag::Diagnostic made;
+    made.where.file = where;
+    made.message = message;
     if (!hint.empty()) made.hint(hint);
     add(made);
 }

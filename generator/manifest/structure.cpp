@@ -50,7 +50,8 @@ void checkAttributes(const xml::Element& element, const ElementRule& rule, diag:
         const auto known = findRule(rule.attributes, attribute.name);
         if (known != rule.attributes.end()) {
             checkValue(*known, attribute, sink);
-        } else if (attribute.name.compare(0, 5, "xmlns") != 0 && attribute.name.compare(0, 4, "xsi:") != 0) {
+        } else if (attribute.name.str().compare(0, 5, "xmlns") != 0 &&
+                   attribute.name.str().compare(0, 4, "xsi:") != 0) {
             sink.error(attribute.where, "OM002",
                        "<" + element.name + "> has no attribute '" + attribute.name + "'" +
                            diag::didYouMean(attribute.name, namesOf(rule.attributes)));

@@ -6,11 +6,6 @@
 
 namespace oroforge::diag {
 
-const std::string& FileName::str() const {
-    static const std::string nothing;
-    return name_ ? *name_ : nothing;
-}
-
 bool operator==(const Location& a, const Location& b) {
     return std::tie(a.file, a.line, a.column) == std::tie(b.file, b.line, b.column);
 }

@@ -4,33 +4,16 @@
 #ifndef OROFORGE_DIAG_DIAGNOSTIC_HPP
 #define OROFORGE_DIAG_DIAGNOSTIC_HPP
 
-#include <memory>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <diag/shared_text.hpp>
+
 namespace oroforge::diag {
 
-/// A name that many places share; copies refer to the same text.
-class FileName {
-public:
-    FileName() = default;
-    FileName(std::string name) : name_(std::make_shared<const std::string>(std::move(name))) {}
-    FileName(const char* name) : FileName(std::string(name)) {}
-
-    const std::string& str() const;
-    operator const std::string&() const { return str(); }
-    bool empty() const { return str().empty(); }
-
-    friend bool operator==(const FileName& a, const FileName& b) { return a.name_ == b.name_ || a.str() == b.str(); }
-    friend bool operator!=(const FileName& a, const FileName& b) { return !(a == b); }
-    friend bool operator<(const FileName& a, const FileName& b) { return a.name_ != b.name_ && a.str() < b.str(); }
-    friend std::ostream& operator<<(std::ostream& out, const FileName& name) { return out << name.str(); }
-
-private:
-    std::shared_ptr<const std::string> name_;  // null: empty
-};
+/// Every place in a file refers to the same name.
+using FileName = SharedText;
 
 /// A place in a text. Lines and columns count from 1, columns in bytes; 0 means unknown.
 /// `file` may also name a program, for complaints about its command line.

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +14,18 @@
 #include <xml/detail/scanner.hpp>
 
 namespace oroforge::xml {
+
+namespace {
+
+bool isReadable(const std::string& text, const std::string& name, diag::Sink& sink) {
+    if (text.size() > std::numeric_limits<Offset>::max()) {
+        sink.error({name, 0, 0}, "XML009", "the file has 4 GiB or more; expected less");
+        return false;
+    }
+    return detail::checkEncoding(text, name, sink);
+}
+
+}  // namespace
 
 std::optional<std::string> readText(const std::string& path, diag::Sink& sink) {
     std::ifstream in(path, std::ios::binary);
@@ -41,23 +54,18 @@ std::optional<Document> Document::parseFile(const std::string& path, diag::Sink&
 
 std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                             Blanks blanks) {
-    if (!detail::checkEncoding(text, name, sink)) return std::nullopt;
-    detail::Building building;
-    building.blanks = blanks;
-    auto root = detail::scan(text, name, sink, building);
-    return root ? std::optional<Document>(Document(std::move(*root))) : std::nullopt;
+    if (!isReadable(text, name, sink)) return std::nullopt;
+    return document(detail::scan(text, name, sink, {blanks}));
 }
 
 std::optional<Document> Document::parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                             Blanks blanks, const ChildConsumer& take) {
-    if (!detail::checkEncoding(text, name, sink)) return std::nullopt;
-    detail::Building building;
-    building.blanks = blanks;
-    building.keep = false;
-    if (!detail::scan(text, name, sink, building)) return std::nullopt;
-    building.keep = true;
-    building.take = take;
-    auto root = detail::scan(text, name, sink, building);
+    if (!isReadable(text, name, sink)) return std::nullopt;
+    if (!detail::scan(text, name, sink, {blanks, /*keep=*/false})) return std::nullopt;
+    return document(detail::scan(text, name, sink, {blanks, /*keep=*/true, take}));
+}
+
+std::optional<Document> Document::document(std::optional<Element> root) {
     return root ? std::optional<Document>(Document(std::move(*root))) : std::nullopt;
 }
 

@@ -44,6 +44,8 @@ public:
     const Element& root() const { return root_; }
 
 private:
+    static std::optional<Document> document(std::optional<Element> root);
+
     explicit Document(Element root) : root_(std::move(root)) {}
     Element root_;
 };

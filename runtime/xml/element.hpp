@@ -4,7 +4,7 @@
 #ifndef OROFORGE_XML_ELEMENT_HPP
 #define OROFORGE_XML_ELEMENT_HPP
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,23 +12,26 @@
 
 namespace oroforge::xml {
 
+/// Of a byte in the source, which is shorter than 4 GiB.
+using Offset = std::uint32_t;
+
 struct Attribute {
-    std::string name;
-    std::string value;                         ///< entities resolved
-    diag::Location where;                      ///< first letter of the name
-    diag::Location valueWhere;                 ///< first letter of the value, inside the quotes
-    std::size_t valueBegin = 0, valueEnd = 0;  ///< bytes of the source between the quotes
+    diag::SharedText name;
+    std::string value;                    ///< entities resolved
+    diag::Location where;                 ///< first letter of the name
+    diag::Location valueWhere;            ///< first letter of the value, inside the quotes
+    Offset valueBegin = 0, valueEnd = 0;  ///< bytes of the source between the quotes
 };
 
 /// Which bytes of the source an element takes. One without an end tag ("<a/>") has its content, of length 0, at its end.
 struct Extent {
-    std::size_t begin = 0, contentBegin = 0, contentEnd = 0, end = 0;
+    Offset begin = 0, contentBegin = 0, contentEnd = 0, end = 0;
 
     bool isEmptyTag() const { return contentBegin == end; }
 };
 
 struct Element {
-    std::string name;
+    diag::SharedText name;
     std::vector<Attribute> attributes;  ///< in the order of the source
     std::vector<Element> children;      ///< in the order of the source
     std::string text;                   ///< own character data and CDATA; see Blanks

@@ -22,13 +22,14 @@ void checkPlaces(const xml::Element& element, const std::string& text) {
     require(extent.begin < extent.contentBegin && extent.contentBegin <= extent.contentEnd &&
                 extent.contentEnd <= extent.end,
             "contents lie in their elements");
-    require(text.compare(extent.begin + 1, element.name.size(), element.name) == 0, "elements begin with their names");
+    require(text.compare(extent.begin + 1, element.name.str().size(), element.name.str()) == 0,
+            "elements begin with their names");
     require(text[extent.end - 1] == '>', "elements end with a tag");
     require(element.where.line != 0 && element.where.column != 0, "elements have places");
     for (const auto& attribute : element.attributes)
         require(attribute.valueBegin <= attribute.valueEnd && attribute.valueEnd < extent.contentBegin + 1,
                 "values lie in their tags");
-    std::size_t at = extent.contentBegin;
+    xml::Offset at = extent.contentBegin;
     for (const auto& child : element.children) {
         require(at <= child.extent.begin && child.extent.end <= extent.contentEnd, "children lie in order");
         at = child.extent.end;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,7 @@ public:
         }
         if (!open_.empty()) {
             const Element& tag = open_.back().element;
-            report(tag.where, "XML003", '<' + tag.name + "> is never closed; expected </" + tag.name + ">");
+            report(tag.where, "XML003", "<" + tag.name + "> is never closed; expected </" + tag.name + ">");
             return std::nullopt;
         }
         if (!root_) fail(here(), "XML005", "found no element; expected one root element");
@@ -70,6 +71,8 @@ private:
         report(where, code, message);
         return false;
     }
+
+    Offset offset() const { return static_cast<Offset>(position_); }
 
     bool startsWith(std::string_view word) const { return text_.compare(position_, word.size(), word) == 0; }
     char current() const { return position_ < text_.size() ? text_[position_] : '\0'; }
@@ -94,6 +97,14 @@ private:
             while (position_ < text_.size() && isNameLetter(text_[position_])) advance();
         }
         return std::string_view(text_).substr(begin, position_ - begin);
+    }
+
+    /// Most elements of a file have one of a few names.
+    diag::SharedText shared(std::string_view name) {
+        if (name.empty()) return {};
+        diag::SharedText& known = names_[name];
+        if (known.empty()) known = std::string(name);
+        return known;
     }
 
     bool characters() {
@@ -169,7 +180,7 @@ private:
         const std::string_view closed = name();
         if (open_.empty()) return fail(at, "XML003", "found </" + str(closed) + ">, but no element is open");
         Element& element = open_.back().element;
-        if (closed != element.name) {
+        if (closed != element.name.str()) {
             report(at, "XML003", "found </" + str(closed) + ">, expected </" + element.name + ">")
                 .note(element.where, "<" + element.name + "> opened here");
             return false;
@@ -177,13 +188,13 @@ private:
         skipSpace();
         if (current() != '>') return fail(here(), "XML002", "expected '>' at the end of </" + str(closed) + ">");
         advance();
-        element.extent.contentEnd = begin;
-        element.extent.end = position_;
+        element.extent.contentEnd = static_cast<Offset>(begin);
+        element.extent.end = offset();
         close();
         return true;
     }
 
-    /// Gives the innermost element to its parent, or to who takes those.
+    /// Gives the innermost element to its parent, or to the consumer.
     void close() {
         Open closed = std::move(open_.back());
         open_.pop_back();
@@ -201,10 +212,10 @@ private:
     bool startTag() {
         Element tag;
         tag.where = here();
-        tag.extent.begin = position_;
+        tag.extent.begin = offset();
         if (open_.size() == maxDepth) return fail(tag.where, "XML007", "elements are nested too deeply");
         advance();
-        tag.name = name();
+        tag.name = shared(name());
         if (tag.name.empty())
             return fail(tag.where, "XML002", "found '<' without an element name; write '&lt;' for the character");
         if (root_) {
@@ -223,7 +234,7 @@ private:
         }
         const bool empty = current() == '/';
         advanceTo(position_ + (empty ? 2 : 1));
-        tag.extent.contentBegin = tag.extent.contentEnd = tag.extent.end = position_;
+        tag.extent.contentBegin = tag.extent.contentEnd = tag.extent.end = offset();
         tag.attributes.shrink_to_fit();
         open_.push_back({std::move(tag), TextCollector(building_.blanks == Blanks::condensed)});
         if (empty) close();
@@ -233,7 +244,7 @@ private:
     bool attribute(Element& tag) {
         Attribute attribute;
         attribute.where = here();
-        attribute.name = name();
+        attribute.name = shared(name());
         if (attribute.name.empty()) {
             return fail(here(), "XML002",
                         std::string("found '") + current() + "' in <" + tag.name + ">, expected an attribute name");
@@ -245,7 +256,7 @@ private:
         }
         if (tag.attributes.size() == maxAttributes) {
             return fail(attribute.where, "XML008",
-                        '<' + tag.name + "> has more than " + std::to_string(maxAttributes) + " attributes");
+                        "<" + tag.name + "> has more than " + std::to_string(maxAttributes) + " attributes");
         }
         skipSpace();
         if (current() != '=') return fail(here(), "XML002", "expected '=' after attribute '" + attribute.name + "'");
@@ -263,8 +274,8 @@ private:
         }
         advance();
         attribute.valueWhere = here();
-        attribute.valueBegin = position_;
-        attribute.valueEnd = end;
+        attribute.valueBegin = offset();
+        attribute.valueEnd = static_cast<Offset>(end);
         attribute.value = resolved(withPlainLineEnds(value).c_str());
         advanceTo(end + 1);
         tag.attributes.push_back(std::move(attribute));
@@ -275,6 +286,7 @@ private:
     const diag::FileName file_;  // one text for all places
     diag::Sink& sink_;
     const Building& building_;
+    std::unordered_map<std::string_view, diag::SharedText> names_;
     std::vector<Open> open_;  // outermost first
     std::optional<Element> root_;
     std::size_t position_ = 0;
