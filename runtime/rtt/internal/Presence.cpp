@@ -13,6 +13,11 @@
 namespace RTT {
 namespace internal {
 
+namespace {
+/** Asked for while the library is being loaded: as soon as there are several threads, the kernel takes some 10 ms for it. */
+[[maybe_unused]] const bool askedEarly = detail::offersProcessBarrier();
+}  // namespace
+
 Presence::Bell Presence::bells_[kBells];
 bool Presence::asymmetric_ = false;
 __thread Presence::Record* Presence::record_ = nullptr;
