@@ -32,6 +32,12 @@ std::vector<std::string> loadedFiles() {
     return files;
 }
 
+/** Null if unknown. Other than dladdr(), this does not read all symbols of the library. */
+const link_map* ownerOf(const void* address) {
+    dl_find_object found;
+    return _dl_find_object(const_cast<void*>(address), &found) == 0 ? found.dlfo_link_map : nullptr;
+}
+
 /** How many there were when this library was initialised: the program's own. */
 const std::size_t loadedWithProgram = loadedFiles().size();
 
@@ -115,11 +121,8 @@ void* SharedLibrary::ownSymbol(const char* name) const {
 }
 
 bool SharedLibrary::holds(const void* address) const {
-    Dl_info info;
-    link_map* owner = nullptr;
     link_map* self = nullptr;
-    return dladdr1(address, &info, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP) &&
-           dlinfo(handle_, RTLD_DI_LINKMAP, &self) == 0 && owner == self;
+    return dlinfo(handle_, RTLD_DI_LINKMAP, &self) == 0 && ownerOf(address) == self;
 }
 
 std::string SharedLibrary::otherVersion() const {
@@ -135,7 +138,8 @@ bool SharedLibrary::isLoaded(const std::string& file) {
 }
 
 std::string SharedLibrary::fileWith(const void* address) {
-    Dl_info info;
+    if (const link_map* const owner = ownerOf(address); owner && *owner->l_name) return owner->l_name;
+    Dl_info info;  // knows how the program was called
     return dladdr(address, &info) && info.dli_fname ? info.dli_fname : std::string();
 }
 
