@@ -159,13 +159,13 @@ public:
     bool operator!() const { return !ready(); }
 
     R call(Args... args) const {
-        return impl_ && impl_->ready() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
+        return impl_ && impl_->isReady() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
     }
     R operator()(Args... args) const {
-        return impl_ && impl_->ready() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
+        return impl_ && impl_->isReady() ? impl_->call(std::forward<Args>(args)...) : callRemote(args...);
     }
     SendHandle<Signature> send(Args... args) const {
-        return impl_ && impl_->ready() ? impl_->send(std::forward<Args>(args)...) : sendRemote(args...);
+        return impl_ && impl_->isReady() ? impl_->send(std::forward<Args>(args)...) : sendRemote(args...);
     }
 
     bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) override {

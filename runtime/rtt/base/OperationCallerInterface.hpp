@@ -44,7 +44,9 @@ public:
     void executeAndDispose() final {}
     void dispose() final {}
     /** True if there is a function to call and the component that provides it exists. */
-    virtual bool ready() const;
+    virtual bool ready() const { return isReady(); }
+    /** The same, for a call that must not take longer than necessary. */
+    bool isReady() const { return callee_ && !isGone(); }
     /** Which thread executes, and the engine of the component that provides the operation. */
     void setThread(ExecutionThread et, ExecutionEngine* owner);
     ExecutionThread getThread() const { return thread_; }

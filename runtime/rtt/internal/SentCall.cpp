@@ -240,8 +240,6 @@ OperationCallerInterface::~OperationCallerInterface() = default;
 OperationCallerInterface::OperationCallerInterface(const OperationCallerInterface& other, ExecutionEngine* caller)
     : thread_(other.thread_), callee_(other.callee_), owner_(other.owner_), caller_(caller) {}
 
-bool OperationCallerInterface::ready() const { return callee_ && !isGone(); }
-
 void OperationCallerInterface::setCallee(internal::CalleeBase* callee) { callee_ = callee; }
 
 void OperationCallerInterface::setThread(ExecutionThread et, ExecutionEngine* owner) {
