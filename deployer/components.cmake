@@ -11,8 +11,6 @@ function(oroforge_component_library name)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/orocos>)
   target_link_libraries(${target} PUBLIC orocos-rtt)
-  # Every start of the deployer loads these.
-  target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES
     OUTPUT_NAME ${target}-${OROCOS_TARGET}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${OROFORGE_PLUGIN_DIR}/ocl
@@ -26,7 +24,6 @@ function(oroforge_ocl_service name)
   set(target ocl-${name}-service)
   add_library(${target} MODULE ${ARGN})
   target_link_libraries(${target} PRIVATE orocos-rtt)
-  target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES
     OUTPUT_NAME ${name}-${OROCOS_TARGET}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${OROFORGE_PLUGIN_DIR}/ocl/plugins

@@ -10,25 +10,13 @@ set_target_properties(clang-cpp LLVM PROPERTIES IMPORTED_GLOBAL TRUE)
 set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
-# Clang's headers take longer to parse than a file here to compile: the files of one subject are one translation unit, and
-# so share their unnamed namespace. It is not UNITY_BUILD, whose files name the folder of the clone, so that another clone
-# would find nothing in ccache.
-option(OROFORGE_UNITS_BY_SUBJECT "Compile all files of one subject in generator/clang as one" ON)
+# Clang's headers take longer to parse than a file here to compile, so that the files of one subject are one unit.
 function(oroforge_clang_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SUBJECTS;LIBS")
   add_library(${name} STATIC)
   foreach(subject ${arg_SUBJECTS})
-    list(TRANSFORM ${subject} APPEND .cpp OUTPUT_VARIABLE files)
-    list(TRANSFORM files PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/ OUTPUT_VARIABLE sources)
-    if(OROFORGE_UNITS_BY_SUBJECT)
-      set_source_files_properties(${sources} PROPERTIES HEADER_FILE_ONLY TRUE)
-      list(TRANSFORM files REPLACE "(.+)" "#include <clang/\\1>\n" OUTPUT_VARIABLE lines)
-      list(JOIN lines "" text)
-      set(unit ${CMAKE_CURRENT_BINARY_DIR}/clang_${subject}.cpp)
-      file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
-      list(APPEND sources ${unit})
-    endif()
-    target_sources(${name} PRIVATE ${sources})
+    list(TRANSFORM ${subject} REPLACE "(.+)" "clang/\\1.cpp" OUTPUT_VARIABLE files)
+    oroforge_unit(${name} clang_${subject} ${PROJECT_SOURCE_DIR}/generator ${files})
   endforeach()
   target_include_directories(${name} SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/generator)

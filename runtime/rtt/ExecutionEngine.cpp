@@ -128,7 +128,7 @@ void ExecutionEngine::work(WorkReason reason) {
         ++(reason == Trigger ? task_->mTriggerCounter : reason == TimeOut ? task_->mTimeOutCounter : task_->mIOCounter);
     }
     // The master of a slave that waits executes the slave's triggers meanwhile.
-    processMailbox(here, nested ? Depth::Waiting : Depth::Step);
+    if (ExecutionEngine::hasWork()) processMailbox(here, nested ? Depth::Waiting : Depth::Step);
     if (nested || reason == Trigger || here.gone()) return;
     processFunctions(here);
     if (!here.gone()) processHooks(here);
@@ -235,6 +235,7 @@ void ExecutionEngine::processFunctions(const Step& here) {
     // Functions added or removed by those that run here take effect in the next step; those that are woken, in this one, if
     // their turn is still to come.
     internal::FunctionList::Round round = functions_.begin();
+    if (round.end == 0) return;
     functions_.takeWoken();
     while (base::ExecutableInterface* const function = functions_.next(round)) {
         if (task_ && task_->base::TaskCore::inFatalError()) return;

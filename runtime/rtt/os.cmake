@@ -19,11 +19,8 @@ target_sources(orocos-rtt PRIVATE
   rtt/extras/SequentialActivity.cpp
   rtt/extras/SimulationActivity.cpp
   rtt/extras/SimulationThread.cpp
-  rtt/extras/SlaveActivity.cpp
   rtt/extras/TimerThread.cpp
   rtt/extras/detail/poll_set.cpp
-  rtt/internal/AccessGate.cpp
-  rtt/internal/Presence.cpp
   rtt/internal/DeferredActivity.cpp
   rtt/os/Condition.cpp
   rtt/os/MainThread.cpp
