@@ -77,13 +77,13 @@ def measure(build, folder):
     (folder / "many.xml").write_text(
         PAGE.format(IMPORT + "".join(COMPONENT.format(i, i + 1) for i in range(COMPONENTS))))
     for name, words, expected, target in (
-            ("deployer/check of an empty file", ["--check", "-s", "empty.xml"], 255, 15),
+            ("deployer/check of an empty file", ["--check", "-s", "empty.xml"], 255, 8),
             (f"deployer/dry run, {COMPONENTS} components", ["--dry-run", "-s", "many.xml"], 0, 30)):
         elapsed, cpu, status = deployer.check(words)
         if status != expected:
             sys.exit(f"deployer_bench: error: {' '.join(words)} ended with status {status}")
         yield entry(name, elapsed, cpu, ms=cpu * 1e3, target_ms=target)
-    yield entry("deployer/resident memory, nothing deployed", 0, 0, bytes=deployer.resident(), target_bytes=15e6)
+    yield entry("deployer/resident memory, nothing deployed", 0, 0, bytes=deployer.resident(), target_bytes=10e6)
 
 
 def main():

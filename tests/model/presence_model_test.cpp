@@ -104,12 +104,29 @@ void within(Trial& trial) {
     require(object.value == 3, "not taken away");
 }
 
+/** A thread uses it within the use of something that it has destroyed meanwhile. */
+void withinSomethingForgotten(Trial& trial) {
+    Object object;
+    std::uint16_t other = 0;
+    trial.thread([&] {
+        Presence::enter(&other);
+        Presence::enter(object.key);
+        Presence::forget(&other);
+        if (!object.gone) require(object.value == 1, "used after it was taken away");
+        Presence::leave();
+        Presence::leave();
+    });
+    trial.thread([&] { object.takeAway(); });
+    trial.go();
+}
+
 TEST(Presence, a_user_is_waited_for) { EXPECT_TRUE(model::holds(taking<true>)); }
 TEST(Presence, a_user_is_waited_for_without_membarrier) { EXPECT_TRUE(model::holds(taking<false>)); }
 TEST(Presence, uses_that_follow_each_other) { EXPECT_TRUE(model::holds(usingTwice)); }
 TEST(Presence, two_threads_wait) { EXPECT_TRUE(model::holds(twoWait)); }
 TEST(Presence, nested_uses) { EXPECT_TRUE(model::holds(nesting)); }
 TEST(Presence, taken_away_within) { EXPECT_TRUE(model::holds(within)); }
+TEST(Presence, within_something_forgotten) { EXPECT_TRUE(model::holds(withinSomethingForgotten)); }
 
 TEST(Presence, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("presence_no_barrier", taking<true>));
@@ -121,6 +138,7 @@ TEST(Presence, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("presence_one_woken", twoWait));
     EXPECT_TRUE(model::catches("presence_one_record_looked_at", nesting));
     EXPECT_TRUE(model::catches("presence_forgotten_silently", within));
+    EXPECT_TRUE(model::catches("presence_forgotten_is_free", withinSomethingForgotten));
 }
 
 }  // namespace

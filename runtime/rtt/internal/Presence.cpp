@@ -14,6 +14,9 @@ namespace RTT {
 namespace internal {
 
 namespace {
+/** What a place has that is in use, for an object that is no more. */
+constexpr std::uintptr_t kForgotten = 2;
+
 /** Asked for while the library is being loaded: as soon as there are several threads, the kernel takes some 10 ms for it. */
 [[maybe_unused]] const bool askedEarly = detail::offersProcessBarrier();
 }  // namespace
@@ -92,7 +95,7 @@ unsigned Presence::keep(const void* what) noexcept {
 }
 
 void Presence::forget(const void* what) noexcept {
-    State::forOwn(what, [](std::atomic<std::uintptr_t>& place) { place.store(0, std::memory_order_release); });
+    State::forOwn(what, [](std::atomic<std::uintptr_t>& place) { place.store(kForgotten, std::memory_order_release); });
     ring(bellOf(reinterpret_cast<std::uintptr_t>(what)));
 }
 
@@ -119,8 +122,12 @@ bool Presence::Waiter::others() const noexcept {
     };
     for (Record* record = State::instance().records.first(); record; record = record->next) {
         if (isOwn(record)) continue;
-        for (const std::atomic<std::uintptr_t>& place : record->places)
-            if ((place.load() & ~kKept) == what_) return true;
+        // Uses nest: behind the first free place of a thread there is none that began before this waiter's barrier.
+        for (const std::atomic<std::uintptr_t>& place : record->places) {
+            const std::uintptr_t word = place.load();
+            if ((word & ~kKept) == what_) return true;
+            if (word == 0) break;
+        }
     }
     return false;
 }

@@ -19,3 +19,4 @@ faulty_statement(presence_one_woken ${file} [=[    @{os::detail::futexWakeAll(be
   [=[os::detail::futexWakeOne(bell.rings);]=])
 faulty_value(presence_one_record_looked_at ${file} [=[record = @{record->next}@) {]=] [=[static_cast<Record*>(nullptr)]=])
 faulty_statement(presence_forgotten_silently ${file} [=[    @{ring(bellOf(reinterpret_cast<std::uintptr_t>(what)));}@]=] [=[]=])
+faulty_value(presence_forgotten_is_free ${file} [=[place.store(@{kForgotten}@, std::memory_order_release)]=] [=[std::uintptr_t(0)]=])

@@ -93,13 +93,14 @@ int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stac
                  void* argument, const std::string& name) {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    // Explicit, else a thread made by a real-time thread would be a real-time thread.
-    pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
     if (stackSize != 0 && pthread_attr_setstacksize(&attributes, stackSize) != 0)
         warn(name, "cannot have a stack of " + std::to_string(stackSize) + " bytes, using the default", EINVAL);
     const auto attempt = [&] {
         sched_param parameters{};
         parameters.sched_priority = priority;
+        // A thread made by a real-time thread would inherit that. Explicit, the new thread waits for its maker once more.
+        const bool inherits = scheduler == SCHED_OTHER && sched_getscheduler(0) == SCHED_OTHER;
+        pthread_attr_setinheritsched(&attributes, inherits ? PTHREAD_INHERIT_SCHED : PTHREAD_EXPLICIT_SCHED);
         pthread_attr_setschedpolicy(&attributes, scheduler);
         pthread_attr_setschedparam(&attributes, &parameters);
         return pthread_create(&thread, &attributes, entry, argument);
