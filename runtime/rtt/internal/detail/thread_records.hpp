@@ -29,6 +29,11 @@ public:
     Record* first() const { return records_.load(); }
 
 private:
+    struct Block {
+        Record records[kPool];
+        std::atomic<Block*> next{nullptr};
+    };
+
     Record* reuse() {
         for (Record* r = records_.load(std::memory_order_acquire); r; r = r->next) {
             bool used = false;
@@ -40,7 +45,7 @@ private:
     }
     Record* add() {
         const std::size_t i = pooled_.fetch_add(1, std::memory_order_relaxed);
-        Record* const record = i < kPool ? &pool_[i] : new Record;
+        Record* const record = i < kPool ? &pool_[i] : further(i - kPool);
         record->used.store(true, std::memory_order_relaxed);
         record->next = records_.load(std::memory_order_relaxed);
         while (!records_.compare_exchange_weak(record->next, record)) {
@@ -48,9 +53,26 @@ private:
         return record;
     }
 
+    /** Side by side: a thread that looks through a thousand of them would wait for memory most of the time. */
+    Record* further(std::size_t i) {
+        for (std::atomic<Block*>* link = &blocks_;; i -= kPool) {
+            Block* block = link->load(std::memory_order_acquire);
+            if (!block) {
+                auto* const made = new Block;
+                if (link->compare_exchange_strong(block, made))
+                    block = made;
+                else
+                    delete made;
+            }
+            if (i < kPool) return &block->records[i];
+            link = &block->next;
+        }
+    }
+
     std::atomic<Record*> records_{nullptr};
     std::atomic<std::size_t> pooled_{0};
     Record pool_[kPool];
+    std::atomic<Block*> blocks_{nullptr};
 };
 
 }  // namespace detail
