@@ -165,14 +165,14 @@ void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits)
     if (field.getAccess() != clang::AS_public) {
         const auto accessors = findAccessors(field);
         if (!accessors) return reject(field, Reason::PrivateMember);
-        return addByCopy(field, accessors->name, "value = object." + accessors->getter + "()", accessors->store);
+        return addByCopy(field, accessors->name, accessors->access);
     }
     const clang::ASTContext& context = types_.context();
     const auto* unnamed = field.getType()->getAs<clang::EnumType>();
     if (unnamed != nullptr && !nameOf(*unnamed->getDecl())) return addUnnamedEnum(field, *unnamed->getDecl());
     if (const auto form = formOf(field, doc_, types_)) return addForm(field, *form, bits);
     if (field.isBitField() || field.hasAttr<clang::NoUniqueAddressAttr>())
-        return addByCopy(field, name, "value = object." + name, "object." + name + " = value");
+        return addByCopy(field, name, {model::AccessKind::Copy, name, name});
     const auto align = context.getTypeAlignInChars(field.getType()).getQuantity();
     if (bits / 8 % align != 0) return addPacked(field, bits / 8);
     model::Field& added = addClassified(field, name, classifyMember(field.getType(), context));
@@ -189,36 +189,26 @@ void FieldCollector::addUnnamedEnum(const clang::FieldDecl& field, const clang::
     const Classified number = classifyMember(type.getIntegerType(), types_.context());
     model::Field& added = addClassified(field, name, number);
     added.declared.clear();
-    added.load = "std::memcpy(&value, &object." + name + ", sizeof value)";
-    added.store = "std::memcpy(&object." + name + ", &value, sizeof value)";
-    if (!field.isBitField()) return;
-    added.load = "value = object." + name;
-    added.store = "object." + name + " = static_cast<decltype(object." + name + ")>(value)";
+    added.access = {field.isBitField() ? model::AccessKind::EnumBits : model::AccessKind::Bytes, name, name};
 }
 
 void FieldCollector::addForm(const clang::FieldDecl& field, const FieldForm& form, std::uint64_t bits) {
     model::Field& added = addClassified(field, field.getNameAsString(), form.type);
     added.offset = bits / 8;
-    added.load = form.load;
-    added.store = form.store;
-    added.isPointee = doc_.byValue;
-    hasConstants_ = hasConstants_ || (!form.load.empty() && form.store.empty());
+    added.access = form.access;
+    hasConstants_ = hasConstants_ || form.access.isConstant();
 }
 
 /// A field at an address that does not suit its type must not be referred to.
 void FieldCollector::addPacked(const clang::FieldDecl& field, std::uint64_t offset) {
     if (!field.getType().isTriviallyCopyableType(types_.context())) return reject(field, Reason::Misaligned);
-    const std::string at = "&object) + " + std::to_string(offset);
-    addByCopy(field, field.getNameAsString(),
-              "std::memcpy(&value, reinterpret_cast<const char*>(" + at + ", sizeof value)",
-              "std::memcpy(reinterpret_cast<char*>(" + at + ", &value, sizeof value)");
+    const std::string name = field.getNameAsString();
+    addByCopy(field, name, {model::AccessKind::Packed, name, name, offset});
 }
 
-void FieldCollector::addByCopy(const clang::FieldDecl& field, const std::string& name, const std::string& load,
-                               const std::string& store) {
-    model::Field& added = addClassified(field, name, classifyValue(field.getType(), types_.context()));
-    added.load = load;
-    added.store = store;
+void FieldCollector::addByCopy(const clang::FieldDecl& field, const std::string& name,
+                               const model::FieldAccess& access) {
+    addClassified(field, name, classifyValue(field.getType(), types_.context())).access = access;
 }
 
 model::Field& FieldCollector::addClassified(const clang::FieldDecl& field, const std::string& name,

@@ -37,8 +37,7 @@ private:
     void addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type);
     void addForm(const clang::FieldDecl& field, const FieldForm& form, std::uint64_t bits);
     void addPacked(const clang::FieldDecl& field, std::uint64_t offset);
-    void addByCopy(const clang::FieldDecl& field, const std::string& name, const std::string& load,
-                   const std::string& store);
+    void addByCopy(const clang::FieldDecl& field, const std::string& name, const model::FieldAccess& access);
     /// The field that was added, or one that nobody sees if it was rejected.
     model::Field& addClassified(const clang::FieldDecl& field, const std::string& name, const Classified& type);
     bool usable(const clang::FieldDecl& field, const Classified& type);

@@ -58,9 +58,7 @@ model::Struct AdaptedDescriber::describeStruct() {
         field.name = member.name;
         field.also = member.also;
         field.type = *found.use;
-        field.load = found.load;
-        field.store = found.store;
-        field.address = found.address;
+        field.access = found.access;
         field.doc = member.doc;
         field.unit = member.unit.empty() ? found.use->unit : member.unit;
         field.range = member.range;
@@ -75,9 +73,7 @@ model::Adapted AdaptedDescriber::describeElements() {
     subject_ = "the element";
     const Part found = part(adapter_.element, adapter_.set);
     if (found.use) result.element = *found.use;
-    result.load = found.load;
-    result.store = found.store;
-    result.address = found.address;
+    result.access = found.access;
     bool isNumber = false;
     if (adapter_.shape == Shape::Sequence) {
         result.count = size(adapter_.size, isNumber);
@@ -113,7 +109,7 @@ AdaptedDescriber::Part AdaptedDescriber::part(const Accessor& get, const Accesso
     }
     const auto use = classify(get, read.valueType());
     if (!use) return result;
-    result.load = "value = object" + cppOf(from);
+    result.access.get = cppOf(from);
     if (isSettable(get, set, read.valueType(), result)) result.use = use;
     return result;
 }
@@ -126,10 +122,10 @@ bool AdaptedDescriber::isSettable(const Accessor& get, const Accessor& set, clan
         fail(meant, "TK072", "the compiler says: " + target.error);
         return false;
     }
-    part.store = "object" + cppOf(to);
-    if (to.uses("value")) return true;
-    if (target.isPlace() && types_.context().hasSameType(target.valueType(), value)) part.address = part.store;
-    part.store += " = value";
+    part.access.set = cppOf(to);
+    part.access.isAssigned = !to.uses("value");
+    if (!part.access.isAssigned) return true;
+    part.access.hasAddress = target.isPlace() && types_.context().hasSameType(target.valueType(), value);
     const std::string error = check_.assign(target, value);
     if (error.empty()) return true;
     fail(meant, "TK073", "it cannot be assigned to: " + error)
@@ -188,7 +184,7 @@ std::string AdaptedDescriber::size(const Accessor& accessor, bool& isNumber) {
         fail(accessor, "TK073",
              "its type is '" + shownName(read.valueType(), types_.context()) + "', expected an integer");
     }
-    return "object" + cppOf(from);
+    return cppOf(from);
 }
 
 std::string AdaptedDescriber::resize(const Accessor& accessor) {
@@ -196,7 +192,7 @@ std::string AdaptedDescriber::resize(const Accessor& accessor) {
     const Accessor to = bound(accessor, match_.cpp);
     const Accessed called = check_.access(to, /*isConst=*/false);
     if (called.expression == nullptr) fail(accessor, "TK072", "the compiler says: " + called.error);
-    return "object" + cppOf(to);
+    return cppOf(to);
 }
 
 /// Its fields do not matter, nor that it has virtual functions: who writes an adapter says that it is a value.

@@ -23,7 +23,7 @@ private:
     /// How a part is read and written. Without `use` there was an error.
     struct Part {
         std::optional<model::TypeUse> use;
-        std::string load, store, address;
+        model::FieldAccess access{model::AccessKind::Adapter};
     };
 
     model::Struct describeStruct();
@@ -31,7 +31,7 @@ private:
     Part part(const adapters::Accessor& get, const adapters::Accessor& set);
     bool isSettable(const adapters::Accessor& get, const adapters::Accessor& set, clang::QualType value, Part& part);
     std::optional<model::TypeUse> classify(const adapters::Accessor& accessor, clang::QualType type);
-    /// C++ of the number: digits, or an expression of `object`.
+    /// C++ of the number: digits, or what stands behind the object.
     std::string size(const adapters::Accessor& accessor, bool& isNumber);
     std::string resize(const adapters::Accessor& accessor);
     /// What attribute "initial" and the elements <constructor> say, in describe_constructors.cpp.

@@ -8,15 +8,10 @@ namespace oroforge::cxx {
 
 namespace {
 
+using model::AccessKind;
 using model::TypeKind;
 
-FieldForm byCopy(Classified type, const std::string& load, const std::string& store) {
-    return {std::move(type), load, store};
-}
-
-FieldForm unsuited(const clang::FieldDecl& field) {
-    return {reject(Reason::UnsuitedAttribute, field.getType()), "", ""};
-}
+FieldForm unsuited(const clang::FieldDecl& field) { return {reject(Reason::UnsuitedAttribute, field.getType())}; }
 
 const clang::ClassTemplateSpecializationDecl* instanceOf(clang::QualType type, const char* name) {
     const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
@@ -28,12 +23,10 @@ FieldForm asText(const clang::FieldDecl& field, TypeDescriber& types) {
     const Classified type = classifyMember(field.getType(), types.context());
     const bool isText = type.use && type.count != 0 && type.use->cpp == "char";
     if (!isText || field.isBitField()) return unsuited(field);
-    const std::string name = field.getNameAsString(), count = std::to_string(type.count);
-    const std::string at = "&object." + name + "[0]";
+    const std::string name = field.getNameAsString();
     Classified text;
     text.use = model::TypeUse{TypeKind::String, "std::string", "/std/string", {}, ""};
-    return byCopy(text, "value.assign(" + at + ", ::strnlen(" + at + ", " + count + "))",
-                  "std::memset(" + at + ", 0, " + count + "), value.copy(" + at + ", " + count + " - 1)");
+    return {text, {AccessKind::Text, name, name, type.count}};
 }
 
 /// A union, of which only its author knows which member is meant.
@@ -51,8 +44,7 @@ FieldForm asBytes(const clang::FieldDecl& field, TypeDescriber& types) {
                                "/std/array</uint8_t," + count + ">",
                                {byte},
                                ""};
-    return byCopy(bytes, "std::memcpy(&value, &object." + name + ", sizeof value)",
-                  "std::memcpy(&object." + name + ", &value, sizeof value)");
+    return {bytes, {AccessKind::Bytes, name, name}};
 }
 
 /// What a std::shared_ptr or std::unique_ptr points to, or nothing: a sequence of none or one.
@@ -66,24 +58,22 @@ FieldForm byValue(const clang::FieldDecl& field, TypeDescriber& types) {
     const bool ownDeleter = unique != nullptr && instanceOf(arguments[1].getAsType(), "default_delete") == nullptr;
     if (pointee->isArrayType() || type.isConstQualified() || ownDeleter) return unsuited(field);
     Classified pointer = classifyValue(pointee.getUnqualifiedType(), types.context());
-    if (!pointer.use) return {pointer, "", ""};
+    if (!pointer.use) return {pointer};
     const model::TypeUse value = *pointer.use;
     pointer.use = model::TypeUse{
         TypeKind::Optional, "std::optional<" + value.cpp + ">", "/std/optional<" + value.name + ">", {value}, ""};
-    const std::string name = "object." + field.getNameAsString();
-    const std::string made = std::string("std::make_") + (shared != nullptr ? "shared<" : "unique<") +
-                             (pointee.isConstQualified() ? "const " : "") + value.cpp + ">(*value)";
-    // A new object, as other pointers may share the old one.
-    return byCopy(pointer, "value = " + name + " ? std::make_optional(*" + name + ") : std::nullopt",
-                  "if (value) " + name + " = " + made + "; else " + name + " = nullptr");
+    const std::string name = field.getNameAsString();
+    model::FieldAccess access{shared != nullptr ? AccessKind::Shared : AccessKind::Unique, name, name};
+    access.pointee = (pointee.isConstQualified() ? "const " : "") + value.cpp;
+    return {pointer, access};
 }
 
 /// Where the author of the struct has written how it is copied, its atomic numbers are fields like others.
 FieldForm asLoaded(const clang::FieldDecl& field, clang::QualType number, TypeDescriber& types) {
     if (!isCopyable(*llvm::cast<clang::CXXRecordDecl>(field.getParent()), types.sema()))
-        return {reject(Reason::Atomic, field.getType()), "", ""};
-    const std::string name = "object." + field.getNameAsString();
-    return byCopy(classifyValue(number, types.context()), "value = " + name + ".load()", name + ".store(value)");
+        return {reject(Reason::Atomic, field.getType())};
+    const std::string name = field.getNameAsString();
+    return {classifyValue(number, types.context()), {AccessKind::Atomic, name, name}};
 }
 
 /// A constant member is read only.
@@ -93,10 +83,9 @@ std::optional<FieldForm> asConstant(const clang::FieldDecl& field, TypeDescriber
     const bool isArray = type->isConstantArrayType();
     const bool isConst = isArray ? context.getBaseElementType(type).isConstQualified() : type.isConstQualified();
     if (!isConst || type.isVolatileQualified()) return std::nullopt;
-    if (isArray && !type.isTriviallyCopyableType(context)) return FieldForm{reject(Reason::ConstMember, type), "", ""};
-    const std::string name = "object." + field.getNameAsString();
-    return byCopy(classifyValue(context.getUnqualifiedArrayType(type), context),
-                  isArray ? "std::memcpy(&value, &" + name + ", sizeof value)" : "value = " + name, "");
+    if (isArray && !type.isTriviallyCopyableType(context)) return FieldForm{reject(Reason::ConstMember, type)};
+    return FieldForm{classifyValue(context.getUnqualifiedArrayType(type), context),
+                     {isArray ? AccessKind::Bytes : AccessKind::Copy, field.getNameAsString()}};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace oroforge::cxx {
 
 struct FieldForm {
     Classified type;
-    std::string load, store;  ///< empty: the field is referred to
+    model::FieldAccess access = {};
 };
 
 /// Nothing if the field is shown as what it is.

@@ -37,8 +37,8 @@ std::optional<Accessors> findAccessors(const clang::FieldDecl& field) {
     const auto isOfField = [&](clang::QualType type) {
         return context.hasSameType(valueOf(type), field.getType().getUnqualifiedType());
     };
-    Accessors found;
-    found.name = withoutMarks(field.getNameAsString());
+    Accessors found{withoutMarks(field.getNameAsString()), {model::AccessKind::Functions}};
+    model::FieldAccess& access = found.access;
     std::set<std::string> getters = spellings("get", found.name);
     if (field.getType()->isBooleanType()) getters.merge(spellings("is", found.name));
     const std::set<std::string> setters = spellings("set", found.name);
@@ -47,17 +47,21 @@ std::optional<Accessors> findAccessors(const clang::FieldDecl& field) {
         const std::string name = method->getNameAsString();
         const clang::QualType result = method->getReturnType();
         if (method->getNumParams() == 0 && getters.count(name) != 0 && isOfField(result)) {
-            if (method->isConst())
-                found.getter = name;
-            else if (result->isLValueReferenceType() && found.store.empty())
-                found.store = "object." + name + "() = value";
+            if (method->isConst()) {
+                access.get = name;
+            } else if (result->isLValueReferenceType() && access.set.empty()) {
+                access.set = name;
+                access.isAssigned = true;
+            }
         }
         if (method->getNumParams() != 1 || setters.count(name) == 0) continue;
         const clang::QualType taken = method->getParamDecl(0)->getType();
         // What is to be stored stays where it is, so it cannot be moved from.
-        if (isOfField(taken) && !taken->isRValueReferenceType()) found.store = "object." + name + "(value)";
+        if (!isOfField(taken) || taken->isRValueReferenceType()) continue;
+        access.set = name;
+        access.isAssigned = false;
     }
-    if (found.getter.empty() || found.store.empty()) return std::nullopt;
+    if (access.get.empty() || access.set.empty()) return std::nullopt;
     return found;
 }
 

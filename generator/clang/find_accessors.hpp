@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 
+#include <model/field_access.hpp>
+
 #include "llvm_compat.hpp"
 
 namespace oroforge::cxx {
 
 struct Accessors {
-    std::string name;    ///< the field's, without the marks of a private one: "width" for "m_width", "_width", "width_"
-    std::string getter;  ///< "width" or "getWidth"
-    std::string store;   ///< "object.setWidth(value)"
+    std::string name;  ///< the field's, without the marks of a private one: "width" for "m_width", "_width", "width_"
+    model::FieldAccess access;
 };
 
 /// For a field `width_`: a getter width(), getWidth() or get_width(), const and of the field's type, and a setter

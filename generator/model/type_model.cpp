@@ -51,16 +51,27 @@ Json toJson(const TypeUse& use) {
     return json;
 }
 
+Json toJson(const FieldAccess& access) {
+    Json json = {{"by", word(access.kind)}};
+    addText(json, "get", access.get);
+    addText(json, "set", access.set);
+    if (access.number != 0) json["number"] = access.number;
+    addText(json, "pointee", access.pointee);
+    if (access.isAssigned) json["assigned"] = true;
+    if (access.hasAddress) json["address"] = true;
+    return json;
+}
+
 Json toJson(const Field& field) {
     Json json = {{"name", field.name}, {"type", toJson(field.type)}};
     if (field.declared != field.type.cpp) json["declared"] = field.declared;
-    if (field.load.empty()) json["offset"] = field.offset;
-    if (!field.load.empty()) json["bit"] = field.place;
+    if (field.access.isPlace())
+        json["offset"] = field.offset;
+    else
+        json["bit"] = field.place;
     if (field.width != 0) json["width"] = field.width;
     if (field.count != 0) json["count"] = field.count;
-    addText(json, "load", field.load);
-    addText(json, "store", field.store);
-    addText(json, "address", field.address);
+    if (!field.access.isPlace()) json["access"] = toJson(field.access);
     addText(json, "doc", field.doc);
     addText(json, "unit", field.unit);
     addText(json, "range", field.range);
@@ -107,9 +118,7 @@ Json toJson(const Adapted& type) {
     addText(json, "count", type.count);
     addText(json, "columns", type.columns);
     addText(json, "resize", type.resize);
-    addText(json, "load", type.load);
-    addText(json, "store", type.store);
-    addText(json, "address", type.address);
+    json["access"] = toJson(type.access);
     return json;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <diag/diagnostic.hpp>
+#include <model/field_access.hpp>
 
 namespace oroforge::model {
 
@@ -56,9 +57,7 @@ struct Field {
     std::uint64_t offset = 0;  ///< bytes from the start of the outermost struct
     std::uint64_t place = 0;   ///< the same in bits, also of bit-fields and of what accessors hide
     std::uint64_t width = 0;   ///< bits of a bit-field
-    std::string load, store;   ///< by copy, if it has no address: C++ of `object` and `value`; no store: it is constant
-    std::string address;       ///< besides both, if a function returns one: C++ of `object`
-    bool isPointee = false;    ///< what a smart pointer points to, or nothing
+    FieldAccess access;        ///< how it is read and written
     std::string doc;           ///< comment above or behind the field, without its marks
     std::string unit;          ///< from "@unit m/s" in the comment
     std::string range;         ///< from "@range 0..5" in the comment
@@ -92,7 +91,7 @@ struct Struct {
     diag::Location where;
 };
 
-/// A class whose elements an adapter says how to reach. Texts are C++ of `object`.
+/// A class whose elements an adapter says how to reach. Texts are what the adapter writes behind the object.
 struct Adapted {
     std::string cpp;
     std::string name;
@@ -100,13 +99,12 @@ struct Adapted {
     std::uint64_t align = 0;
     std::string doc;
     TypeUse element;
-    TypeUse row;              ///< of a matrix: what its rows are seen as
-    std::string count;        ///< how many elements; of a matrix, rows
-    std::string columns;      ///< of a matrix
-    std::string resize;       ///< to `size`, or `rows` and `columns`; empty: the size is fixed
-    std::string load, store;  ///< also of `value`, and of `index`, or `row` and `column`
-    std::string address;      ///< a reference to the element; empty: it has no address
-    std::string initial;      ///< C++ of a first value; empty: `T()`
+    TypeUse row;          ///< of a matrix: what its rows are seen as
+    std::string count;    ///< how many elements, in digits or what says it; of a matrix, rows
+    std::string columns;  ///< of a matrix, the same
+    std::string resize;   ///< to `size`, or `rows` and `columns`; empty: the size is fixed
+    FieldAccess access;   ///< to the element of `index`, or `row` and `column`
+    std::string initial;  ///< C++ of a first value; empty: `T()`
     std::vector<Constructor> constructors;
     Homes homes;
     diag::Location where;

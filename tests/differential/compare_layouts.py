@@ -7,8 +7,10 @@ Every struct and enum of the headers must be there, with every field; sizes, ali
 values of enumerators must be the program's; the C++ types of fields, and the code that reaches them, must compile; units, ranges
 and comments must be there. LAYOUT_SEEDS=100 LAYOUT_FIRST=… searches for longer.
 """
+import glob
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -16,6 +18,8 @@ import tempfile
 from random_header import RandomHeader
 
 TYPES_PER_HEADER = 200
+# A function that reaches a field without an address, in a generated file.
+ACCESS = re.compile(r'\[\]\((?:const )?void\* .*?\n {12}\}', re.DOTALL)
 
 
 PROGRAM_HEAD = """#include "types.hpp"
@@ -40,9 +44,13 @@ template <class S, class Fill> void bits(Fill fill) {
 """
 
 
-def program(header, model):
+def program(header, model, generated):
     """Prints what the compiler knows, one JSON value a line; and compiles what generated code would do with each field."""
-    lines = [PROGRAM_HEAD] + accesses(model) + ['int main() {']
+    functions = ACCESS.findall(generated)
+    assert len(functions) >= sum('access' in field for struct in model['structs'] for field in struct['fields'])
+    lines = [PROGRAM_HEAD] + declared_types(model)
+    lines += [f'const auto access_{number} = {function};' for number, function in enumerate(functions)]
+    lines.append('int main() {')
     for struct in header.structs:
         lines.append(f'    std::printf("[\\"{struct.name}\\", %zu, %zu", sizeof({struct.name}), alignof({struct.name}));')
         for field in struct.fields:
@@ -63,20 +71,10 @@ def program(header, model):
     return '\n'.join(lines + ['}']) + '\n'
 
 
-def accesses(model):
-    lines = []
-    for number, struct in enumerate(model['structs']):
-        lines.append(f'inline void access_{number}({struct["cpp"]}& object) {{')
-        for field in struct['fields']:
-            cpp = field['type']['cpp']
-            if 'load' in field:
-                store = f' {field["store"]};' if 'store' in field else ''
-                lines.append(f'    {{ {cpp} value{{}}; {field["load"]};{store} }}')
-            else:
-                declared = field.get('declared', cpp)
-                lines.append(f'    static_assert(std::is_same_v<decltype({struct["cpp"]}::{field["name"]}), {declared}>);')
-        lines.append('}')
-    return lines
+def declared_types(model):
+    return [f'static_assert(std::is_same_v<decltype({struct["cpp"]}::{field["name"]}), '
+            f'{field.get("declared", field["type"]["cpp"])}>);'
+            for struct in model['structs'] for field in struct['fields'] if 'access' not in field]
 
 
 def differences(header, model, truth):
@@ -111,7 +109,7 @@ def struct_differences(struct, facts, known):
             yield f'{subject} is missing'
             continue
         field = fields[name]
-        found = [8 * field['offset'] if 'offset' in field else field['bit']] if 'offset' in field or 'load' in field else []
+        found = [8 * field['offset'] if 'offset' in field else field['bit']] if 'offset' in field or 'access' in field else []
         if not found:
             yield f'{subject}: cannot be reached'
         elif places and found + ([field['width']] if 'width' in field else []) != places:
@@ -130,6 +128,11 @@ def run(command, folder):
     return done.stdout
 
 
+def read(path):
+    with open(path, encoding='utf-8') as file:
+        return file.read()
+
+
 def write(path, text):
     with open(path, 'w', encoding='utf-8') as file:
         file.write(text)
@@ -140,7 +143,9 @@ def compare(seed, typegen, compiler):
     with tempfile.TemporaryDirectory() as folder:
         write(os.path.join(folder, 'types.hpp'), header.text())
         model = json.loads(run([typegen, '--dump=model', 'random', 'types.hpp'], folder))
-        write(os.path.join(folder, 'program.cpp'), program(header, model))
+        run([typegen, '-o', 'out', 'random', 'types.hpp'], folder)
+        generated = ''.join(read(file) for file in sorted(glob.glob(os.path.join(folder, 'out', 'types_*.cpp'))))
+        write(os.path.join(folder, 'program.cpp'), program(header, model, generated))
         run(compiler + ['-w', '-O0', '-o', 'program', 'program.cpp'], folder)
         truth = [json.loads(line) for line in run(['./program'], folder).splitlines()]
     assert len(truth) == TYPES_PER_HEADER

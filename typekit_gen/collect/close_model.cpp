@@ -140,7 +140,7 @@ void checkCircles(const model::TypeModel& model, diag::Sink& sink) {
     for (const model::Struct& type : model.structs) {
         for (const model::Field& field : type.fields) {
             std::set<std::string> seen;
-            if (!field.isPointee || !mayHold(field.type, type.name, model, seen)) continue;
+            if (field.access.pointee.empty() || !mayHold(field.type, type.name, model, seen)) continue;
             sink.error(field.where, "TK035",
                        "field '" + field.name + "' of '" + model::cppShown(type.cpp) +
                            "' may point to what holds it: its value would have no end")

@@ -165,8 +165,7 @@ private:
             tell(true, "is of type " + nowAndThen("'" + typeText(now) + "'", "'" + typeText(old) + "'"));
         else if (old.place != now.place)
             tell(true, "is at " + nowAndThen(placeText(now.place), "at " + placeText(old.place)));
-        const bool wasWritable = old.load.empty() || !old.store.empty();
-        const bool isWritable = now.load.empty() || !now.store.empty();
+        const bool wasWritable = !old.access.isConstant(), isWritable = !now.access.isConstant();
         if (wasWritable && !isWritable) tell(true, "can no longer be written");
         if (!wasWritable && isWritable) tell(false, "can be written now");
         if (old.unit != now.unit)

@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <plan/library_view.hpp>
 
+#include <plan/access_view.hpp>
 #include <plan/cpp_words.hpp>
 
 namespace oroforge::typekit {
@@ -39,12 +40,11 @@ json twoFields(const std::string& cpp, const std::string& name, const char* firs
 json tupleView(const TypeUse& use) {
     json fields = json::array();
     for (std::size_t i = 0; i != use.element.size(); ++i) {
-        const std::string part = "std::get<" + std::to_string(i) + ">(object)";
-        json view = field("_" + std::to_string(i), "0", use.element[i], i + 1 == use.element.size());
-        view["load"] = "value = " + part;
-        view["store"] = part + " = value";
+        const std::string number = std::to_string(i);
+        json view = field("_" + number, "0", use.element[i], i + 1 == use.element.size());
+        view["access"] = accessView({model::AccessKind::Part, number, number});
         view["index"] = i;
-        view["more"] = ", nullptr, &access_" + std::to_string(i);
+        view["more"] = ", nullptr, &access_" + number;
         fields.push_back(view);
     }
     return structView(use.cpp, use.name, fields);

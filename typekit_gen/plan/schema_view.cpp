@@ -48,7 +48,7 @@ json viewOf(const model::Struct& type) {
     json view = started(type.name, type.cpp);
     for (const model::Field& field : type.fields) {
         // The compiler of the plugin says where a field is, if it can be asked.
-        const bool named = field.load.empty() && !field.declared.empty();
+        const bool named = field.access.isPlace() && !field.declared.empty();
         const std::string place =
             named ? "8LL * __builtin_offsetof(" + type.cpp + ", " + field.name + ")" : std::to_string(field.place);
         std::string declared = field.declared.empty() ? field.type.cpp : field.declared;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include <emit/banner.hpp>
+#include <plan/access_view.hpp>
 #include <plan/bucket_needs.hpp>
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
@@ -33,22 +34,19 @@ json viewOf(const model::Field& field, bool last) {
                  {"separator", last ? "" : ","}};
     // A base class that is a member has no name that could be asked for; its own struct is checked.
     const bool named = !field.declared.empty();
-    if (!field.address.empty()) view["address"] = field.address;
-    if (!field.load.empty()) {
-        view["load"] = field.load;
-        if (!field.store.empty()) view["store"] = field.store;
-    } else if (named) {
+    if (!field.access.isPlace())
+        view["access"] = accessView(field.access);
+    else if (named)
         view["checked"] = {{"member", field.name}, {"declared", field.declared}};
-    }
     return view;
 }
 
 /// What few members have: a way to copy them, a range, another name.
 std::string moreOf(const model::Field& field, std::size_t index) {
-    const std::string access = field.load.empty() ? "nullptr" : "&access_" + std::to_string(index);
+    const std::string access = field.access.isPlace() ? "nullptr" : "&access_" + std::to_string(index);
     const std::string also = field.also.empty() ? "" : ", " + cppString(field.also);
     if (!field.range.empty() || !also.empty()) return ", nullptr, " + access + ", " + cppString(field.range) + also;
-    return field.load.empty() ? "" : ", nullptr, " + access;
+    return field.access.isPlace() ? "" : ", nullptr, " + access;
 }
 
 json viewOf(const model::Struct& type) {
@@ -67,10 +65,10 @@ json viewOf(const model::Struct& type) {
 }
 
 json viewOf(const model::Adapted& type) {
-    json view = {{"cpp", type.cpp},    {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
-                 {"size", type.size},  {"align", type.align},         {"doc", cppString(type.doc)},
-                 {"load", type.load},  {"element", type.element.cpp}, {"store", type.store},
-                 {"count", type.count}};
+    json view = {{"cpp", type.cpp},     {"shown", cppShown(type.cpp)}, {"name", cppString(type.name)},
+                 {"size", type.size},   {"align", type.align},         {"doc", cppString(type.doc)},
+                 {"count", type.count}, {"element", type.element.cpp}};
+    view.update(accessView(type.access));
     view[type.columns.empty() ? "isSequence" : "isMatrix"] = true;
     if (!type.columns.empty()) view["columns"] = {{"text", type.columns}, {"row", type.row.cpp}};
     const auto isNumber = [](const std::string& text) {
@@ -79,7 +77,6 @@ json viewOf(const model::Adapted& type) {
     if (isNumber(type.count)) view["fixedCount"] = true;
     if (isNumber(type.columns)) view["fixedColumns"] = true;
     if (!type.resize.empty()) view["resize"] = {{"call", type.resize}};
-    if (!type.address.empty()) view["address"] = type.address;
     return view;
 }
 
@@ -169,7 +166,7 @@ Buckets fillBuckets(const model::TypeModel& model) {
     for (const model::Struct& type : model.structs) {
         buckets.add("structs", type.name, viewOf(type));
         for (const model::Field& field : type.fields)
-            if (!field.address.empty()) buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
+            if (field.access.hasAddress) buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
         buckets.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
         if (!type.make.empty()) buckets.makers.push_back(makerView(type, type.make, type.space));
         buckets.addFromAdapter(type);
@@ -228,7 +225,7 @@ json ofTypes(const json& views, const Names& types) {
 bool showsOptional(const model::TypeModel& model, const Names& types) {
     for (const model::Struct& type : model.structs)
         for (const model::Field& field : type.fields)
-            if (field.type.kind == TypeKind::Optional && !field.load.empty() && types.count(field.type.name) != 0)
+            if (field.type.kind == TypeKind::Optional && !field.access.isPlace() && types.count(field.type.name) != 0)
                 return true;
     return false;
 }

@@ -109,8 +109,8 @@ TEST(TypeReader, KnowsTheQuestionAsAnAccessorOfABool) {
         "class A { bool ready_; bool on; public: bool isReady() const; void setReady(bool); bool is_on() const; "
         "void set_on(bool); };");
     ASSERT_TRUE(read.model);
-    EXPECT_EQ(read.field("ready").load, "value = object.isReady()");
-    EXPECT_EQ(read.field("on").store, "object.set_on(value)");
+    EXPECT_EQ(read.field("ready").access.get, "isReady");
+    EXPECT_EQ(read.field("on").access.set, "set_on");
     EXPECT_FALSE(Read("class A { int n_; public: int isN() const; void setN(int); };").model);
 }
 

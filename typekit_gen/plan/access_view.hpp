@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// How a part of an object is reached, as templates/typekit/access_*.mustache read it.
+#ifndef OROFORGE_TYPEKIT_GEN_PLAN_ACCESS_VIEW_HPP
+#define OROFORGE_TYPEKIT_GEN_PLAN_ACCESS_VIEW_HPP
+
+#include <model/field_access.hpp>
+#include <nlohmann/json.hpp>
+
+namespace oroforge::typekit {
+
+/// Keys: get, the word of its kind, which is true, and if present set, number, pointee, assigned, address.
+nlohmann::json accessView(const model::FieldAccess& access);
+
+}  // namespace oroforge::typekit
+
+#endif
