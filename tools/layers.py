@@ -175,3 +175,19 @@ SHARED_DETAIL = {
 # "file that includes -> file included": known exceptions. Keep it short; each line says why.
 ALLOWED = {
 }
+
+
+def main():
+    import argparse
+
+    import layer_graph
+
+    parser = argparse.ArgumentParser(description="Draws this table. Arrows that others replace are left out.")
+    form = parser.add_mutually_exclusive_group(required=True)
+    form.add_argument("--dot", dest="draw", action="store_const", const=layer_graph.dot, help="for Graphviz")
+    form.add_argument("--mermaid", dest="draw", action="store_const", const=layer_graph.mermaid, help="for Markdown")
+    print(parser.parse_args().draw(LAYER_OF, MAY_INCLUDE))
+
+
+if __name__ == "__main__":
+    main()
