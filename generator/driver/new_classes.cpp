@@ -6,7 +6,6 @@
 
 #include <driver/build_file.hpp>
 #include <driver/package_files.hpp>
-#include <view/cpp_text.hpp>
 
 namespace fs = std::filesystem;
 
@@ -19,25 +18,33 @@ bool isFound(const model::UserCode& code, const std::string& name) {
                        [&](const model::UserClass& one) { return one.name == name && !one.file.empty(); });
 }
 
-void addToBuild(const NewClasses& input, const merge::WantedClass& wanted, emit::Outputs& outputs, merge::Plan& plan,
-                diag::Sink& sink) {
-    const std::string name = view::lastName(wanted.name);
+bool isSource(const std::string& file) { return file.compare(0, 4, "src/") == 0; }
+
+/// Adds file number `i` of a class behind that of another one.
+bool addFile(std::string& cmake, std::size_t i, const NewClasses& input, const merge::WantedClass& wanted) {
+    const auto others = [&](const merge::WantedClass& other) {
+        return other.isComponent && other.name != wanted.name &&
+               addBehind(cmake, classFileNames(other.name, true)[i], classFileNames(wanted.name, true)[i]);
+    };
+    return wanted.isComponent && std::any_of(input.wanted.rbegin(), input.wanted.rend(), others);
+}
+
+void addToBuild(const NewClasses& input, const merge::WantedClass& wanted, const std::vector<std::string>& files,
+                emit::Outputs& outputs, merge::Plan& plan, diag::Sink& sink) {
     if (outputs.count(kBuildFile) == 0) outputs[kBuildFile] = emit::textOf(input.root / kBuildFile);
     std::string& cmake = outputs[kBuildFile];
-    bool source = false, header = false, test = false;
-    for (auto other = input.wanted.rbegin(); other != input.wanted.rend() && wanted.isComponent; ++other) {
-        if (!other->isComponent || other->name == wanted.name) continue;
-        const std::string known = view::lastName(other->name);
-        source = source || addBehind(cmake, "src/" + known + ".cpp", "src/" + name + ".cpp");
-        if (!header) header = addBehind(cmake, "src/" + known + ".hpp", "src/" + name + ".hpp");
-        test = test || addBehind(cmake, "tests/" + known + "_test.cpp", "tests/" + name + "_test.cpp");
+    for (std::size_t i = 0; i != files.size(); ++i) {
+        const bool added = addFile(cmake, i, input, wanted);
+        if (!isSource(files[i]) || fs::path(files[i]).extension() != ".cpp") continue;
+        if (added) {
+            plan.changes.push_back(std::string(kBuildFile) + ": " + files[i]);
+        } else {
+            sink.warning({input.shown + kBuildFile, 0, 0}, "OC041",
+                         "no place for '" + files[i] + "' was found: it is to be added by hand")
+                .note(wanted.where, "of the class that is new here");
+        }
     }
-    if (source) plan.changes.push_back(std::string(kBuildFile) + ": src/" + name + ".cpp");
     if (cmake.empty()) outputs.erase(kBuildFile);
-    if (source) return;
-    sink.warning({input.shown + kBuildFile, 0, 0}, "OC041",
-                 "no place for 'src/" + name + ".cpp' was found: it is to be added by hand")
-        .note(wanted.where, "of the class that is new here");
 }
 
 }  // namespace
@@ -47,7 +54,6 @@ void addNewClasses(const NewClasses& input, const render::Renderer& renderer, em
     const Scaffold all = scaffold(input.package, input.manifest, false, renderer);
     for (const merge::WantedClass& wanted : input.wanted) {
         if (isFound(input.code, wanted.name)) continue;
-        const std::string name = view::lastName(wanted.name);
         const auto recorded = input.record.find(wanted.name);
         if (recorded != input.record.end()) {
             plan.record[wanted.name] = recorded->second;
@@ -56,10 +62,10 @@ void addNewClasses(const NewClasses& input, const render::Renderer& renderer, em
                 .hint("if it has another name now, change the manifest, too");
             continue;
         }
-        for (const std::string& file :
-             {"src/" + name + ".hpp", "src/" + name + ".cpp", "tests/" + name + "_test.cpp"}) {
+        const std::vector<std::string> files = classFileNames(wanted.name, wanted.isComponent);
+        for (const std::string& file : files) {
             if (emit::exists(input.root / file)) {
-                if (file.compare(0, 4, "src/") == 0)
+                if (isSource(file))
                     sink.error({input.shown + file, 0, 0}, "OC030",
                                "this file is there already, but class '" + wanted.name + "' was not found in it")
                         .note(wanted.where, "the manifest wants it here");
@@ -69,7 +75,7 @@ void addNewClasses(const NewClasses& input, const render::Renderer& renderer, em
             plan.changes.push_back(file + ": new");
         }
         plan.record[wanted.name] = merge::recordOf(wanted);
-        addToBuild(input, wanted, outputs, plan, sink);
+        addToBuild(input, wanted, files, outputs, plan, sink);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <render/output_table.hpp>
 #include <view/cpp_text.hpp>
 #include <view/skeleton_view.hpp>
 #include <view/view.hpp>
@@ -16,138 +17,139 @@ namespace oroforge::driver {
 namespace {
 
 using nlohmann::json;
+using render::Owner;
+using render::Subject;
 
-void addComponentFiles(const model::Package& package, const std::string& manifest, const render::Renderer& renderer,
-                       Scaffold& files) {
-    for (const auto& component : package.components) {
-        const json view = view::componentView(package, component, manifest);
-        const std::string name = view::lastName(component.className.value);
-        files.user["src/" + name + ".hpp"] = renderer.render("component/user.hpp", view);
-        files.user["src/" + name + ".cpp"] = renderer.render("component/user.cpp", view);
-        files.user["tests/" + name + "_test.cpp"] = renderer.render("component/test.cpp", view);
-    }
+/// Every file of a package: what it is about, who writes it, where it is and what makes it.
+const render::OutputTable kOutputs = {
+    {"component", Owner::Generated, "{package}/{class}Base.hpp", "component/base.hpp"},
+    {"component", Owner::Generated, "{package}/{class}Base.cpp", "component/base.cpp"},
+    {"component", Owner::User, "src/{class}.hpp", "component/user.hpp"},
+    {"component", Owner::User, "src/{class}.cpp", "component/user.cpp"},
+    {"component", Owner::User, "tests/{class}_test.cpp", "component/test.cpp"},
+    {"registration", Owner::Generated, "{package}/registration.cpp", "component/registration.cpp"},
+    {"reference", Owner::Generated, "{package}/reference.md", "package/reference.md"},
+    // The build takes the name of a service's library from the folder.
+    {"service", Owner::Generated, "{package}/{class}Base.hpp", "service/base.hpp"},
+    {"service", Owner::Generated, "{package}/services/{name}/{class}Base.cpp", "service/base.cpp"},
+    {"service", Owner::Generated, "{package}/services/{name}/registration.cpp", "service/registration.cpp"},
+    {"service", Owner::User, "src/{class}.hpp", "service/user.hpp"},
+    {"service", Owner::User, "src/{class}.cpp", "service/user.cpp"},
+    {"service", Owner::User, "tests/{class}_test.cpp", "service/test.cpp"},
+    {"package", Owner::Shared, "CMakeLists.txt", "package/CMakeLists.txt"},
+    {"package", Owner::Shared, "package.xml", "package/package.xml"},
+    {"package", Owner::Shared, "README.md", "package/README.md"},
+    {"package", Owner::Shared, ".clang-format", "package/clang-format"},
+    {"package", Owner::Shared, ".gitignore", "package/gitignore"},
+    {"package", Owner::Shared, "CMakePresets.json", "package/CMakePresets.json"},
+    {"package", Owner::Shared, "colcon.pkg", "package/colcon.pkg"},
+    {"package built alone", Owner::Shared, "Makefile", "package/Makefile"},
+    {"deployment", Owner::Shared, "deploy/{package}.xml", "package/deploy.xml"},
+    {"deployment", Owner::Shared, "deploy/{package}.ops", "package/deploy.ops"},
+    {"tests", Owner::Shared, "tests/test_main.cpp", "package/test_main.cpp"},
+    {"typekit", Owner::User, "{name}", "package/types.hpp"},
+    {"plugin", Owner::User, "src/{name}.cpp", "package/plugin.cpp"},
+    {"new component", Owner::User, "src/{name}-component.hpp", "package/component.hpp"},
+    {"new component", Owner::User, "src/{name}-component.cpp", "package/component.cpp"},
+    {"new component", Owner::User, "tests/{name}-component_test.cpp", "package/component_test.cpp"},
+    {"new plugin", Owner::User, "src/{name}-plugin.cpp", "package/plugin.cpp"},
+    {"new service", Owner::User, "src/{name}-service.cpp", "package/service.cpp"},
+    {"new application", Owner::User, "src/{name}-application.cpp", "package/application.cpp"},
+    {"new support", Owner::User, "include/{package}/{name}-support.hpp", "package/support.hpp"},
+    {"new support", Owner::User, "src/{name}-support.cpp", "package/support.cpp"}};
+
+Subject aboutClass(const char* kind, const std::string& package, const std::string& name, const model::Text& className,
+                   std::function<json()> view) {
+    const std::string last = view::lastName(className.value);
+    return {kind, {{"package", package}, {"name", name}, {"class", last}}, std::move(view)};
 }
 
-void addServiceFiles(const model::Package& package, const std::string& manifest, const render::Renderer& renderer,
-                     Scaffold& files) {
-    for (const auto& service : package.services) {
-        const json view = view::serviceView(package, service, manifest);
-        const std::string name = view::lastName(service.className.value);
-        files.user["src/" + name + ".hpp"] = renderer.render("service/user.hpp", view);
-        files.user["src/" + name + ".cpp"] = renderer.render("service/user.cpp", view);
-        files.user["tests/" + name + "_test.cpp"] = renderer.render("service/test.cpp", view);
-    }
+/// What the manifest describes.
+std::vector<Subject> describedSubjects(const model::Package& package, const std::string& manifest) {
+    const std::string& name = package.name.value;
+    std::vector<Subject> all;
+    for (const auto& component : package.components)
+        all.push_back(aboutClass("component", name, "", component.className,
+                                 [&] { return view::componentView(package, component, manifest); }));
+    if (!package.components.empty())
+        all.push_back({"registration", {{"package", name}}, [&] { return view::registrationView(package, manifest); }});
+    all.push_back({"reference", {{"package", name}}, [&] { return view::referenceView(package, manifest); }});
+    for (const auto& service : package.services)
+        all.push_back(aboutClass("service", name, service.name.value, service.className,
+                                 [&] { return view::serviceView(package, service, manifest); }));
+    return all;
 }
 
-/// The folder of what belongs to a service's library; the build takes its name from here.
-std::string serviceFolder(const model::Package& package, const model::ServicePlugin& service) {
-    return package.name.value + "/services/" + service.name.value + "/";
+/// What stands around the classes.
+std::vector<Subject> packageSubjects(const model::Package& package, const std::string& manifest, bool catkin) {
+    json view = view::packageView(package, manifest);
+    view["buildTool"] = catkin ? "catkin" : "cmake";
+    if (catkin) view["isCatkin"] = true;
+    std::vector<Subject> all;
+    const auto add = [&](bool wanted, const char* kind, const std::string& name, const json& with) {
+        if (wanted) all.push_back({kind, {{"package", package.name.value}, {"name", name}}, [with] { return with; }});
+    };
+    add(true, "package", "", view);
+    add(!catkin, "package built alone", "", view);
+    add(view["deployable"], "deployment", "", view);
+    add(view["hasTests"], "tests", "", view);
+    if (!package.typekitHeaders.empty()) {
+        const std::string& header = package.typekitHeaders.front().value;
+        add(true, "typekit", header, view::typekitView(package, header));
+    }
+    for (const json& plugin : view["plugins"]) add(true, "plugin", plugin["name"], plugin);
+    return all;
+}
+
+const char* kindOf(const model::Skeleton& skeleton) {
+    switch (skeleton.kind) {
+        case model::SkeletonKind::Component: return "new component";
+        case model::SkeletonKind::Plugin: return "new plugin";
+        case model::SkeletonKind::Service: return "new service";
+        case model::SkeletonKind::Application: return "new application";
+        case model::SkeletonKind::Support: return "new support";
+    }
+    return "";
+}
+
+std::vector<Subject> skeletonSubjects(const model::Package& package) {
+    std::vector<Subject> all;
+    for (const model::Skeleton& skeleton : package.skeletons)
+        all.push_back({kindOf(skeleton), {{"package", package.name.value}, {"name", skeleton.name}}, [&] {
+                           return view::skeletonView(package, skeleton);
+                       }});
+    return all;
 }
 
 }  // namespace
 
 emit::Outputs generatedFiles(const model::Package& package, const std::string& manifest,
                              const render::Renderer& renderer) {
-    emit::Outputs files;
-    const std::string directory = package.name.value + "/";
-    for (const auto& component : package.components) {
-        const json view = view::componentView(package, component, manifest);
-        const std::string base = directory + view::lastName(component.className.value) + "Base";
-        files[base + ".hpp"] = renderer.render("component/base.hpp", view);
-        files[base + ".cpp"] = renderer.render("component/base.cpp", view);
-    }
-    if (!package.components.empty()) {
-        files[directory + "registration.cpp"] =
-            renderer.render("component/registration.cpp", view::registrationView(package, manifest));
-    }
-    files[directory + "reference.md"] = renderer.render("package/reference.md", view::referenceView(package, manifest));
-    for (const auto& service : package.services) {
-        const json view = view::serviceView(package, service, manifest);
-        const std::string name = view::lastName(service.className.value);
-        const std::string folder = serviceFolder(package, service);
-        files[directory + name + "Base.hpp"] = renderer.render("service/base.hpp", view);
-        files[folder + name + "Base.cpp"] = renderer.render("service/base.cpp", view);
-        files[folder + "registration.cpp"] = renderer.render("service/registration.cpp", view);
-    }
-    return files;
+    return render::renderOutputs(kOutputs, describedSubjects(package, manifest), Owner::Generated, renderer);
 }
 
 std::vector<std::string> generatedFileNames(const model::Package& package) {
-    std::vector<std::string> names;
-    const std::string directory = package.name.value + "/";
-    for (const auto& component : package.components) {
-        const std::string base = directory + view::lastName(component.className.value) + "Base";
-        names.push_back(base + ".hpp");
-        names.push_back(base + ".cpp");
-    }
-    if (!names.empty()) names.push_back(directory + "registration.cpp");
-    names.push_back(directory + "reference.md");
-    for (const auto& service : package.services) {
-        const std::string name = view::lastName(service.className.value);
-        const std::string folder = serviceFolder(package, service);
-        for (const std::string& file :
-             {directory + name + "Base.hpp", folder + name + "Base.cpp", folder + "registration.cpp"})
-            names.push_back(file);
-    }
+    auto names = render::outputNames(kOutputs, describedSubjects(package, ""), Owner::Generated);
     std::sort(names.begin(), names.end());
     return names;
 }
 
+std::vector<std::string> classFileNames(const std::string& className, bool isComponent) {
+    const Subject subject = aboutClass(isComponent ? "component" : "service", "", "", {className, {}}, nullptr);
+    return render::outputNames(kOutputs, {subject}, Owner::User);
+}
+
 emit::Outputs skeletonFiles(const model::Package& package, const render::Renderer& renderer) {
-    using model::SkeletonKind;
-    emit::Outputs files;
-    for (const model::Skeleton& skeleton : package.skeletons) {
-        const json view = view::skeletonView(package, skeleton);
-        const std::string& name = skeleton.name;
-        const auto add = [&](SkeletonKind kind, const std::string& path, const char* what) {
-            if (skeleton.kind == kind) files[path] = renderer.render(what, view);
-        };
-        add(SkeletonKind::Component, "src/" + name + "-component.hpp", "package/component.hpp");
-        add(SkeletonKind::Component, "src/" + name + "-component.cpp", "package/component.cpp");
-        add(SkeletonKind::Component, "tests/" + name + "-component_test.cpp", "package/component_test.cpp");
-        add(SkeletonKind::Plugin, "src/" + name + "-plugin.cpp", "package/plugin.cpp");
-        add(SkeletonKind::Service, "src/" + name + "-service.cpp", "package/service.cpp");
-        add(SkeletonKind::Application, "src/" + name + "-application.cpp", "package/application.cpp");
-        add(SkeletonKind::Support, "include/" + package.name.value + "/" + name + "-support.hpp",
-            "package/support.hpp");
-        add(SkeletonKind::Support, "src/" + name + "-support.cpp", "package/support.cpp");
-    }
-    return files;
+    return render::renderOutputs(kOutputs, skeletonSubjects(package), Owner::User, renderer);
 }
 
 Scaffold scaffold(const model::Package& package, const std::string& manifest, bool catkin,
                   const render::Renderer& renderer) {
-    Scaffold files;
-    json view = view::packageView(package, manifest);
-    view["buildTool"] = catkin ? "catkin" : "cmake";
-    if (catkin) view["isCatkin"] = true;
-    const auto addShared = [&](const std::string& path, const char* what) {
-        files.shared[path] = renderer.render(std::string("package/") + what, view);
-    };
-    addShared("CMakeLists.txt", "CMakeLists.txt");
-    addShared("package.xml", "package.xml");
-    addShared("README.md", "README.md");
-    addShared(".clang-format", "clang-format");
-    addShared(".gitignore", "gitignore");
-    addShared("CMakePresets.json", "CMakePresets.json");
-    addShared("colcon.pkg", "colcon.pkg");
-    if (!catkin) addShared("Makefile", "Makefile");
-    if (view["deployable"]) {
-        addShared("deploy/" + package.name.value + ".xml", "deploy.xml");
-        addShared("deploy/" + package.name.value + ".ops", "deploy.ops");
-    }
-    if (view["hasTests"]) addShared("tests/test_main.cpp", "test_main.cpp");
-    if (!package.typekitHeaders.empty()) {
-        const std::string& header = package.typekitHeaders.front().value;
-        files.user[header] = renderer.render("package/types.hpp", view::typekitView(package, header));
-    }
-    for (const json& plugin : view["plugins"]) {
-        files.user["src/" + plugin["name"].get<std::string>() + ".cpp"] = renderer.render("package/plugin.cpp", plugin);
-    }
-    addComponentFiles(package, manifest, renderer, files);
-    addServiceFiles(package, manifest, renderer, files);
-    for (const auto& [path, text] : skeletonFiles(package, renderer)) files.user[path] = text;
-    return files;
+    std::vector<Subject> all = packageSubjects(package, manifest, catkin);
+    for (const auto& more : {describedSubjects(package, manifest), skeletonSubjects(package)})
+        all.insert(all.end(), more.begin(), more.end());
+    return {render::renderOutputs(kOutputs, all, Owner::Shared, renderer),
+            render::renderOutputs(kOutputs, all, Owner::User, renderer)};
 }
 
 bool writeOutputs(const emit::Outputs& outputs, const std::string& directory, bool dryRun, std::ostream& out,

@@ -21,6 +21,9 @@ emit::Outputs generatedFiles(const model::Package& package, const std::string& m
 /// Their names alone: a function of the class names, nothing is rendered.
 std::vector<std::string> generatedFileNames(const model::Package& package);
 
+/// The files of the user for one class, its test among them.
+std::vector<std::string> classFileNames(const std::string& className, bool isComponent);
+
 /// Files that are written once when a package is made.
 struct Scaffold {
     emit::Outputs shared;  ///< CMakeLists.txt, package.xml …: made again when forced

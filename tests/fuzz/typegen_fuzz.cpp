@@ -10,8 +10,7 @@
 #include <collect/header_inputs.hpp>
 #include <diff/compare_models.hpp>
 #include <diff/tell_changes.hpp>
-#include <plan/output_names.hpp>
-#include <plan/render_typekit.hpp>
+#include <plan/typekit_files.hpp>
 #include <plan/typekit_view.hpp>
 #include <report/report.hpp>
 

@@ -11,7 +11,8 @@
 #include <fstream>
 
 #include <files/draft_file.hpp>
-#include <plan/output_names.hpp>
+#include <plan/buckets.hpp>
+#include <plan/typekit_files.hpp>
 
 namespace fs = std::filesystem;
 

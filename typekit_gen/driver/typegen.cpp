@@ -20,8 +20,7 @@
 #include <emit/outputs.hpp>
 #include <flags/compile_database.hpp>
 #include <flags/flags_file.hpp>
-#include <plan/output_names.hpp>
-#include <plan/render_typekit.hpp>
+#include <plan/typekit_files.hpp>
 #include <plan/typekit_view.hpp>
 #include <explain/explanations.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
-#include <plan/output_names.hpp>
+#include <plan/buckets.hpp>
 
 namespace oroforge::typekit {
 

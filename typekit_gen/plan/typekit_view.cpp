@@ -11,7 +11,8 @@
 #include <plan/bucket_needs.hpp>
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
-#include <plan/output_names.hpp>
+#include <plan/buckets.hpp>
+#include <plan/typekit_files.hpp>
 #include <plan/schema_view.hpp>
 
 namespace oroforge::typekit {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <plan/output_names.hpp>
+#include <plan/buckets.hpp>
 
 using namespace oroforge;
 

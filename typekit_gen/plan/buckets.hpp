@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Names of the generated files: a function of the typekit's name alone, so that CMake can ask before anything is read.
-#ifndef OROFORGE_TYPEKIT_GEN_PLAN_OUTPUT_NAMES_HPP
-#define OROFORGE_TYPEKIT_GEN_PLAN_OUTPUT_NAMES_HPP
+/// Which source file a type goes into.
+#ifndef OROFORGE_TYPEKIT_GEN_PLAN_BUCKETS_HPP
+#define OROFORGE_TYPEKIT_GEN_PLAN_BUCKETS_HPP
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace oroforge::typekit {
 
@@ -19,12 +18,6 @@ constexpr std::size_t kBuckets = 16;
 std::uint64_t hashOf(const std::string& text);
 
 std::size_t bucketOf(const std::string& typeName);
-
-std::string userHeaderName(const std::string& typekit);  ///< "types/NAME/typekit/Types.hpp"
-std::string bucketFileName(std::size_t bucket);          ///< "types_0.cpp"
-std::string pluginFileName();                            ///< "Plugin.cpp"
-
-std::vector<std::string> outputNames(const std::string& typekit);
 
 }  // namespace oroforge::typekit
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <plan/output_names.hpp>
+#include <plan/typekit_files.hpp>
 
 #include <set>
 
 #include <gtest/gtest.h>
+#include <plan/buckets.hpp>
 
 using namespace oroforge::typekit;
 

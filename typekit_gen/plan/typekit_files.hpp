@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// The generated files: their names, and from the view to their texts.
+#ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_FILES_HPP
+#define OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_FILES_HPP
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <emit/outputs.hpp>
+#include <render/renderer.hpp>
+
+namespace oroforge::typekit {
+
+std::string userHeaderName(const std::string& typekit);  ///< "types/NAME/typekit/Types.hpp"
+
+/// A function of the typekit's name alone, so that CMake can ask before anything is read.
+std::vector<std::string> outputNames(const std::string& typekit);
+
+/// One text for each of outputNames(). Throws render::RenderError if a template does not fit the view.
+emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& renderer);
+
+}  // namespace oroforge::typekit
+
+#endif
