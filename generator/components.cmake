@@ -17,8 +17,7 @@ oroforge_generator_library(oroforge_gen_view
 oroforge_generator_library(oroforge_gen_merge
   SOURCES merge/argument_list.cpp merge/change_method.cpp merge/edits.cpp merge/insertion.cpp merge/method_style.cpp
           merge/new_members.cpp merge/new_methods.cpp merge/plan.cpp merge/plan_members.cpp merge/plan_methods.cpp
-          merge/plan_registration.cpp
-          merge/record.cpp merge/text_places.cpp merge/unified_diff.cpp
+          merge/plan_registration.cpp merge/record.cpp merge/text_places.cpp merge/unified_diff.cpp merge/wanted.cpp
   LIBS oroforge_gen_model nlohmann_json::nlohmann_json)
 oroforge_generator_library(oroforge_gen_driver
   SOURCES driver/add.cpp driver/build_file.cpp driver/compiler_words.cpp driver/create.cpp driver/describe.cpp driver/generate.cpp driver/kinds.cpp driver/manifest_types.cpp driver/options.cpp driver/package_files.cpp

@@ -4,8 +4,7 @@
 
 #include <map>
 
-#include <model/cpp_type.hpp>
-#include <model/interfaces.hpp>
+#include <model/names.hpp>
 
 namespace oroforge::check {
 
@@ -59,7 +58,7 @@ void checkInterface(const model::Interface& interface, diag::Sink& sink) {
 /// The generated class has members for all services, "gripper_open" for "open" of "gripper".
 void addMembers(Names& members, const model::Interface& interface, const model::ServicePath& path) {
     const auto add = [&](const char* what, const model::Text& name) {
-        const std::string member = model::memberName(path, name.value);
+        const std::string member = model::methodName(path, name.value);
         const std::string why = "; in the generated class it is '" + member + "', as the other one";
         members.add(what, member, name, why);
     };
@@ -93,10 +92,10 @@ void checkClasses(const model::Package& package, diag::Sink& sink) {
     Names classes(sink);
     const auto add = [&](const model::Text& name) {
         if (!name.given()) return;
-        const std::string last = model::splitQualified(name.value).back();
+        const std::string last = model::lastName(name.value);
         const std::string why = "; the classes of a package make files of their unqualified names";
         classes.add("class", last, name, why);
-        classes.add("class", last + "Base", name, why);
+        classes.add("class", model::baseName(last), name, why);
     };
     for (const auto& component : package.components) add(component.className);
     for (const auto& service : package.services) add(service.className);

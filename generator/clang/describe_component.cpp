@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "describe_component.hpp"
 
+#include <model/names.hpp>
+
 #include "doc_comment.hpp"
 #include "follow.hpp"
 #include "parse_files.hpp"
@@ -12,16 +14,11 @@ namespace {
 
 model::Hooks hooksOf(const clang::CXXRecordDecl& type) {
     model::Hooks hooks = {false, false, false, false, false, false, false};
-    const std::pair<const char*, bool*> known[] = {{"configureHook", &hooks.configure}, {"startHook", &hooks.start},
-                                                   {"updateHook", &hooks.update},       {"stopHook", &hooks.stop},
-                                                   {"cleanupHook", &hooks.cleanup},     {"errorHook", &hooks.error},
-                                                   {"exceptionHook", &hooks.exception}};
     eachOwn(type, [&](const clang::CXXRecordDecl& one) {
         for (const clang::CXXMethodDecl* method : one.methods()) {
-            for (const auto& [name, wanted] : known) {
-                const bool isHook = method->getDeclName().isIdentifier() && method->getNumParams() == 0;
-                if (isHook && method->getName() == name) *wanted = true;
-            }
+            if (!method->getDeclName().isIdentifier() || method->getNumParams() != 0) continue;
+            for (const model::Hook& hook : model::kHooks)
+                if (method->getName() == model::methodName(hook)) hooks.*hook.wanted = true;
         }
     });
     return hooks;

@@ -97,7 +97,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     addTypekitHeaders(*package, options.from, files, sink);
     files.shared[manifest] = emit::textOf(options.from);
     // Sources that are there already were not written from this manifest.
-    const std::string record = emit::exists(name) ? std::string() : firstRecord(*package, manifest, renderer);
+    const std::string record = emit::exists(name) ? std::string() : firstRecord(*package, renderer);
     if (!record.empty()) files.shared[merge::kRecordFile] = record;
     writePackage(files, name, options, out, sink);
 }

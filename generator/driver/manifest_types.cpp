@@ -12,6 +12,7 @@
 #include <emit/outputs.hpp>
 #include <model/cpp_type.hpp>
 #include <model/interfaces.hpp>
+#include <model/names.hpp>
 #include <view/cpp_text.hpp>
 
 namespace fs = std::filesystem;
@@ -40,13 +41,13 @@ public:
     std::vector<Use> uses;
 
     void add(const model::Component& component) {
-        space_ = view::namespaceOf(component.className.value);
+        space_ = model::namespaceOf(component.className.value);
         model::eachInterface(component, [this](const model::Interface& one, const model::ServicePath&) { add(one); });
         for (const model::Requirement& service : component.required)
             for (const model::Operation& operation : service.operations) add(operation);
     }
     void add(const model::ServicePlugin& service) {
-        space_ = view::namespaceOf(service.className.value);
+        space_ = model::namespaceOf(service.className.value);
         model::eachInterface(service, [this](const model::Interface& one, const model::ServicePath&) { add(one); });
     }
 
@@ -158,7 +159,7 @@ private:
     /// As C++ looks for it, from the namespace outwards.
     bool isKnown(const std::string& name, std::string space) const {
         if (std::find(kBuiltin.begin(), kBuiltin.end(), name) != kBuiltin.end()) return true;
-        for (;; space = view::namespaceOf(space)) {
+        for (;; space = model::namespaceOf(space)) {
             if (names_.count(space.empty() ? name : space + "::" + name) != 0) return true;
             if (space.empty()) return false;
         }
@@ -169,7 +170,7 @@ private:
             const auto nearest = diag::nearestMatch(name, found_.names);
             if (nearest) return *nearest;
         }
-        const std::string last = view::lastName(name);
+        const std::string last = model::lastName(name);
         std::vector<std::string> spelled, meant;
         const auto offer = [&](const std::string& word, const std::string& full) {
             spelled.push_back(word);
@@ -182,7 +183,7 @@ private:
         // Those of the same namespace first.
         for (const bool own : {true, false})
             for (const std::string& known : found_.names)
-                if ((view::namespaceOf(known) == space) == own) offer(view::lastName(known), known);
+                if ((model::namespaceOf(known) == space) == own) offer(model::lastName(known), known);
         const auto nearest = diag::nearestMatch(last, spelled);
         if (!nearest) return "";
         return meant[static_cast<std::size_t>(std::find(spelled.begin(), spelled.end(), *nearest) - spelled.begin())];
@@ -193,8 +194,8 @@ private:
             enumerators.begin(),
             enumerators.begin() + static_cast<std::ptrdiff_t>(std::min(enumerators.size(), kMostEnumerators)));
         std::vector<std::string> spelled;
-        for (const std::string& one : enumerators) spelled.push_back(view::lastName(one));
-        const auto nearest = diag::nearestMatch(view::lastName(use.value->value), spelled);
+        for (const std::string& one : enumerators) spelled.push_back(model::lastName(one));
+        const auto nearest = diag::nearestMatch(model::lastName(use.value->value), spelled);
         std::string meant;
         if (nearest) {
             const auto at = std::find(spelled.begin(), spelled.end(), *nearest) - spelled.begin();

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <model/names.hpp>
 #include <render/output_table.hpp>
-#include <view/cpp_text.hpp>
 #include <view/skeleton_view.hpp>
 #include <view/view.hpp>
 
@@ -49,18 +49,18 @@ const render::OutputTable kOutputs = {
     {"tests", Owner::Shared, "tests/test_main.cpp", "package/test_main.cpp"},
     {"typekit", Owner::User, "{name}", "package/types.hpp"},
     {"plugin", Owner::User, "src/{name}.cpp", "package/plugin.cpp"},
-    {"new component", Owner::User, "src/{name}-component.hpp", "package/component.hpp"},
-    {"new component", Owner::User, "src/{name}-component.cpp", "package/component.cpp"},
-    {"new component", Owner::User, "tests/{name}-component_test.cpp", "package/component_test.cpp"},
-    {"new plugin", Owner::User, "src/{name}-plugin.cpp", "package/plugin.cpp"},
-    {"new service", Owner::User, "src/{name}-service.cpp", "package/service.cpp"},
-    {"new application", Owner::User, "src/{name}-application.cpp", "package/application.cpp"},
-    {"new support", Owner::User, "include/{package}/{name}-support.hpp", "package/support.hpp"},
-    {"new support", Owner::User, "src/{name}-support.cpp", "package/support.cpp"}};
+    {"new components", Owner::User, "src/{name}-component.hpp", "package/component.hpp"},
+    {"new components", Owner::User, "src/{name}-component.cpp", "package/component.cpp"},
+    {"new components", Owner::User, "tests/{name}-component_test.cpp", "package/component_test.cpp"},
+    {"new plugins", Owner::User, "src/{name}-plugin.cpp", "package/plugin.cpp"},
+    {"new services", Owner::User, "src/{name}-service.cpp", "package/service.cpp"},
+    {"new applications", Owner::User, "src/{name}-application.cpp", "package/application.cpp"},
+    {"new supports", Owner::User, "include/{package}/{name}-support.hpp", "package/support.hpp"},
+    {"new supports", Owner::User, "src/{name}-support.cpp", "package/support.cpp"}};
 
 Subject aboutClass(const char* kind, const std::string& package, const std::string& name, const model::Text& className,
                    std::function<json()> view) {
-    const std::string last = view::lastName(className.value);
+    const std::string last = model::lastName(className.value);
     return {kind, {{"package", package}, {"name", name}, {"class", last}}, std::move(view)};
 }
 
@@ -101,23 +101,12 @@ std::vector<Subject> packageSubjects(const model::Package& package, const std::s
     return all;
 }
 
-const char* kindOf(const model::Skeleton& skeleton) {
-    switch (skeleton.kind) {
-        case model::SkeletonKind::Component: return "new component";
-        case model::SkeletonKind::Plugin: return "new plugin";
-        case model::SkeletonKind::Service: return "new service";
-        case model::SkeletonKind::Application: return "new application";
-        case model::SkeletonKind::Support: return "new support";
-    }
-    return "";
-}
-
 std::vector<Subject> skeletonSubjects(const model::Package& package) {
     std::vector<Subject> all;
     for (const model::Skeleton& skeleton : package.skeletons)
-        all.push_back({kindOf(skeleton), {{"package", package.name.value}, {"name", skeleton.name}}, [&] {
-                           return view::skeletonView(package, skeleton);
-                       }});
+        all.push_back({"new " + view::listOfKind(skeleton.kind),
+                       {{"package", package.name.value}, {"name", skeleton.name}},
+                       [&] { return view::skeletonView(package, skeleton); }});
     return all;
 }
 

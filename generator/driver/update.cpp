@@ -20,6 +20,7 @@
 #include <merge/plan.hpp>
 #include <merge/text_places.hpp>
 #include <merge/unified_diff.hpp>
+#include <model/names.hpp>
 #include <view/cpp_text.hpp>
 
 namespace fs = std::filesystem;
@@ -76,7 +77,7 @@ std::optional<Package> readPackage(const Options& options, const render::Rendere
     const fs::path folder = fs::path(package.manifest).parent_path();
     package.root = fs::canonical(folder.empty() ? fs::path(".") : folder);
     package.shown = folder.empty() || folder == "." ? "" : folder.string() + "/";
-    package.wanted = wantedClasses(*model, fs::path(package.manifest).filename().string(), renderer);
+    package.wanted = wantedClasses(*model, renderer);
     const std::string record = emit::textOf(package.root / merge::kRecordFile);
     if (record.empty()) return package;
     const auto parsed = merge::parseRecord(record, package.shown + merge::kRecordFile, sink);
@@ -132,7 +133,7 @@ Code readCode(const Package& package, const Options& options, const render::Rend
     request.generated = generatedHeaders(package, renderer);
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, const std::string& base, std::vector<model::Signature> signatures) {
-        names.push_back(view::lastName(name));
+        names.push_back(model::lastName(name));
         request.classes.push_back({name, base, std::move(signatures)});
     };
     for (const merge::WantedClass& wanted : package.wanted) {
@@ -142,7 +143,7 @@ Code readCode(const Package& package, const Options& options, const render::Rend
     }
     for (const auto& [name, recorded] : package.record) {
         const auto same = [&, &known = name](const merge::WantedClass& wanted) { return wanted.name == known; };
-        if (std::none_of(package.wanted.begin(), package.wanted.end(), same)) add(name, name + "Base", {});
+        if (std::none_of(package.wanted.begin(), package.wanted.end(), same)) add(name, model::baseName(name), {});
     }
     const PackageSources sources = findSources(package.root, names);
     request.sources = sources.sources;
@@ -167,7 +168,7 @@ Code readCode(const Package& package, const Options& options, const render::Rend
 void checkChoices(const Package& package, const Options& options, diag::Sink& sink) {
     std::vector<std::string> known;
     for (const merge::WantedClass& wanted : package.wanted) {
-        const std::string prefix = view::lastName(wanted.name) + ".";
+        const std::string prefix = model::lastName(wanted.name) + ".";
         for (const auto& method : wanted.methods) known.insert(known.end(), {method.shown, prefix + method.shown});
         for (const auto& member : wanted.members) known.insert(known.end(), {member.shown, prefix + member.shown});
     }

@@ -14,11 +14,10 @@
 namespace oroforge::driver {
 
 /// What a manifest wants in the classes of the user, bodies of hooks as the templates have them.
-std::vector<merge::WantedClass> wantedClasses(const model::Package& package, const std::string& manifest,
-                                              const render::Renderer& renderer);
+std::vector<merge::WantedClass> wantedClasses(const model::Package& package, const render::Renderer& renderer);
 
 /// The record of a package that was just made; empty for one without classes.
-std::string firstRecord(const model::Package& package, const std::string& manifest, const render::Renderer& renderer);
+std::string firstRecord(const model::Package& package, const render::Renderer& renderer);
 
 }  // namespace oroforge::driver
 

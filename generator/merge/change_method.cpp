@@ -10,17 +10,13 @@
 #include <merge/plan_methods.hpp>
 #include <merge/text_places.hpp>
 #include <model/cpp_type.hpp>
+#include <model/names.hpp>
 
 namespace oroforge::merge {
 
 namespace {
 
 using model::UserFunction;
-
-std::string namespaceOf(const std::string& name) {
-    const std::size_t end = name.rfind("::");
-    return end == std::string::npos ? std::string() : name.substr(0, end);
-}
 
 class Changer {
 public:
@@ -34,7 +30,7 @@ public:
         if (model::normalised(from_.returns) != model::normalised(method_.signature.returns)) {
             const std::string old = cut(text, function.returns);
             if (function.returns.empty() || hasComment(old)) return refuse(function, "its type is not written plainly");
-            const std::string home = namespaceOf(type_.name);
+            const std::string home = model::namespaceOf(type_.name);
             const bool outside =
                 !function.inClass && function.space != home && function.returns.begin < function.nameSpan.begin;
             if (outside && needsNamespace(method_.signature.returns, home))

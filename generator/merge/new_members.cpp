@@ -6,6 +6,8 @@
 
 #include <merge/method_style.hpp>
 #include <merge/text_places.hpp>
+#include <model/literal.hpp>
+#include <model/names.hpp>
 
 namespace oroforge::merge {
 
@@ -78,7 +80,7 @@ std::string NewMembers::memberName(const WantedMember& member) const {
                 return one->member.substr(0, at) + member.method + one->member.substr(at + one->literal.size());
         }
     }
-    return member.method + "_";
+    return model::memberName(member.method);
 }
 
 /// "RTT::", or nothing where the class has "InputPort<double>".
@@ -141,8 +143,8 @@ void NewMembers::registerBy(const std::string& kind, const std::string& path, co
                             const std::vector<WantedText>& texts) {
     std::string call = bare;
     for (const WantedText& one : texts)
-        call +=
-            one.argument.empty() ? ".doc(" + one.literal + ")" : ".arg(\"" + one.argument + "\", " + one.literal + ")";
+        call += one.argument.empty() ? ".doc(" + model::stringLiteral(one.words) + ")"
+                                     : ".arg(\"" + one.argument + "\", " + model::stringLiteral(one.words) + ")";
     const std::string& text = input_.code.texts.at(constructor_->file);
     const UserRegistration* sample = lastCall(type_, kind, constructor_->file);
     const bool sameKind = sample != nullptr;

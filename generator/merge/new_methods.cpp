@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <merge/text_places.hpp>
+#include <model/names.hpp>
 
 namespace oroforge::merge {
 
@@ -13,11 +14,6 @@ namespace {
 using model::Access;
 using model::FunctionKind;
 using model::UserFunction;
-
-std::string namespaceOf(const std::string& name) {
-    const std::size_t end = name.rfind("::");
-    return end == std::string::npos ? std::string() : name.substr(0, end);
-}
 
 Access accessAtEnd(const model::UserClass& type) {
     if (!type.labels.empty()) return type.labels.back().access;
@@ -105,7 +101,7 @@ void NewMethods::define(const WantedMethod& method, const Place& place) {
     const std::string& text = input_.code.texts.at(place.file);
     const UserFunction& near = *place.near;
     const MethodStyle style = definitionStyle(text, type_, place.file, &near);
-    const std::string home = namespaceOf(type_.name);
+    const std::string home = model::namespaceOf(type_.name);
     const bool trailing = near.space != home && needsNamespace(method.signature.returns, home);
     const std::string qualifier = cut(text, {near.qualifier.begin, near.nameSpan.begin});
     insertLines(into_.edits, text, place.file, place.at, definitionText(style, method, qualifier, trailing),

@@ -6,7 +6,7 @@
 
 #include <merge/plan_methods.hpp>
 #include <merge/text_places.hpp>
-#include <model/cpp_type.hpp>
+#include <model/names.hpp>
 
 namespace oroforge::merge {
 
@@ -56,7 +56,7 @@ void tellRemoved(const std::string& name, const RecordedClass& recorded, const W
 }  // namespace
 
 bool isChosen(const std::set<std::string>& names, const std::string& className, const std::string& name) {
-    return names.count(name) != 0 || names.count(model::splitQualified(className).back() + "." + name) != 0;
+    return names.count(name) != 0 || names.count(model::lastName(className) + "." + name) != 0;
 }
 
 std::string question(const model::Signature& signature) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <merge/text_places.hpp>
+#include <model/literal.hpp>
 
 namespace oroforge::merge {
 
@@ -119,7 +120,7 @@ private:
     }
 
     void planWords(const UserText& code, const WantedText& wanted) {
-        if (changes(code, wanted)) replace(code.literal, wanted.literal);
+        if (changes(code, wanted)) replace(code.literal, model::stringLiteral(wanted.words));
     }
 
     void planDoc() {
@@ -129,7 +130,7 @@ private:
         // What was there, and is not any more, the user took out.
         const bool isNew = last_ != nullptr && textOf(last_->texts, "") == nullptr;
         if (!isNew && !names_.takeManifest) return;
-        replace({call_.callEnd, call_.callEnd}, gap() + ".doc(" + wanted->literal + ")");
+        replace({call_.callEnd, call_.callEnd}, gap() + ".doc(" + model::stringLiteral(wanted->words) + ")");
     }
 
     /// What the user puts before ".doc" or ".arg": nothing, or a new line.
@@ -173,13 +174,13 @@ private:
             if (one.argument.empty()) continue;
             const auto piece = pieces.find(one.argument);
             if (piece == pieces.end()) {
-                result += gap() + ".arg(\"" + one.argument + "\", " + one.literal + ")";
+                result += gap() + ".arg(\"" + one.argument + "\", " + model::stringLiteral(one.words) + ")";
                 continue;
             }
             const UserText& code = *textOf(call_.texts, one.argument);
             const bool anew = changes(code, one);
             const model::Span words = anew ? code.literal : model::Span{code.call.end, code.call.end};
-            result += cut(text_, {piece->second.begin, words.begin}) + (anew ? one.literal : "") +
+            result += cut(text_, {piece->second.begin, words.begin}) + (anew ? model::stringLiteral(one.words) : "") +
                       cut(text_, {words.end, piece->second.end});
         }
         replace(all, result);

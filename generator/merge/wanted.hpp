@@ -4,10 +4,12 @@
 #ifndef OROFORGE_GENERATOR_MERGE_WANTED_HPP
 #define OROFORGE_GENERATOR_MERGE_WANTED_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <diag/diagnostic.hpp>
+#include <model/package.hpp>
 #include <model/user_code.hpp>
 
 namespace oroforge::merge {
@@ -16,7 +18,6 @@ namespace oroforge::merge {
 struct WantedText {
     std::string argument;  ///< empty for doc()
     std::string words;
-    std::string literal;  ///< the words in C++
 };
 
 /// How something is made known by a class that has no generated base.
@@ -63,6 +64,12 @@ struct WantedClass {
     std::vector<WantedMember> members;
     diag::Location where;
 };
+
+/// Lines of a first definition, not indented, of "configure", "start" …
+using BodyOfHook = std::function<std::vector<std::string>(const std::string& hook)>;
+
+/// Components, then services.
+std::vector<WantedClass> wantedClasses(const model::Package& package, const BodyOfHook& bodyOf);
 
 }  // namespace oroforge::merge
 

@@ -32,13 +32,6 @@ void eachInterface(const Package& package, const Visit& visit) {
     for (const ServicePlugin& service : package.services) eachInterface(service, visit);
 }
 
-/// How generated code names a member or method: "open" of the service "gripper" is "gripper_open".
-inline std::string memberName(const ServicePath& path, const std::string& name) {
-    std::string result;
-    for (const std::string& service : path) result += service + "_";
-    return result + name;
-}
-
 }  // namespace oroforge::model
 
 #endif

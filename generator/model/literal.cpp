@@ -4,6 +4,8 @@
 
 #include <cctype>
 
+#include <model/cpp_type.hpp>
+
 namespace oroforge::model {
 
 namespace {
@@ -16,6 +18,15 @@ std::size_t countDigits(const std::string& text, std::size_t& at) {
     const std::size_t begin = at;
     while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
     return at - begin;
+}
+
+std::string withSuffix(const std::string& number, TypeClass kind) {
+    // C++ has no literals with a plus sign in every context; it adds nothing.
+    std::string text = number.front() == '+' ? number.substr(1) : number;
+    if (kind == TypeClass::Unsigned) return text + "U";
+    if (kind == TypeClass::Signed) return text;
+    if (text.find_first_of(".eE") == std::string::npos) text += ".0";
+    return kind == TypeClass::Float ? text + "F" : text;
 }
 
 }  // namespace
@@ -37,6 +48,31 @@ bool isNumberText(const std::string& text) {
         if (countDigits(text, at) == 0) return false;
     }
     return at == text.size();
+}
+
+std::string stringLiteral(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        switch (c) {
+            case '"': result += "\\\""; break;
+            case '\\': result += "\\\\"; break;
+            case '\n': result += "\\n"; break;
+            case '\t': result += "\\t"; break;
+            case '\r': break;
+            default: result += c;
+        }
+    }
+    return result + "\"";
+}
+
+std::string valueLiteral(const std::string& text, const std::string& type) {
+    const TypeClass kind = classify(type);
+    if (kind == TypeClass::String) return stringLiteral(text);
+    if (kind == TypeClass::Character) {
+        const std::string escaped = text == "'" ? "\\'" : text == "\\" ? "\\\\" : text;
+        return "'" + escaped + "'";
+    }
+    return isNumber(kind) ? withSuffix(text, kind) : text;
 }
 
 }  // namespace oroforge::model

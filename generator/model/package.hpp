@@ -139,6 +139,18 @@ struct Hooks {
     bool exception = false;
 };
 
+struct Hook {
+    const char* name;  ///< in the manifest; the method is startHook()
+    bool Hooks::*wanted;
+    const char* returns;
+};
+
+/// In the order in which classes have them.
+inline constexpr Hook kHooks[] = {{"configure", &Hooks::configure, "bool"}, {"start", &Hooks::start, "bool"},
+                                  {"update", &Hooks::update, "void"},       {"error", &Hooks::error, "void"},
+                                  {"exception", &Hooks::exception, "void"}, {"stop", &Hooks::stop, "void"},
+                                  {"cleanup", &Hooks::cleanup, "void"}};
+
 struct Component : Interface {
     Text className;  ///< qualified: "tank::Controller"
     InitialState initial = InitialState::Stopped;

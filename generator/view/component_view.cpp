@@ -3,6 +3,9 @@
 #include <view/view.hpp>
 
 #include <emit/banner.hpp>
+#include <model/doc_text.hpp>
+#include <model/literal.hpp>
+#include <model/names.hpp>
 #include <view/cpp_text.hpp>
 #include <view/interface_view.hpp>
 
@@ -19,7 +22,7 @@ json activityView(const model::Activity& activity) {
     const char* usual = activity.priority && activity.priority->value > 0 ? "ORO_SCHED_RT" : "ORO_SCHED_OTHER";
     const std::string scheduler = activity.scheduler.given() ? activity.scheduler.value : usual;
     const std::string priority = activity.priority ? activity.priority->text : "RTT::os::LowestPriority";
-    const std::string period = valueLiteral(activity.period ? activity.period->text : "0", "double");
+    const std::string period = model::valueLiteral(activity.period ? activity.period->text : "0", "double");
     switch (activity.kind) {
         case model::ActivityKind::Sequential:
             return {{"header", "rtt/extras/SequentialActivity.hpp"}, {"make", "RTT::extras::SequentialActivity()"}};
@@ -40,8 +43,9 @@ json listOf(const Items& items, MakeView makeView) {
 }
 
 json hooksOf(const model::Hooks& hooks) {
-    return {{"configure", hooks.configure}, {"start", hooks.start}, {"update", hooks.update},      {"stop", hooks.stop},
-            {"cleanup", hooks.cleanup},     {"error", hooks.error}, {"exception", hooks.exception}};
+    json view;
+    for (const model::Hook& hook : model::kHooks) view[hook.name] = hooks.*hook.wanted;
+    return view;
 }
 
 /// What the classes of components and of services have in common.
@@ -53,11 +57,11 @@ json classView(const model::Package& package, const model::Text& className, cons
     view["versionGuard"] = emit::versionGuard(kTool);
     view["package"] = package.name.value;
     view["manifest"] = manifest;
-    view["class"] = lastName(qualified);
+    view["class"] = model::lastName(qualified);
     view["qualified"] = qualified;
-    view["namespace"] = orNull(namespaceOf(qualified));
-    view["guard"] = guardName(package.name.value + "_" + lastName(qualified));
-    view["doc"] = commentLines(doc);
+    view["namespace"] = orNull(model::namespaceOf(qualified));
+    view["guard"] = guardName(package.name.value + "_" + model::lastName(qualified));
+    view["doc"] = model::commentLines(doc);
     view["headers"] = listOf(package.typekitHeaders,
                              [&](const auto& header) { return includeName(header.value, package.name.value); });
     view["hasHeaders"] = !package.typekitHeaders.empty();
@@ -67,9 +71,9 @@ json classView(const model::Package& package, const model::Text& className, cons
 /// How a component is registered, and the constants that describe it.
 json describedView(const model::Component& component) {
     const std::string qualified = component.className.value;
-    const std::string space = namespaceOf(qualified);
-    const std::string holder = (space.empty() ? "" : space + "::") + "OroDescriptionOf" + lastName(qualified);
-    json view{{"class", lastName(qualified)}, {"qualified", qualified}, {"namespace", orNull(space)}};
+    const std::string space = model::namespaceOf(qualified);
+    const std::string holder = (space.empty() ? "" : space + "::") + "OroDescriptionOf" + model::lastName(qualified);
+    json view{{"class", model::lastName(qualified)}, {"qualified", qualified}, {"namespace", orNull(space)}};
     putInterface(view, component);
     view["described"] = view["has_ports"] || view["has_properties"];
     view["portTable"] = view["has_ports"] ? holder + "::oroPorts" : "{}";
@@ -91,7 +95,7 @@ json componentView(const model::Package& package, const model::Component& compon
     view["initial"] = component.initial == model::InitialState::Stopped ? "Stopped" : "PreOperational";
     view["activity"] = component.activity ? activityView(*component.activity) : json(nullptr);
     const bool periodic = component.activity && component.activity->period;
-    view["period"] = periodic ? json(valueLiteral(component.activity->period->text, "double")) : json(nullptr);
+    view["period"] = periodic ? json(model::valueLiteral(component.activity->period->text, "double")) : json(nullptr);
     putInterface(view, component);
     view["required"] = requirementViews(component.required);
     view["callers"] = json::array();
@@ -109,7 +113,7 @@ json serviceView(const model::Package& package, const model::ServicePlugin& serv
     json view = classView(package, service.className, service.doc, manifest);
     view["stdHeaders"] = headersFor(typesIn(service, {}));
     view["service"] = service.name.value;
-    view["serviceDoc"] = service.doc.empty() ? json(nullptr) : json(stringLiteral(oneLine(service.doc)));
+    view["serviceDoc"] = service.doc.empty() ? json(nullptr) : json(model::stringLiteral(model::oneLine(service.doc)));
     putInterface(view, service);
     return view;
 }

@@ -3,8 +3,10 @@
 #include <view/interface_view.hpp>
 
 #include <model/cpp_type.hpp>
-#include <model/interfaces.hpp>
-#include <view/cpp_text.hpp>
+#include <model/doc_text.hpp>
+#include <model/literal.hpp>
+#include <model/names.hpp>
+#include <model/registration.hpp>
 
 namespace oroforge::view {
 
@@ -18,13 +20,7 @@ json separated(json list) {
     return list;
 }
 
-/// What a display shows: the documentation with the unit behind it.
-std::string docWithUnit(const std::string& doc, const std::string& unit) {
-    if (unit.empty()) return oneLine(doc);
-    return doc.empty() ? "[" + unit + "]" : oneLine(doc) + " [" + unit + "]";
-}
-
-json docLiteral(const std::string& doc) { return doc.empty() ? json(nullptr) : json(stringLiteral(doc)); }
+json docLiteral(const std::string& doc) { return doc.empty() ? json(nullptr) : json(model::stringLiteral(doc)); }
 
 json policyView(const model::Policy& policy) {
     json view;
@@ -40,29 +36,24 @@ json policyView(const model::Policy& policy) {
 
 /// What all that stands in an interface has: its name there, where that is from the component, and its name in C++.
 json placed(const model::Text& name, const model::ServicePath& path) {
-    std::string access;
-    std::string scope;
-    for (const std::string& service : path) {
-        access += "provides(\"" + service + "\")->";
-        scope += service + ".";
-    }
+    const std::string access = model::accessTo(path);
+    const std::string method = model::methodName(path, name.value);
     return {{"name", name.value},
             {"path", access},
             {"servicePath", path.empty() ? "provides()->" : access},
-            {"fullName", scope + name.value},
-            {"method", model::memberName(path, name.value)},
-            {"member", model::memberName(path, name.value) + "_"}};
+            {"fullName", model::fullName(path, name.value)},
+            {"method", method},
+            {"member", model::memberName(method)}};
 }
 
 json portView(const model::Port& port, const model::ServicePath& path) {
-    const bool input = port.direction == model::Direction::In;
     json view = placed(port.name, path);
     view["type"] = port.type.value;
-    view["portClass"] = input ? "InputPort" : "OutputPort";
-    view["input"] = input;
-    view["add"] = port.event ? "addEventPort" : "addPort";
-    view["doc"] = docLiteral(oneLine(port.doc));
-    view["comment"] = orNull(oneLine(port.doc));
+    view["portClass"] = model::portClass(port);
+    view["input"] = port.direction == model::Direction::In;
+    view["add"] = model::registrationOf(port);
+    view["doc"] = docLiteral(model::oneLine(port.doc));
+    view["comment"] = orNull(model::oneLine(port.doc));
     view["policy"] = port.policy ? policyView(*port.policy) : json(nullptr);
     return view;
 }
@@ -73,8 +64,9 @@ json limitsOf(const Value& property, const std::string& member) {
     const model::TypeClass kind = model::classify(property.type.value);
     json list = json::array();
     const auto add = [&](const char* comparison, const char* words, const model::Number& limit) {
-        list.push_back({{"condition", member + " " + comparison + " " + valueLiteral(limit.text, property.type.value)},
-                        {"expected", stringLiteral(", expected " + std::string(words) + " " + limit.text)}});
+        list.push_back(
+            {{"condition", member + " " + comparison + " " + model::valueLiteral(limit.text, property.type.value)},
+             {"expected", model::stringLiteral(", expected " + std::string(words) + " " + limit.text)}});
     };
     const bool alwaysTrue = kind == model::TypeClass::Unsigned && property.minimum && property.minimum->value <= 0;
     if (property.minimum && !alwaysTrue) add(">=", "at least", *property.minimum);
@@ -82,20 +74,16 @@ json limitsOf(const Value& property, const std::string& member) {
     return list;
 }
 
-std::string initialiser(const model::Text& value, const std::string& type) {
-    return value.given() ? " = " + valueLiteral(value.value, type) : "{}";
-}
-
 /// Of a property or an attribute.
 template <class Value>
 json valueView(const Value& value, const model::ServicePath& path) {
     json view = placed(value.name, path);
     view["type"] = value.type.value;
-    view["init"] = initialiser(value.defaultValue, value.type.value);
-    const std::string doc = docWithUnit(value.doc, value.unit);
+    view["init"] = model::initialiser(value.defaultValue, value.type.value);
+    const std::string doc = model::docWithUnit(value.doc, value.unit);
     view["doc"] = docLiteral(doc);
     view["comment"] = orNull(doc);
-    view["unit"] = orNull(value.unit.empty() ? "" : stringLiteral(" " + value.unit));
+    view["unit"] = orNull(value.unit.empty() ? "" : model::stringLiteral(" " + value.unit));
     view["limits"] = limitsOf(value, view["member"]);
     return view;
 }
@@ -105,33 +93,32 @@ json propertyView(const model::Property& property, const model::ServicePath& pat
     const model::TypeClass kind = model::classify(property.type.value);
     const bool comparable = property.defaultValue.given() && kind != model::TypeClass::Other;
     view["defaultLiteral"] =
-        comparable ? json(valueLiteral(property.defaultValue.value, property.type.value)) : json(nullptr);
+        comparable ? json(model::valueLiteral(property.defaultValue.value, property.type.value)) : json(nullptr);
     return view;
 }
 
 json attributeView(const model::Attribute& attribute, const model::ServicePath& path) {
     json view = valueView(attribute, path);
-    view["add"] = attribute.constant ? "addConstant" : "addAttribute";
-    view["qualifier"] = attribute.constant ? "const " : "";
+    view["add"] = model::registrationOf(attribute);
+    view["qualifier"] = model::qualifierOf(attribute);
     return view;
 }
 
 json operationView(const model::Operation& operation, const model::ServicePath& path) {
     json view = placed(operation.name, path);
-    const std::string returns = operation.returns.given() ? operation.returns.value : "void";
+    const std::string returns = model::returnsOf(operation);
     view["returns"] = returns;
-    view["thread"] = operation.thread == model::Thread::Own ? "OwnThread" : "ClientThread";
-    view["doc"] = docLiteral(oneLine(operation.doc));
-    view["comment"] = commentLines(operation.doc);
-    // Something to return from a method that does nothing yet.
-    view["result"] = returns == "void" ? json(nullptr) : json(returns == "bool" ? "true" : "{}");
+    view["thread"] = model::threadOf(operation);
+    view["doc"] = docLiteral(model::oneLine(operation.doc));
+    view["comment"] = model::commentLines(operation.doc);
+    view["result"] = orNull(model::firstResult(operation));
     view["args"] = json::array();
     std::string signature;
     for (const model::Argument& argument : operation.arguments) {
         signature += (signature.empty() ? "" : ", ") + argument.type.value;
         view["args"].push_back({{"name", argument.name.value},
                                 {"type", argument.type.value},
-                                {"doc", stringLiteral(docWithUnit(argument.doc, argument.unit))}});
+                                {"doc", model::stringLiteral(model::docWithUnit(argument.doc, argument.unit))}});
     }
     view["args"] = separated(view["args"]);
     view["signature"] = returns + "(" + signature + ")";
@@ -139,12 +126,12 @@ json operationView(const model::Operation& operation, const model::ServicePath& 
 }
 
 json requirementView(const model::Requirement& required) {
-    json view{{"name", required.name.value}, {"comment", orNull(oneLine(required.doc))}};
+    json view{{"name", required.name.value}, {"comment", orNull(model::oneLine(required.doc))}};
     view["callers"] = json::array();
     for (const model::Operation& operation : required.operations) {
         json caller = operationView(operation, {required.name.value});
         caller["service"] = required.name.value;
-        caller["comment"] = orNull(oneLine(operation.doc));
+        caller["comment"] = orNull(model::oneLine(operation.doc));
         view["callers"].push_back(caller);
     }
     return view;
@@ -157,7 +144,7 @@ void append(json& list, const Items& items, const model::ServicePath& path, Make
 
 json providedView(const model::Service& service, const model::ServicePath& path) {
     json view = placed(service.name, path);
-    view["doc"] = docLiteral(oneLine(service.doc));
+    view["doc"] = docLiteral(model::oneLine(service.doc));
     return view;
 }
 

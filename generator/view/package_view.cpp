@@ -8,6 +8,9 @@
 #include <set>
 
 #include <model/cpp_type.hpp>
+#include <model/doc_text.hpp>
+#include <model/literal.hpp>
+#include <model/names.hpp>
 #include <view/cpp_text.hpp>
 #include <view/interface_view.hpp>
 #include <view/skeleton_view.hpp>
@@ -58,7 +61,7 @@ json deployedProperties(const model::Component& component) {
         const std::string type = cpfType(property.type.value);
         if (!property.defaultValue.given() || type.empty()) continue;
         std::string value = property.defaultValue.value;
-        const std::string literal = type == "string" ? stringLiteral(value)
+        const std::string literal = type == "string" ? model::stringLiteral(value)
                                     : type == "char" ? "'" + value + "'"
                                                      : value;
         if (type == "boolean") value = value == "true" ? "1" : "0";
@@ -80,7 +83,7 @@ struct Connection {
 std::map<std::string, Connection> connectionsOf(const model::Package& package) {
     std::map<std::string, Connection> connections;
     for (const auto& component : package.components) {
-        const std::string instance = instanceName(lastName(component.className.value));
+        const std::string instance = instanceName(model::lastName(component.className.value));
         for (const auto& port : component.ports) {
             const std::string type = model::normalised(port.type.value);
             Connection& connection =
@@ -131,9 +134,9 @@ json componentEntries(const model::Package& package) {
     const auto connections = connectionsOf(package);
     json list = json::array();
     for (const model::Component& component : package.components) {
-        const std::string name = lastName(component.className.value);
+        const std::string name = model::lastName(component.className.value);
         json entry{{"class", name}, {"qualified", component.className.value}, {"instance", instanceName(name)}};
-        entry["summary"] = component.doc.empty() ? json(nullptr) : json(oneLine(component.doc));
+        entry["summary"] = component.doc.empty() ? json(nullptr) : json(model::oneLine(component.doc));
         entry["properties"] = deployedProperties(component);
         entry["hasProperties"] = !entry["properties"].empty();
         entry["ports"] = deployedPorts(component, connections);
@@ -159,19 +162,20 @@ std::vector<std::string> typekitHeaders(const model::Package& package) {
 std::vector<std::string> installedHeaders(const model::Package& package) {
     std::vector<std::string> headers = typekitHeaders(package);
     for (const auto& component : package.components)
-        headers.push_back("src/" + lastName(component.className.value) + ".hpp");
-    for (const auto& service : package.services) headers.push_back("src/" + lastName(service.className.value) + ".hpp");
+        headers.push_back("src/" + model::lastName(component.className.value) + ".hpp");
+    for (const auto& service : package.services)
+        headers.push_back("src/" + model::lastName(service.className.value) + ".hpp");
     return headers;
 }
 
 json serviceEntries(const model::Package& package) {
     json list = json::array();
     for (const model::ServicePlugin& service : package.services) {
-        list.push_back({{"class", lastName(service.className.value)},
+        list.push_back({{"class", model::lastName(service.className.value)},
                         {"qualified", service.className.value},
                         {"service", service.name.value},
                         {"target", package.name.value + "-" + service.name.value + "-service"},
-                        {"summary", service.doc.empty() ? json(nullptr) : json(oneLine(service.doc))}});
+                        {"summary", service.doc.empty() ? json(nullptr) : json(model::oneLine(service.doc))}});
     }
     return list;
 }
@@ -182,7 +186,7 @@ json pluginEntries(const model::Package& package) {
         list.push_back({{"name", plugin.name.value},
                         {"plugin", plugin.name.value},
                         {"target", package.name.value + "-" + plugin.name.value + "-plugin"},
-                        {"comment", commentLines(plugin.doc)}});
+                        {"comment", model::commentLines(plugin.doc)}});
     }
     return list;
 }
@@ -190,11 +194,11 @@ json pluginEntries(const model::Package& package) {
 std::set<std::string> ownNamespaces(const model::Package& package) {
     std::set<std::string> spaces{identifier(package.name.value)};
     for (const auto& component : package.components) {
-        const std::string space = namespaceOf(component.className.value);
+        const std::string space = model::namespaceOf(component.className.value);
         if (!space.empty()) spaces.insert(space);
     }
     for (const auto& service : package.services) {
-        const std::string space = namespaceOf(service.className.value);
+        const std::string space = model::namespaceOf(service.className.value);
         if (!space.empty()) spaces.insert(space);
     }
     return spaces;
@@ -252,7 +256,8 @@ json typekitView(const model::Package& package, const std::string& header) {
     std::map<std::string, std::set<std::string>> structs;
     const auto addStructs = [&](const std::vector<std::string>& types) {
         for (const std::string& name : qualifiedNames(types)) {
-            if (spaces.count(namespaceOf(name)) != 0) structs[namespaceOf(name)].insert(lastName(name));
+            if (spaces.count(model::namespaceOf(name)) != 0)
+                structs[model::namespaceOf(name)].insert(model::lastName(name));
         }
     };
     for (const auto& component : package.components) {

@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include <view/view.hpp>
 
-#include <model/interfaces.hpp>
+#include <model/names.hpp>
+#include <model/registration.hpp>
 #include <view/interface_view.hpp>
 
 namespace oroforge::view {
@@ -78,7 +79,7 @@ json attributeEntry(const model::Attribute& attribute) {
 }
 
 json operationEntry(const model::Operation& operation) {
-    std::string signature = (operation.returns.given() ? operation.returns.value : "void") + " " + operation.name.value;
+    std::string signature = model::returnsOf(operation) + " " + operation.name.value;
     json arguments = json::array();
     std::string list;
     for (const model::Argument& argument : operation.arguments) {
@@ -115,11 +116,8 @@ json sections(const model::Interface& top, const std::string& title, const std::
     };
     add(top, "## " + title, doc);
     model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {
-        std::string scope;
-        for (const std::string& name : path) scope += name + ".";
-        for (const model::Service& service : interface.services) {
-            add(service, "### Service " + scope + service.name.value, service.doc);
-        }
+        for (const model::Service& service : interface.services)
+            add(service, "### Service " + model::fullName(path, service.name.value), service.doc);
     });
     return list;
 }

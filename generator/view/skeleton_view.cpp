@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include <model/names.hpp>
 #include <view/cpp_text.hpp>
 #include <view/interface_view.hpp>
 
@@ -22,7 +23,9 @@ const model::Skeleton* firstComponent(const model::Package& package) {
     return found == all.end() ? nullptr : &*found;
 }
 
-const char* listOfKind(SkeletonKind kind) {
+}  // namespace
+
+std::string listOfKind(SkeletonKind kind) {
     switch (kind) {
         case SkeletonKind::Component: return "components";
         case SkeletonKind::Plugin: return "plugins";
@@ -33,8 +36,6 @@ const char* listOfKind(SkeletonKind kind) {
     return "";
 }
 
-}  // namespace
-
 std::string instanceName(const std::string& className) {
     std::string result = className;
     if (!result.empty()) result[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(result[0])));
@@ -42,26 +43,26 @@ std::string instanceName(const std::string& className) {
 }
 
 json skeletonView(const model::Package& package, const model::Skeleton& skeleton) {
-    const std::string space = namespaceOf(skeleton.className);
+    const std::string space = model::namespaceOf(skeleton.className);
     const model::Skeleton* component = firstComponent(package);
     json view;
     view["package"] = package.name.value;
     view["name"] = skeleton.name;
-    view["class"] = lastName(skeleton.className);
+    view["class"] = model::lastName(skeleton.className);
     view["qualified"] = skeleton.className;
     view["namespace"] = orNull(space);
     // Functions of a library need a namespace, so that two packages can be in one process.
     view["space"] = space.empty() ? identifier(package.name.value) : space;
     view["guard"] = guardName(skeleton.name);
-    view["instance"] = instanceName(lastName(skeleton.className));
+    view["instance"] = instanceName(model::lastName(skeleton.className));
     view["service"] = identifier(skeleton.name) + "_service";
     view["plugin"] = skeleton.name + "-plugin";
     view["comment"] = nullptr;
     view["withComponent"] = orNull(component == nullptr ? "" : component->name);
     if (skeleton.kind == SkeletonKind::Application && component != nullptr) {
-        view["instance"] = instanceName(lastName(component->className));
+        view["instance"] = instanceName(model::lastName(component->className));
     }
-    view["componentClass"] = component == nullptr ? lastName(skeleton.className) : component->className;
+    view["componentClass"] = component == nullptr ? model::lastName(skeleton.className) : component->className;
     return view;
 }
 

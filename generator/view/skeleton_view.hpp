@@ -18,6 +18,9 @@ nlohmann::json skeletonView(const model::Package& package, const model::Skeleton
 /// For the targets of all skeletons of the package.
 nlohmann::json skeletonsView(const model::Package& package);
 
+/// "components", "plugins" …: the list of packageView that skeletons of a kind are in.
+std::string listOfKind(model::SkeletonKind kind);
+
 /// "Controller" → "controller": the usual name of an instance.
 std::string instanceName(const std::string& className);
 

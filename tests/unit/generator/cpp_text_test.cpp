@@ -7,24 +7,6 @@
 namespace oroforge::view {
 namespace {
 
-TEST(StringLiteral, EscapesWhatCppReads) { EXPECT_EQ(stringLiteral("a\"b\\c\nd"), "\"a\\\"b\\\\c\\nd\""); }
-
-TEST(CommentLines, CannotSwallowCode) {
-    EXPECT_EQ(commentLines("\n  one\n  two \\\n"), (std::vector<std::string>{"one", "two \\ ."}));
-}
-
-TEST(ValueLiteral, HasTheTypeOfTheMember) {
-    EXPECT_EQ(valueLiteral("1.5", "double"), "1.5");
-    EXPECT_EQ(valueLiteral("1", "double"), "1.0");
-    EXPECT_EQ(valueLiteral("1", "float"), "1.0F");
-    EXPECT_EQ(valueLiteral("1e3", "float"), "1e3F");
-    EXPECT_EQ(valueLiteral("+5", "unsigned int"), "5U");
-    EXPECT_EQ(valueLiteral("true", "bool"), "true");
-    EXPECT_EQ(valueLiteral("x\"y", "std::string"), "\"x\\\"y\"");
-    EXPECT_EQ(valueLiteral("'", "char"), "'\\''");
-    EXPECT_EQ(valueLiteral("{1, 2}", "std::vector<double>"), "{1, 2}");
-}
-
 TEST(PackageNames, BecomeIdentifiersAndClasses) {
     EXPECT_EQ(identifier("my-pkg.x"), "my_pkg_x");
     EXPECT_EQ(className("mypkg"), "Mypkg");
