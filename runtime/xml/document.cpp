@@ -19,7 +19,7 @@ namespace {
 
 bool isReadable(const std::string& text, const std::string& name, diag::Sink& sink) {
     if (text.size() > std::numeric_limits<Offset>::max()) {
-        sink.error({name, 0, 0}, "XML009", "the file has 4 GiB or more; expected less");
+        sink.error({name, 0, 0}, "XML011", "the file has 4 GiB or more; expected less");
         return false;
     }
     return detail::checkEncoding(text, name, sink);
