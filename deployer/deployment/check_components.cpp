@@ -2,11 +2,10 @@
 // Copyright Oroforge contributors
 #include "check_properties.hpp"
 #include "lookup.hpp"
+#include "port_faults.hpp"
 #include "session.hpp"
 
-#include <diag/nearest_match.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/sample_type_name.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -20,11 +19,8 @@ namespace {
 using RTT::base::PortInterface;
 
 struct Resolved {
-    const Connection::Member* member;
-    PortInterface* port;
-
-    const diag::Location& where() const { return member->plan->port.where; }
-    std::string name() const { return member->record->name + "." + member->plan->port.value; }
+    const PortInterface* port;
+    ConnectedPort shown;
 };
 
 /** True if the component may still make ports before it is complete. */
@@ -35,11 +31,6 @@ bool sameType(const PortInterface& a, const PortInterface& b) {
     if (a.sampleOps() && b.sampleOps()) return std::strcmp(a.sampleOps()->id->name(), b.sampleOps()->id->name()) == 0;
     return a.getTypeInfo() == b.getTypeInfo();
 }
-
-bool isOutput(const PortInterface* port) {
-    return dynamic_cast<const RTT::base::OutputPortInterface*>(port) != nullptr;
-}
-bool isInput(const PortInterface* port) { return dynamic_cast<const RTT::base::InputPortInterface*>(port) != nullptr; }
 
 class ConnectionCheck {
 public:
@@ -52,31 +43,24 @@ public:
         checkTypes();
         // As long as a port may still appear, its direction is unknown.
         if (incomplete_ || ports_.size() < 2) return;
-        const auto none = [this](bool (*direction)(const PortInterface*)) {
-            for (const Resolved& one : ports_)
-                if (direction(one.port)) return false;
-            return true;
-        };
-        if (none(isOutput))
-            explain(sink_.error(ports_.front().where(), "DEP042",
-                                "no output port takes part in connection '" + connection_.name + "'"));
-        else if (none(isInput))
-            explain(sink_.warning(ports_.front().where(), "DEP042",
-                                  "no input port takes part in connection '" + connection_.name + "'"));
+        std::vector<ConnectedPort> shown;
+        for (const Resolved& one : ports_) shown.push_back(one.shown);
+        checkDirections(connection_.name, shown, sink_);
     }
 
 private:
     void resolve(const Connection::Member& member, bool configured) {
-        if (PortInterface* port = findPort(*member.record->instance, member.plan->port.value)) {
-            ports_.push_back(Resolved{&member, port});
+        const Text& name = member.plan->port;
+        if (const PortInterface* port = findPort(*member.record->instance, name.value)) {
+            const bool isOutput = dynamic_cast<const RTT::base::OutputPortInterface*>(port) != nullptr;
+            ports_.push_back(
+                {port,
+                 {name.where, member.record->name + "." + name.value, RTT::internal::sampleTypeName(*port), isOutput}});
             return;
         }
         incomplete_ = true;
         if (!configured && mayAddPorts(*member.record)) return;
-        const Text& name = member.plan->port;
-        sink_.error(name.where, "DEP040",
-                    "component '" + member.record->name + "' has no port '" + name.value + "'" +
-                        diag::didYouMean(name.value, portNames(*member.record->instance)));
+        reportUnknownPort(member.record->name, name, portNames(*member.record->instance), sink_);
     }
 
     void checkTypes() {
@@ -84,12 +68,7 @@ private:
             const Resolved& first = ports_.front();
             const Resolved& other = ports_[i];
             if (!sameType(*first.port, *other.port))
-                sink_
-                    .error(other.where(), "DEP041",
-                           "port '" + other.name() + "' of type '" + RTT::internal::sampleTypeName(*other.port) +
-                               "' cannot take part in connection '" + connection_.name + "' of type '" +
-                               RTT::internal::sampleTypeName(*first.port) + "'")
-                    .note(first.where(), "port '" + first.name() + "' gives the connection its type");
+                reportOtherType(connection_.name, first.shown, other.shown, sink_);
             else
                 checkSchema(first, other);
         }
@@ -99,16 +78,10 @@ private:
         const std::string difference = RTT::internal::sampleDifference(*first.port, *other.port);
         if (difference.empty()) return;
         sink_
-            .error(other.where(), "DEP044",
-                   "port '" + other.name() + "' cannot take part in connection '" + connection_.name +
-                       "': its plugin was built with another definition of '" +
-                       RTT::internal::sampleTypeName(*other.port) + "': " + difference)
-            .note(first.where(), "port '" + first.name() + "' gives the connection its type");
-    }
-
-    void explain(diag::Diagnostic& diagnostic) {
-        for (const Resolved& one : ports_)
-            diagnostic.note(one.where(), "port '" + one.name() + "' is an " + (isInput(one.port) ? "input" : "output"));
+            .error(other.shown.where, "DEP044",
+                   "port '" + other.shown.name + "' cannot take part in connection '" + connection_.name +
+                       "': its plugin was built with another definition of '" + other.shown.type + "': " + difference)
+            .note(first.shown.where, "port '" + first.shown.name + "' gives the connection its type");
     }
 
     const Connection& connection_;

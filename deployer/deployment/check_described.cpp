@@ -4,6 +4,7 @@
 
 #include "described_values.hpp"
 #include "missing_typekits.hpp"
+#include "port_faults.hpp"
 #include "read_value.hpp"
 #include "xml_to_plan.hpp"
 
@@ -156,10 +157,8 @@ private:
         const auto& ports = described.description->ports;
         for (const PortPlan& port : component.ports)
             if (!findIn(ports, port.port.value))
-                explain(sink_.error(port.port.where, "DEP040",
-                                    "component '" + component.name.value + "' has no port '" + port.port.value + "'" +
-                                        diag::didYouMean(port.port.value, namesOf(ports))),
-                        described, ports, "ports");
+                explain(reportUnknownPort(component.name.value, port.port, namesOf(ports), sink_), described, ports,
+                        "ports");
     }
 
     void checkPropertyNames(const ComponentPlan& component, const Described& described) {
@@ -200,36 +199,25 @@ private:
             if (!member.port) continue;
             if (!first) first = &member;
             if (!member.isOfPlan || std::strcmp(member.port->type->name(), first->port->type->name()) == 0) continue;
-            sink_
-                .error(member.where->where, "DEP041",
-                       "port '" + member.name + "' of type '" + typeName(*member.port->type) +
-                           "' cannot take part in connection '" + connection.name + "' of type '" +
-                           typeName(*first->port->type) + "'")
-                .note(first->where->where, "port '" + first->name + "' gives the connection its type");
+            reportOtherType(connection.name, shown(*first), shown(member), sink_);
         }
     }
 
-    /** Of a plan that is applied checkComponents() tells it: the next plan may bring what is missing. */
+    static ConnectedPort shown(const Member& member) {
+        return {member.where->where, member.name, typeName(*member.port->type), member.port->output};
+    }
+
+    /** Of a plan that is applied checkComponents() reports it: the next plan may bring what is missing. */
     void checkDirections(const DescribedConnection& connection) {
         const std::vector<Member>& members = connection.members;
         const auto isUnknown = [](const Member& one) { return !one.port; };
         if (members.size() < 2 || !members[1].isOfPlan || around_.connections.count(connection.name) ||
             std::any_of(members.begin(), members.end(), isUnknown))
             return;
-        const auto isOutput = [](const Member& one) { return one.port->output; };
-        const diag::Location& where = members.front().where->where;
-        if (std::none_of(members.begin(), members.end(), isOutput))
-            tellDirections(members, sink_.error(where, "DEP042",
-                                                "no output port takes part in connection '" + connection.name + "'"));
-        else if (std::all_of(members.begin(), members.end(), isOutput))
-            tellDirections(members, sink_.warning(where, "DEP042",
-                                                  "no input port takes part in connection '" + connection.name + "'"));
-    }
-
-    static void tellDirections(const std::vector<Member>& members, diag::Diagnostic& diagnostic) {
-        for (const Member& one : members)
-            diagnostic.note(one.where->where,
-                            "port '" + one.name + "' is an " + (one.port->output ? "output" : "input"));
+        std::vector<ConnectedPort> ports;
+        // Without their types, which take longer to name than all else.
+        for (const Member& one : members) ports.push_back({one.where->where, one.name, "", one.port->output});
+        deploy::checkDirections(connection.name, ports, sink_);
     }
 
     const Plan& plan_;
