@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# Copyright Oroforge contributors
+import unittest
+
+from planted_tree import check_none, check_one
+
+SCRIPT = "check_words.py"
+
+
+class CheckWords(unittest.TestCase):
+    def test_plain_sentences_and_questions_are_fine(self):
+        check_none(self, SCRIPT, {
+            "docs/a.md": "A thread that reads waits. The error is reported.\n\nWho may include whom?\n\n## Who may include whom\n",
+            "deployer/explain/DEP001.txt": "a number out of range\n\nIt cannot be read.\n",
+        })
+
+    def test_only_prose_is_read(self):
+        check_none(self, SCRIPT, {"runtime/rtt/a.cpp": "// Who reads is told.\n", "examples/t01/expected_output.txt": "is told\n"})
+
+    def test_who_as_a_subject(self):
+        check_one(self, SCRIPT, {"docs/a.md": "One line.\nIt waits. Whoever reads now, waits.\n"}, "docs/a.md:2: error: [WRD01]")
+
+    def test_errors_are_reported(self):
+        check_one(self, SCRIPT, {"README.md": "The error is told at once.\n"}, "README.md:1: error: [WRD02]")
+
+    def test_blanks_that_are_none(self):
+        check_one(self, SCRIPT, {"generator/explain/OM001.txt": "Blanks that are none.\n"},
+                  "generator/explain/OM001.txt:1: error: [WRD03]")
+
+    def test_cannot_is_one_word(self):
+        check_one(self, SCRIPT, {"docs/design/a.md": "It can not.\n"}, "docs/design/a.md:1: error: [WRD04]")
+
+
+if __name__ == "__main__":
+    unittest.main()
