@@ -125,7 +125,7 @@ std::string componentTypeOf(const std::string& word, std::string& error) {
     const std::vector<std::string> known = loader->listComponentTypes();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
     if (word == "CORBA" || word == "IOR" || word == "IORFile") {
-        error = "type '" + word + "' stands for a component of another process, and this deployer has no CORBA";
+        error = "type '" + word + "' means a component of another process, and this deployer has no CORBA";
         return word;
     }
     std::error_code none;

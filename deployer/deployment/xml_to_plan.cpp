@@ -101,7 +101,7 @@ private:
             sink_
                 .error(name.where, "DEP002",
                        "unknown statement '" + name.value + "'" + diag::didYouMean(name.value, known))
-                .hint("on this level stand the statements " + diag::oneOf(known) +
+                .hint("this level has the statements " + diag::oneOf(known) +
                       " and structs for components and connection policies");
             return;
         }

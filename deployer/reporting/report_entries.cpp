@@ -94,7 +94,7 @@ OutputPortInterface* outputOf(TaskContext& peer, const std::string& component, c
     auto* const output = dynamic_cast<OutputPortInterface*>(port);
     if (output) return output;
     if (port)
-        log(RTT::Error) << "can not report input port '" << path << "' of component '" << component << "'" << endlog();
+        log(RTT::Error) << "cannot report input port '" << path << "' of component '" << component << "'" << endlog();
     else
         log(RTT::Error) << "could not report port '" << path << "': no such port on component '" << component << "'"
                         << didYouMean(path, outputsOf(peer)) << endlog();

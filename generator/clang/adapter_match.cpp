@@ -89,7 +89,7 @@ bool canFit(const adapters::Adapter& adapter, const clang::Decl* declaration, di
         return true;
     return fail("'" + adapter.className + "' has " + std::to_string(parameters.size()) + " template arguments, but " +
                 std::to_string(named) + " are given" +
-                (named < parameters.size() ? "; '...' stands for all that follow" : ""));
+                (named < parameters.size() ? "; '...' means all that follow" : ""));
 }
 
 std::string withoutBlanks(const std::string& text) {

@@ -177,7 +177,7 @@ void TypeDescriber::report(const Rejection& rejection, bool mayBeLeftOut) {
 void TypeDescriber::addCauses(const Rejection& rejection, diag::Diagnostic& to) const {
     for (const Rejection& cause : rejection.causes) {
         if (to.notes.size() == kMostNotes) {
-            to.note({}, "and more: they are told when these are mended");
+            to.note({}, "and more: they are reported when these are corrected");
             return;
         }
         if (to.notes.size() > kMostNotes) return;

@@ -63,7 +63,7 @@ std::vector<model::Text> TypekitHeaders::headers(diag::Sink& remarks) const {
         const std::string file = fileOf(*type);
         if (!isHeader(file) || components_.count(file) != 0) {
             remarks.warning(where, "OC028",
-                            "others see the type '" + shownName(*type) + "', and it stands in " +
+                            "the interface uses the type '" + shownName(*type) + "', which is defined in " +
                                 (isHeader(file) ? "the header of a component" : "a source") +
                                 ", so typegen cannot make a typekit of it");
             continue;

@@ -33,7 +33,7 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
     if (std::none_of(headers.begin(), headers.end(), stands)) {
         if (headers.size() > 1) {
             sink.error(headers[1].where, "OC006",
-                       "none of the typekit headers stands beside the manifest; only one can be made");
+                       "none of the typekit headers is beside the manifest; only one can be made");
         }
         return;
     }

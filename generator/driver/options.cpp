@@ -69,8 +69,8 @@ void declare(CLI::App& app, Options& options) {
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
-    addNames("--take-manifest", options.takeManifest, "NAME", "With --update: change what stands in the code");
-    addNames("--take-code", options.takeCode, "NAME", "With --update: leave what stands in the code");
+    addNames("--take-manifest", options.takeManifest, "NAME", "With --update: change the code, as the manifest has it");
+    addNames("--take-code", options.takeCode, "NAME", "With --update: leave the code as it is");
     app.add_option("--from", options.from, "Component manifest (XML) of the new package")->type_name("MANIFEST");
     app.add_option("--generate", options.generate, "Component manifest to generate base classes from")
         ->type_name("MANIFEST");
@@ -83,7 +83,7 @@ void declare(CLI::App& app, Options& options) {
         ->type_name("DIR");
     app.add_option("--dump", options.dump, "Print an intermediate step of --generate as JSON: model or view")
         ->check(CLI::IsMember({"model", "view"}));
-    app.add_option("--format", options.format, "How errors and warnings are told: text, json or sarif")
+    app.add_option("--format", options.format, "Form of errors and warnings: text, json or sarif")
         ->check(CLI::IsMember(report::formatNames()));
     app.add_flag("--explain", options.explain, "Print what these codes of errors mean; without any list them all");
     app.add_flag("-f,--force", options.force,

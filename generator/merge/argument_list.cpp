@@ -112,7 +112,7 @@ private:
                 behindNameComment(words, name, words.size(), named, from_[i].name) == words.size())
                 words.resize(name);
             if (hasComment(piece.before) || hasComment(piece.behind) || hasComment(words))
-                fault_ = "a comment stands beside argument '" + from_[i].name + "', which the manifest no longer has";
+                fault_ = "there is a comment beside argument '" + from_[i].name + "', which the manifest no longer has";
             if (function_.parameters[i].isMacro) fault_ = "a macro makes argument '" + from_[i].name + "'";
         }
     }
@@ -141,7 +141,7 @@ private:
 
     void add(std::size_t j) {
         const int i = origin_[j];
-        if (i < 0 && hasDefault_) fault_ = "argument '" + to_[j].name + "' would stand behind one with a default value";
+        if (i < 0 && hasDefault_) fault_ = "argument '" + to_[j].name + "' would follow one with a default value";
         hasDefault_ =
             hasDefault_ || (i >= 0 && pieces_[static_cast<std::size_t>(i)].words.find('=') != std::string::npos);
         const std::string words = i < 0 ? fresh(to_[j]) : changed(static_cast<std::size_t>(i), to_[j]);

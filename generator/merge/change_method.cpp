@@ -34,7 +34,7 @@ public:
             const bool outside =
                 !function.inClass && function.space != home && function.returns.begin < function.nameSpan.begin;
             if (outside && needsNamespace(method_.signature.returns, home))
-                return refuse(function, "it stands outside of namespace '" + home + "', where '" +
+                return refuse(function, "it is outside of namespace '" + home + "', where '" +
                                             method_.signature.returns + "' may mean something else");
             replace(function.file, text, function.returns, method_.signature.returns);
         }

@@ -33,7 +33,7 @@ void tellRemoved(const std::string& name, const RecordedClass& recorded, const W
             sink.note(
                 function.where,
                 std::string(what.isHook ? "hook '" : "operation '") + method +
-                    "' is no longer in the manifest; what stands here is yours to remove" +
+                    "' is no longer in the manifest; remove this by hand" +
                     (function.saysOverride && !what.isHook ? " (with 'override' it does not compile any more)" : ""));
             break;
         }
@@ -47,8 +47,7 @@ void tellRemoved(const std::string& name, const RecordedClass& recorded, const W
         for (const model::UserField& field : type.fields) {
             if (field.name != what.member) continue;
             into.record[name].members[member] = what;
-            sink.note(field.where, what.kind + " '" + member +
-                                       "' is no longer in the manifest; what stands here is yours to remove");
+            sink.note(field.where, what.kind + " '" + member + "' is no longer in the manifest; remove this by hand");
         }
     }
 }

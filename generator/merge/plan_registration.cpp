@@ -158,7 +158,7 @@ private:
         const auto first = std::find_if(call_.texts.begin(), call_.texts.end(),
                                         [](const UserText& one) { return !one.argument.empty(); });
         if (std::any_of(first, call_.texts.end(), [](const UserText& one) { return one.argument.empty(); }))
-            return refuse("doc() stands behind arg()");
+            return refuse("doc() follows arg()");
         std::size_t at = first == call_.texts.begin() ? call_.callEnd : std::prev(first)->call.end;
         const model::Span all{at, call_.texts.empty() ? at : call_.texts.back().call.end};
         std::map<std::string, model::Span> pieces;
@@ -166,7 +166,7 @@ private:
             pieces[one->argument] = {at, one->call.end};
             at = one->call.end;
             if (textOf(wanted_.texts, one->argument) == nullptr && hasComment(cut(text_, pieces[one->argument])))
-                return refuse("a comment stands beside argument '" + one->argument +
+                return refuse("there is a comment beside argument '" + one->argument +
                               "', which the manifest no longer has");
         }
         std::string result;

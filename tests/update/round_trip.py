@@ -246,7 +246,7 @@ def one_case(seed, program, compiler, includes, compiles):
         after = sources(package)
         if status:
             # What the user wrote beside an argument that goes is for the user to decide about.
-            refused = "error: [OC032]" in errors and "a comment stands beside argument" in errors
+            refused = "error: [OC032]" in errors and "there is a comment beside argument" in errors
             if not refused or after != before:
                 raise Failure(f"{told}\n{errors}")
             return

@@ -172,7 +172,7 @@ SendStatus SentCall::collect() {
     if (state() == Waiting) {
         if (!waiting_) {
             log(Error) << describe(callee())
-                       << " is collected by somebody who is no component: set the caller's engine "
+                       << " is collected by code outside of a component: set the caller's engine "
                           "(this->engine() in a component, GlobalEngine::Instance() elsewhere)"
                        << endlog();
             return CollectFailure;

@@ -56,7 +56,7 @@ void tellMissingPrivilege(int scheduler, const std::string& name) {
     if (privilegeTold.exchange(true)) return detail::log(detail::LogInfo, "Thread", what);
     detail::log(detail::LogWarning, "Thread",
                 what + "; the cure: a file in /etc/security/limits.d with the line '" + userName() +
-                    " - rtprio 99', and to log in again (systemd: LimitRTPRIO=99); this is told once");
+                    " - rtprio 99', and to log in again (systemd: LimitRTPRIO=99); this is reported once");
 }
 
 bool force(int& priority, int value, const std::string& name, const std::string& why) {

@@ -59,7 +59,7 @@ TEST_F(ReportEntries, AllBadEntriesAreReported) {
         said,
         HasSubstr("could not report component 'Machin': no such peer; its peers: Machine; did you mean 'Machine'?"));
     EXPECT_THAT(said, HasSubstr("no such port on component 'Machine'; did you mean 'speed'?"));
-    EXPECT_THAT(said, HasSubstr("can not report input port 'setpoint'"));
+    EXPECT_THAT(said, HasSubstr("cannot report input port 'setpoint'"));
     EXPECT_THAT(said, HasSubstr("property \"Data\" of ReportData: found type int, expected string"));
 }
 

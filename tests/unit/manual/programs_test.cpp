@@ -153,7 +153,7 @@ TEST_F(Programs, ServersAreNoOperationOfThisDeployer) {
 }
 
 TEST_F(Programs, ComponentsOfOtherProcessesAreRefusedInPlainWords) {
-    const std::string reason = " stands for a component of another process, and this deployer has no CORBA";
+    const std::string reason = " means a component of another process, and this deployer has no CORBA";
     const Outcome typed = atPrompt({}, {{"loadComponent(\"MyComponent\", \"CORBA\")", kFalse},
                                         {"loadComponent(\"MyComponent.ior\", \"IORFile\")", kFalse},
                                         {"loadComponent(\"IOR:01\", \"IOR\")", kFalse}});

@@ -132,7 +132,7 @@ TEST_F(SentFunctions, OneThatWaitsForItselfFails) {
     ASSERT_TRUE(host.update());
     EXPECT_TRUE(log.contains(
         "bench.ops:2:3: error: [OPS400] function 'selfish' of component 'host' failed: function 'selfish' of "
-        "component 'host' waits for the one who collects it, and cannot end before"))
+        "component 'host' waits for its own caller, which collects it here"))
         << log.text();
     EXPECT_THROW(handle.collect(), std::runtime_error);
 }

@@ -156,11 +156,11 @@ TEST(ScriptLiteral, WrongEscapesAreErrors) {
 TEST(ScriptLiteral, LettersHaveOneByte) {
     EXPECT_EQ(
         complaints("'ab'"),
-        "test.ops:1:1: error: [OPS007] found 'ab', expected one letter of one byte; texts stand in double quotes\n"
+        "test.ops:1:1: error: [OPS007] found 'ab', expected one letter of one byte; put texts into double quotes\n"
         "'ab'\n"
         "^\n");
     EXPECT_EQ(complaints("''"),
-              "test.ops:1:1: error: [OPS007] found '', expected one letter of one byte; texts stand in double quotes\n"
+              "test.ops:1:1: error: [OPS007] found '', expected one letter of one byte; put texts into double quotes\n"
               "''\n"
               "^\n");
 }
@@ -182,7 +182,7 @@ TEST(ScriptLiteral, WrongLiteralsDoNotHideWhatFollows) {
         "test.ops:1:5: error: [OPS006] found '1f', expected a '.' before 'f'\n"
         "x = 1f + '' + \"\\q\" )\n"
         "    ^\n"
-        "test.ops:1:10: error: [OPS007] found '', expected one letter of one byte; texts stand in double quotes\n"
+        "test.ops:1:10: error: [OPS007] found '', expected one letter of one byte; put texts into double quotes\n"
         "x = 1f + '' + \"\\q\" )\n"
         "         ^\n"
         "test.ops:1:16: error: [OPS007] found '\\q', expected an escape such as '\\n', or '\\\\' for a backslash\n"

@@ -143,7 +143,7 @@ bool reportTextBehindNumber(const diag::Location& where, const std::string& what
 void reportStrayText(const xml::Element& element, const char* code, diag::Sink& sink) {
     const std::string text = element.text.substr(0, 40) + (element.text.size() > 40 ? "..." : "");
     const std::string found = "found the text '" + text + "' in <" + element.name + ">";
-    const std::string instead = element.name == "simple" ? "a value stands in <value>" : "expected elements only";
+    const std::string instead = element.name == "simple" ? "put a value into <value>" : "expected elements only";
     if (lenientProcess)
         sink.warning(element.textWhere, code, found + ", which is ignored; " + instead);
     else

@@ -21,7 +21,7 @@ std::string MemoryPool::findFaultInBlocks(std::size_t& used, std::size_t& freeBl
             }
             if (block->size() % kAlignment != 0 || block->size() < Block::kMinimum) return "a block has no valid size";
             if (block->isFree()) {
-                if (before && before->isFree()) return "two free blocks stand side by side";
+                if (before && before->isFree()) return "two free blocks are neighbours";
                 ++freeBlocks;
             } else {
                 used += Block::kHeader + block->size();

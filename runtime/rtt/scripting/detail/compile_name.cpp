@@ -307,7 +307,7 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     if (where_.toCome && isToCome(last, name)) throw Unresolved();
     if (name.called) checkCallOfValue(nodes, name);
     const bool unquoted = text_ == &name && !name.called;
-    const std::string hint = unquoted ? "texts stand in quotes: \"" + text(parts, parts.size()) + '"' : "";
+    const std::string hint = unquoted ? "put texts into quotes: \"" + text(parts, parts.size()) + '"' : "";
     if (last.used == parts.size())
         error(parts[0].at, "OPS132",
               "'" + text(parts, parts.size()) + "' is a " + (last.component ? "component" : "service") +

@@ -121,7 +121,7 @@ bool FunctionCall::enqueue(const EngineGate* caller) {
 
 SendStatus FunctionCall::collect(bool wait) {
     if (wait && executing_ && owner_->gate->isStepping())
-        throw std::runtime_error(owner_->describe() + " waits for the one who collects it, and cannot end before");
+        throw std::runtime_error(owner_->describe() + " waits for its own caller, which collects it here");
     if (wait) this->wait();
     switch (state_.load()) {
         case Waiting: return SendNotReady;

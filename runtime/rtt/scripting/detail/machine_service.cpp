@@ -78,7 +78,7 @@ const Question kQuestions[] = {
     {"isActive", &StateMachine::isActive, "It is in some state"},
     {"isRunning", &StateMachine::isRunning, "It looks at the transitions in each cycle"},
     {"isReactive", &StateMachine::isReactive, "Only events and requestState() change its state"},
-    {"isPaused", &StateMachine::isPaused, "It stands still until start() or step()"},
+    {"isPaused", &StateMachine::isPaused, "It pauses until start() or step()"},
     {"inInitialState", &StateMachine::inInitialState, "It is in its initial state"},
     {"inFinalState", &StateMachine::inFinalState, "It is in its final state"},
     {"inTransition", &StateMachine::inTransition, "It is on its way from one state to another"},

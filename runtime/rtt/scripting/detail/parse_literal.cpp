@@ -183,7 +183,7 @@ Problem readLetter(std::string_view quoted, char& letter) {
     if (text.size() != 1)
         return LiteralProblem{
             "OPS007", 0,
-            "found " + std::string(quoted) + ", expected one letter of one byte; texts stand in double quotes"};
+            "found " + std::string(quoted) + ", expected one letter of one byte; put texts into double quotes"};
     letter = text[0];
     return {};
 }

@@ -40,7 +40,7 @@ const char* insteadOf(std::string_view word) {
     if (word == "until")
         return "there are no commands any more: a call waits until it is done; for more, write 'while !arm.isReady() "
                "yield'";
-    if (word == "done") return "blocks stand in braces: 'while a.busy() { yield }'";
+    if (word == "done") return "put blocks into braces: 'while a.busy() { yield }'";
     if (word == "include") return "another script is executed by 'runScript(\"file.ops\")'";
     if (word == "define") return "a constant is declared with 'const int n = 3'";
     if (word == "foreach") return "elements are counted: 'for (var int i = 0; i < v.size; i = i + 1) …'";
@@ -78,7 +78,7 @@ void Parser::plainPrefix() {
 
 void Parser::failReserved() {
     const char* const instead =
-        text() == "then" ? "'then' stands behind the condition of 'if' only" : insteadOf(text());
+        text() == "then" ? "only the condition of 'if' is followed by 'then'" : insteadOf(text());
     auto* const error =
         failWith("OPS008", "found the reserved word '" + std::string(text()) + "', expected a statement");
     if (error && instead) error->hint(instead);
@@ -208,7 +208,7 @@ void Parser::endAfter(const ast::StatementPtr& statement) { explainNameAfter(sta
 void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
     if (!error || !statement) return;
     if (std::holds_alternative<ast::Declaration>(statement->what) && token().kind == TokenKind::OpenBracket)
-        error->hint("a size stands in parentheses: 'var array v(3)'");
+        error->hint("put a size into parentheses: 'var array v(3)'");
     if (const char* const instead = insteadOf(text())) {
         error->hint(instead);
         return;
@@ -225,12 +225,12 @@ void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::D
     if (!meant.empty()) {
         error->hint("'" + first + "' is taken for a name" + meant);
     } else if (literal) {
-        error->hint("arguments stand in parentheses: '" + pathOf(*name) + "(…)'");
+        error->hint("put arguments into parentheses: '" + pathOf(*name) + "(…)'");
     } else if (first == "select") {
-        error->hint("'select' stands in transitions only; within a program, 'requestState(\"" + std::string(text()) +
+        error->hint("'select' belongs into transitions; within a program, 'requestState(\"" + std::string(text()) +
                     "\")' of the machine");
     } else if (first == "import" || first == "require") {
-        error->hint("operations are called with parentheses, and texts stand in quotes: '" + first + "(\"" +
+        error->hint("operations are called with parentheses, and texts are put into quotes: '" + first + "(\"" +
                     std::string(text()) + "\")'");
     } else if (!name->called && token().kind == TokenKind::Word && !isReserved(text())) {
         error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(text()) + "'");

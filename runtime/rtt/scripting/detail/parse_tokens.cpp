@@ -73,7 +73,7 @@ std::string strayLetters(std::string_view text) {
     }
     const bool isQuote = (letter >= 0x2018 && letter <= 0x201F) || letter == 0xAB || letter == 0xBB;
     return "found " + quoted(shortened(text)) + ", expected ASCII letters outside of texts and comments" +
-           (isQuote ? "; texts stand between plain quotes, \"…\"" : "");
+           (isQuote ? "; put texts between plain quotes, \"…\"" : "");
 }
 
 std::string strayMessage(std::string_view text) {
