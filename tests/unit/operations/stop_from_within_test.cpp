@@ -24,6 +24,7 @@ struct Breaking : Probe {
 };
 
 struct StopWithin : testing::TestWithParam<const char*> {
+    std::atomic<int> result{-1};  // hooks write it as long as the component lives
     Breaking component;
     const std::string kind = GetParam();
 
@@ -55,7 +56,6 @@ struct StopWithin : testing::TestWithParam<const char*> {
 };
 
 TEST_P(StopWithin, UpdateHookAsksBreakUpdateHookAndGoesOnIfThatIsFalse) {
-    std::atomic<int> result{-1};
     component.onUpdate = [&] {
         if (result == -1) result = component.stop();
     };
@@ -71,7 +71,6 @@ TEST_P(StopWithin, UpdateHookAsksBreakUpdateHookAndGoesOnIfThatIsFalse) {
 
 TEST_P(StopWithin, UpdateHookStopsIfBreakUpdateHookIsTrue) {
     component.breaks = true;
-    std::atomic<int> result{-1};
     component.onUpdate = [&] { result = component.stop(); };
     ASSERT_TRUE(component.start());
     ASSERT_TRUE(stepsUntil([&] { return component.updates == 1; }));
@@ -85,7 +84,6 @@ TEST_P(StopWithin, UpdateHookStopsIfBreakUpdateHookIsTrue) {
 }
 
 TEST_P(StopWithin, ErrorHookAsksToo) {
-    std::atomic<int> result{-1};
     component.onUpdate = [&] { component.error(); };
     component.onError = [&] {
         if (result == -1) result = component.stop();
@@ -113,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, StopWithin,
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(StopOfTheActivity, InUpdateHookAsksBreakUpdateHook) {
-    Breaking component;
     std::atomic<int> result{-1};
+    Breaking component;
     component.onUpdate = [&] {
         if (result == -1) result = component.getActivity()->stop();
     };
@@ -171,8 +169,8 @@ TEST(FatalError, EndsTheActivityThoughBreakUpdateHookIsFalse) {
 }
 
 TEST(StopOfTheActivity, InExceptionHookDoesNotAskBreakUpdateHook) {
-    Breaking component;
     std::atomic<int> result{-1};
+    Breaking component;
     component.onUpdate = [] { throw 1; };
     component.onException = [&] { result = component.getActivity()->stop(); };
     ASSERT_TRUE(component.start());
@@ -204,9 +202,9 @@ TEST(Recover, HasWhatStoodStillExecuted) {
 }
 
 TEST(Recover, IsFalseInTheStepThatStopWaitsFor) {
-    Probe component;
     std::atomic<bool> inside{false};
     std::atomic<int> recovered{-1};
+    Probe component;
     component.onError = [&] {
         inside = true;
         if (eventually([&] { return component.getTargetState() == TaskContext::Stopped; }))
@@ -222,8 +220,8 @@ TEST(Recover, IsFalseInTheStepThatStopWaitsFor) {
 }
 
 TEST(Recover, IsFalseInUpdateHookAfterStop) {
-    Probe component;
     std::atomic<int> recovered{-1};
+    Probe component;
     component.onUpdate = [&] {
         component.error();
         component.onStop = [&] { recovered = component.recover(); };
