@@ -29,6 +29,7 @@ LAYER_OF = {
     "runtime/rtt/marsh/": "marsh",
     "runtime/rtt/deployment/": "loader",
     "runtime/rtt/scripting/": "scripting",
+    "runtime/rtt/scripting/detail/syntax/": "syntax",   # the grammar of scripts: no component, no type
     "runtime/rtt/transports/corba/": "corba",
     "runtime/rtt/transports/mqueue/": "mqueue",
     "runtime/ros/": "ros",
@@ -85,7 +86,8 @@ MAY_INCLUDE = {
     "extras": LEAFS | {"os", "core"},
     "marsh": OUTER,
     "loader": OUTER,
-    "scripting": OUTER | {"extras"},
+    "syntax": {"diag"},
+    "scripting": OUTER | {"extras", "syntax"},
     "corba": OUTER,
     "mqueue": OUTER,
     "ros": OUTER | {"marsh"},
@@ -157,7 +159,7 @@ SHARED_DETAIL = {
     # The deployer reads property structs that stand inside its own XML.
     "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
     # ... and tells the syntax errors of scripts before it creates the components that they are for.
-    "runtime/rtt/scripting/detail/script_syntax.hpp": ["deployer/deployment/"],
+    "runtime/rtt/scripting/detail/service/script_syntax.hpp": ["deployer/deployment/"],
     # The compiler of scripts says itself where a value is converted.
     "runtime/rtt/types/detail/conversion_watch.hpp": ["runtime/rtt/scripting/"],
     # ... and why one is not.

@@ -11,7 +11,7 @@
 #include <diag/type_match.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
-#include <rtt/scripting/detail/script_syntax.hpp>
+#include <rtt/scripting/detail/service/script_syntax.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 
 #include <algorithm>

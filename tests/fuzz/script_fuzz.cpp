@@ -4,7 +4,7 @@
 #include "../unit/scripting/ast_text.hpp"
 #include "fuzzing.hpp"
 
-#include <rtt/scripting/detail/parser.hpp>
+#include <rtt/scripting/detail/syntax/parser.hpp>
 
 #include <algorithm>
 #include <cstddef>

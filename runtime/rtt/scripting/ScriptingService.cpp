@@ -6,11 +6,11 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/FailureReport.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
-#include <rtt/scripting/detail/loaded.hpp>
-#include <rtt/scripting/detail/log_diagnostics.hpp>
-#include <rtt/scripting/detail/program.hpp>
-#include <rtt/scripting/detail/script_runner.hpp>
-#include <rtt/scripting/detail/script_text.hpp>
+#include <rtt/scripting/detail/service/loaded.hpp>
+#include <rtt/scripting/detail/execute/log_diagnostics.hpp>
+#include <rtt/scripting/detail/execute/program.hpp>
+#include <rtt/scripting/detail/service/script_runner.hpp>
+#include <rtt/scripting/detail/syntax/script_text.hpp>
 
 #include <diag/print.hpp>
 

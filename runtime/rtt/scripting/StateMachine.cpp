@@ -8,10 +8,10 @@
 #include <rtt/os/Mutex.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/fosi.h>
-#include <rtt/scripting/detail/log_diagnostics.hpp>
-#include <rtt/scripting/detail/machine_claim.hpp>
-#include <rtt/scripting/detail/machine_core.hpp>
-#include <rtt/scripting/detail/machine_event.hpp>
+#include <rtt/scripting/detail/execute/log_diagnostics.hpp>
+#include <rtt/scripting/detail/machine/machine_claim.hpp>
+#include <rtt/scripting/detail/machine/machine_core.hpp>
+#include <rtt/scripting/detail/machine/machine_event.hpp>
 
 #include <diag/print.hpp>
 

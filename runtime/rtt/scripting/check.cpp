@@ -3,8 +3,8 @@
 #include <rtt/scripting/check.hpp>
 
 #include <rtt/internal/detail/diagnostic_taker.hpp>
-#include <rtt/scripting/detail/script_checker.hpp>
-#include <rtt/scripting/detail/script_text.hpp>
+#include <rtt/scripting/detail/service/script_checker.hpp>
+#include <rtt/scripting/detail/syntax/script_text.hpp>
 
 #include <diag/print.hpp>
 

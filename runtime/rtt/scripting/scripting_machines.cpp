@@ -4,7 +4,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
-#include <rtt/scripting/detail/loaded.hpp>
+#include <rtt/scripting/detail/service/loaded.hpp>
 
 #include <diag/nearest_match.hpp>
 

@@ -4,8 +4,8 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
-#include <rtt/scripting/detail/loaded.hpp>
-#include <rtt/scripting/detail/program.hpp>
+#include <rtt/scripting/detail/service/loaded.hpp>
+#include <rtt/scripting/detail/execute/program.hpp>
 
 #include <diag/nearest_match.hpp>
 

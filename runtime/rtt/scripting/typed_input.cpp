@@ -3,8 +3,8 @@
 #include <rtt/scripting/typed_input.hpp>
 
 #include <rtt/TaskContext.hpp>
-#include <rtt/scripting/detail/lexer.hpp>
-#include <rtt/scripting/detail/typed_text.hpp>
+#include <rtt/scripting/detail/syntax/lexer.hpp>
+#include <rtt/scripting/detail/service/typed_text.hpp>
 
 #include <diag/print.hpp>
 

@@ -5,7 +5,7 @@
 #ifndef TESTS_UNIT_SCRIPTING_AST_TEXT_HPP
 #define TESTS_UNIT_SCRIPTING_AST_TEXT_HPP
 
-#include <rtt/scripting/detail/ast.hpp>
+#include <rtt/scripting/detail/syntax/ast.hpp>
 
 #include <string>
 

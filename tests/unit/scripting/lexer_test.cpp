@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/lexer.hpp>
+#include <rtt/scripting/detail/syntax/lexer.hpp>
 
 #include <gtest/gtest.h>
 

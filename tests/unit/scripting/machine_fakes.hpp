@@ -4,7 +4,7 @@
 #ifndef OROFORGE_TESTS_SCRIPTING_MACHINE_FAKES_HPP
 #define OROFORGE_TESTS_SCRIPTING_MACHINE_FAKES_HPP
 
-#include <rtt/scripting/detail/machine_core.hpp>
+#include <rtt/scripting/detail/machine/machine_core.hpp>
 
 #include <functional>
 #include <map>

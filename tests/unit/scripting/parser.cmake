@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 # The grammar: no component takes part, so the sources are compiled in.
-set(parser ${PROJECT_SOURCE_DIR}/runtime/rtt/scripting/detail)
+set(parser ${PROJECT_SOURCE_DIR}/runtime/rtt/scripting/detail/syntax)
 file(GLOB parser_sources CONFIGURE_DEPENDS ${parser}/lexer.cpp ${parser}/parser.cpp ${parser}/parse_*.cpp)
 oroforge_add_test(script_parser_test LIBS oroforge_diag INCLUDES ${PROJECT_SOURCE_DIR}/runtime
   SOURCES lexer_test.cpp parser_literal_test.cpp parser_expression_test.cpp parser_statement_test.cpp

@@ -3,7 +3,7 @@
 /// What is too deep is an error; what is only long is not.
 #include "ast_text.hpp"
 
-#include <rtt/scripting/detail/parser.hpp>
+#include <rtt/scripting/detail/syntax/parser.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "ast_text.hpp"
 
-#include <rtt/scripting/detail/parser.hpp>
+#include <rtt/scripting/detail/syntax/parser.hpp>
 
 #include <gtest/gtest.h>
 

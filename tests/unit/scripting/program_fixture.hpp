@@ -5,7 +5,7 @@
 
 #include "script_bench.hpp"
 
-#include <rtt/scripting/detail/program.hpp>
+#include <rtt/scripting/detail/execute/program.hpp>
 #include <unit/operations/probe.hpp>
 #include <unit/types/builtin_typekit.hpp>
 

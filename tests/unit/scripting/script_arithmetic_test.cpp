@@ -4,8 +4,8 @@
 #include "script_fixture.hpp"
 
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/scripting/detail/arithmetic.hpp>
-#include <rtt/scripting/detail/kinds.hpp>
+#include <rtt/scripting/detail/compile/arithmetic.hpp>
+#include <rtt/scripting/detail/compile/kinds.hpp>
 #include <rtt/types/Operators.hpp>
 #include <rtt/types/Types.hpp>
 

@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include "script_bench.hpp"
 
-#include <rtt/scripting/detail/function_operation.hpp>
-#include <rtt/scripting/detail/parser.hpp>
-#include <rtt/scripting/detail/program.hpp>
-#include <rtt/scripting/detail/source_file.hpp>
+#include <rtt/scripting/detail/function/function_operation.hpp>
+#include <rtt/scripting/detail/syntax/parser.hpp>
+#include <rtt/scripting/detail/execute/program.hpp>
+#include <rtt/scripting/detail/compile/source_file.hpp>
 
 #include <diag/print.hpp>
 

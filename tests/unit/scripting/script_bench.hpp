@@ -7,7 +7,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/scripting/ProgramInterface.hpp>
-#include <rtt/scripting/detail/compiler.hpp>
+#include <rtt/scripting/detail/compile/compiler.hpp>
 
 #include <map>
 #include <string>

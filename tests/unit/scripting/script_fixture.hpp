@@ -7,8 +7,8 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
-#include <rtt/scripting/detail/compiler.hpp>
-#include <rtt/scripting/detail/parser.hpp>
+#include <rtt/scripting/detail/compile/compiler.hpp>
+#include <rtt/scripting/detail/syntax/parser.hpp>
 
 #include <diag/print.hpp>
 

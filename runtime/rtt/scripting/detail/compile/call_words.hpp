@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Calls in words, for the messages of the compiler.
+#ifndef ORO_SCRIPTING_DETAIL_CALL_WORDS_HPP
+#define ORO_SCRIPTING_DETAIL_CALL_WORDS_HPP
+
+#include <rtt/base/DataSourceBase.hpp>
+#include <rtt/scripting/detail/syntax/ast.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace RTT {
+class OperationInterfacePart;
+namespace scripting {
+namespace detail {
+
+/** "a.b.c" */
+std::string joined(const std::vector<ast::Identifier>& parts);
+/** "2 arguments" */
+std::string counted(std::size_t count);
+/** What was tried: "array(int, int)". */
+std::string signature(const std::string& name, const std::vector<base::DataSourceBase::shared_ptr>& arguments);
+/** True for the type of an argument that the operation assigns to. */
+bool isChanged(const std::string& type);
+/** Without reference: "string" of "string const&". */
+std::string plainType(const std::string& type);
+/** As it would be declared: "bool moveTo(double position)". */
+std::string declarationOf(const OperationInterfacePart& part);
+/** Of a sequence, what its elements have to be; empty for other types. */
+std::string elementsOf(const types::TypeInfo& type);
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

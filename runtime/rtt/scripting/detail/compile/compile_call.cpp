@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Calls of operations, constructors and functions of scripts. What is sent: compile_send.cpp.
+#include <rtt/scripting/detail/compile/call_words.hpp>
+#include <rtt/scripting/detail/compile/unit.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/compile/arithmetic.hpp>
+#include <rtt/scripting/detail/function/function_operation.hpp>
+#include <rtt/scripting/detail/execute/instructions.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/types/Types.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+/** From left to right: what a later argument calls may change what an earlier one is. Those that `isOutput` are variables. */
+std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsOutput& isOutput,
+                                  const OperationInterfacePart* part) {
+    std::vector<Operand> values;
+    const unsigned first = executions_;
+    for (const auto& argument : expressions) {
+        const std::size_t before = code_.size();
+        const unsigned executions = executions_;
+        const types::TypeInfo* const wanted = part && values.size() < part->arity()
+                                                  ? part->getArgumentType(static_cast<unsigned>(values.size()) + 1)
+                                                  : nullptr;
+        text_ = wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
+        Operand value = expression(*argument);
+        if (value.kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
+        // A call before it is made where its value is used: after what is computed here.
+        const bool overtakes = executions != first && code_.size() != before;
+        if (executions_ != executions || overtakes) {
+            std::size_t at = before;
+            for (std::size_t i = 0; i != values.size(); ++i) {
+                if (isOutput(i)) continue;
+                const std::size_t size = code_.size();
+                values[i] = taken(values[i], at);
+                at += code_.size() - size;
+            }
+        }
+        values.push_back(std::move(value));
+    }
+    return values;
+}
+
+/** What an operation changes by reference. */
+bool Unit::isOutput(const OperationInterfacePart& part, std::size_t index) {
+    const auto descriptions = part.getArgumentList();
+    return index < descriptions.size() && isChanged(descriptions[index].type);
+}
+
+/** Converted to what the operation takes, as far as conversions of numbers go. */
+OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const OperationInterfacePart& part) {
+    const unsigned executions = executions_;
+    auto given = values(
+        name.arguments, [&](std::size_t index) { return isOutput(part, index); }, &part);
+    OperationInterfacePart::Args sources;
+    const bool fits = given.size() == part.arity();
+    // What is converted is so before the call, and what is called in front of it has to come first.
+    for (unsigned i = 1; fits && executions_ != executions && i < given.size(); ++i) {
+        if (!isConverted(part, i, given[i])) continue;
+        for (unsigned j = 0; j != i; ++j)
+            if (!isOutput(part, j)) given[j] = taken(given[j], code_.size());
+    }
+    for (unsigned i = 0; i != given.size(); ++i)
+        sources.push_back(fits ? argument(name, part, i, given) : sourceOf(given[i]));
+    return sources;
+}
+
+Kind Unit::wantedKind(const OperationInterfacePart& part, unsigned index) {
+    const types::TypeInfo* const type = part.getArgumentType(index + 1);
+    return type ? kindOf(type->getTypeId()) : Kind::Other;
+}
+
+bool Unit::isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value) {
+    const Kind wanted = wantedKind(part, index);
+    return wanted != value.kind && conversion(value.kind, wanted) != Conversion::None && !isOutput(part, index);
+}
+
+base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const OperationInterfacePart& part,
+                                                unsigned index, const std::vector<Operand>& values) {
+    const Operand& value = values[index];
+    const types::TypeInfo* const type = part.getArgumentType(index + 1);
+    if (!isOutput(part, index) && isEnum(type))
+        return watched(value.at, [&] { return type->convert(sourceOf(value)); });
+    if (!isConverted(part, index, value)) return sourceOf(value);
+    const Kind wanted = wantedKind(part, index);
+    const auto descriptions = part.getArgumentList();
+    if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
+    // A number with a fraction where a whole one is expected: often two arguments were swapped.
+    std::string hint;
+    for (unsigned i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i)
+        if (i != index && isReal(wantedKind(part, i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
+            hint = "argument " + std::to_string(i + 1) + " (" + descriptions[i].name + ") is of type " +
+                   descriptions[i].type + ": are the two swapped?";
+    warn(value.at, "OPS152",
+         "argument " + std::to_string(index + 1) + " (" + descriptions[index].name + ") of '" + joined(name.parts) +
+             "' is a whole number (" + descriptions[index].type + "): what is given loses its fraction",
+         hint);
+    ++aliases_;  // said
+    const Source whole = sourceOf(loadAs(value, wanted));
+    --aliases_;
+    return whole;
+}
+
+Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const {
+    Callable found;
+    const std::string& name = parts[count - 1].text;
+    std::shared_ptr<const FunctionDefinition> function;
+    if (count == 1 && where_.functions && !toSend) {
+        const auto known = where_.functions->find(name);
+        if (known != where_.functions->end()) function = known->second;
+        if (function && function->tree->scope == ast::Function::Scope::Exported) {
+            found.function = function;
+            return found;
+        }
+    }
+    for (const Node& node : nodes)
+        if (node.used == count - 1) {
+            found.part = node.service->getPart(name);
+            found.of = node.service.get();
+        }
+    if (found.part || count != 1) return found;
+    found.of = nullptr;
+    found.part = internal::GlobalService::Instance()->getPart(name);
+    if (found.part) return found;
+    found.function = function;
+    if (!function && where_.component->provides()->hasService("scripting")) {
+        found.of = where_.component->provides()->getService("scripting").get();
+        found.part = found.of->getPart(name);
+    }
+    // `stop()` in a state machine is the component's.
+    if (!function && !found.part && where_.service) {
+        found.of = where_.service;
+        found.part = found.of->getPart(name);
+    }
+    return found;
+}
+
+/** The operation or function that the first `count` parts name. To be sent, a function is an operation, too. */
+Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
+                              bool toSend) const {
+    const Callable called = found(parts, count, nodes, toSend);
+    if (where_.toCome && (called.function || dynamic_cast<const FunctionSignature*>(called.part)) &&
+        where_.toCome->mayReplace(parts[count - 1].text, !dynamic_cast<const FunctionPart*>(called.part)))
+        throw Unresolved();
+    return called;
+}
+
+bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result) {
+    const std::size_t count = name.parts.size();
+    if (count == 1 && function_ && function_->name == name.parts[0].text && name.called)
+        failRecursive(function_->name, at);
+    const Callable whole = callable(name.parts, count, nodes, false);
+    if (whole.function) {
+        result = callFunction(whole.function, name, at);
+        return true;
+    }
+    if (whole.part) {
+        result = callOperation(whole, name, at);
+        return true;
+    }
+    if (count == 1) return false;
+    const std::string& last = name.parts.back().text;
+    if (last != "send" && last != "call" && last != "cmd") return false;
+    const Callable called = callable(name.parts, count - 1, nodes, last != "call");
+    if (called.function) {
+        result = callFunction(called.function, name, at);
+    } else if (called.part) {
+        result = last == "call"   ? callOperation(called, name, at)
+                 : last == "send" ? sent(called, name, at)
+                                  : command(called, name, at);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/** What `make` makes for a call of `name`; says what is wrong with its arguments. */
+Unit::Source Unit::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
+                        const std::function<Source()>& make) {
+    const auto argumentAt = [&](int number) {
+        const auto index = static_cast<std::size_t>(number - 1);
+        return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
+    };
+    const std::string called = "'" + joined(name.parts) + "'";
+    const std::string& last = name.parts.back().text;
+    // collect() has variables as arguments, and no declaration that says so.
+    const auto becomesText = [&](const std::string& wanted, const std::string& found, int number) {
+        const types::TypeInfo* const type = types::Types()->type(found);
+        return plainType(wanted) == "string" && type && isDirect(kindOf(type->getTypeId())) && last != "collect" &&
+               last != "collectIfDone" && !isOutput(part, static_cast<std::size_t>(number - 1));
+    };
+    try {
+        return watched(at, make);
+    } catch (const wrong_number_of_args_exception& e) {
+        error(at, "OPS142",
+              called + " expects " + counted(static_cast<std::size_t>(e.wanted)) + ", found " +
+                  counted(static_cast<std::size_t>(e.received)),
+              "it is '" + declarationOf(part) + "'");
+    } catch (const wrong_types_of_args_exception& e) {
+        error(argumentAt(e.whicharg), "OPS143",
+              "argument " + std::to_string(e.whicharg) + " of " + called + " must be of type " +
+                  plainType(e.expected_) + ", found " + e.received_,
+              becomesText(e.expected_, e.received_, e.whicharg) ? "'\"\" + x' is the text of x" : "");
+    } catch (const non_lvalue_args_exception& e) {
+        error(argumentAt(e.whicharg), "OPS144",
+              "argument " + std::to_string(e.whicharg) + " of " + called +
+                  " is assigned by the call: expected a variable, found a value of type " + e.received_);
+    } catch (const std::exception& e) {
+        error(at, "OPS145", "cannot call " + called + ": " + e.what());
+    }
+}
+
+Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::Place at) {
+    OperationInterfacePart& part = *called.part;
+    const auto sources = arguments(name, part);
+    ++executions_;
+    code_.keep(OperationInterfacePart::hold(&part));
+    const Source call = made(name, at, part, [&] { return part.produce(sources, where_.caller); });
+    return fromSource(told(call, called, name, at), at);
+}
+
+bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
+    const std::string wanted = joined(name.parts);
+    const types::TypeInfo* const type = types::Types()->type(wanted);
+    if (!type) return false;
+    OperationInterfacePart::Args sources;
+    for (const Operand& value : values(name.arguments, [](std::size_t) { return false; }))
+        sources.push_back(sourceOf(value));
+    const ast::Place first = name.arguments.empty() ? at : name.arguments[0]->at;
+    const Source value = watched(name.arguments.size() == 1 ? first : at, [&] { return type->construct(sources); });
+    if (!value) error(at, "OPS146", "there is no constructor " + signature(wanted, sources), elementsOf(*type));
+    result = fromSource(value, at);
+    return true;
+}
+
+void Unit::failRecursive(const std::string& function, ast::Place at) {
+    error(at, "OPS151", "function '" + function + "' calls itself, directly or through another one");
+}
+
+Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& definition, const ast::Name& name,
+                           ast::Place at) {
+    const FunctionDefinition& function = *definition;
+    Activation* const activation = state_.activate(definition);
+    if (!activation) failRecursive(function.name, at);
+    if (name.arguments.size() != activation->arguments.size())
+        error(at, "OPS142",
+              "'" + function.name + "' expects " + counted(activation->arguments.size()) + ", found " +
+                  counted(name.arguments.size()));
+    const auto given = values(name.arguments, [](std::size_t) { return false; });
+    for (std::size_t i = 0; i != given.size(); ++i)
+        store(fromSource(activation->arguments[i], given[i].at), given[i],
+              "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
+    emit(&instructions::enter, nullptr, nullptr, activation);
+    ++executions_;
+    Operand result;
+    result.at = at;
+    if (!activation->result) return result;
+    // Its own copy, because the next call writes another one.
+    const Operand returned = fromSource(activation->result, at);
+    if (returned.address)
+        return computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr, returned.kind, at);
+    result = fromSource(activation->result->clone(), at);
+    store(result, returned, "the result");
+    result.computed = true;
+    return result;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Calls that are sent and collected, and those that tell why they fail.
+#include <rtt/scripting/detail/compile/call_words.hpp>
+#include <rtt/scripting/detail/compile/unit.hpp>
+
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/types/TypeInfo.hpp>
+#include <rtt/base/OperationCallerInterface.hpp>
+#include <rtt/scripting/detail/execute/instructions.hpp>
+#include <rtt/scripting/detail/compile/told_call.hpp>
+#include <rtt/scripting/detail/compile/told_send.hpp>
+
+#include <typeinfo>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+/** True for what each component has to load services. */
+bool isLoadService(Service& of, const OperationInterfacePart& part) {
+    return of.getOwner() && of.getOwner()->provides().get() == &of && part.getName() == "loadService";
+}
+
+/** Of what it returns. */
+const std::type_info& resultOf(const OperationInterfacePart& part) {
+    const types::TypeInfo* const type = part.getArgumentType(0);
+    return type ? *type->getTypeId() : typeid(void);
+}
+
+}  // namespace
+
+bool Unit::givesReasons(const Callable& called) {
+    if (!called.of) return called.part == internal::GlobalService::Instance()->getPart("require");
+    return internal::FailureReport::comesFrom(*called.of) || isLoadService(*called.of, *called.part);
+}
+
+/** The call, or one that tells where it stands if it fails. */
+Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const {
+    if (!givesReasons(called)) return call;
+    internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
+    if (!success) return call;
+    return new ToldCall(success, placeOfCall(at), ignored_.count(&name) != 0);
+}
+
+CallPlace Unit::placeOfCall(ast::Place at) const {
+    // An alias may stand in another file.
+    const bool isHere = where_.text && !alias_;
+    return {locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
+}
+
+/** What reports the failure of the call; null if the operation gives no reasons. */
+std::shared_ptr<ToldSend> Unit::toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
+                                         bool forgotten) {
+    if (!givesReasons(called) || resultOf(*called.part) != typeid(bool)) return nullptr;
+    const auto local = boost::dynamic_pointer_cast<base::OperationCallerInterface>(called.part->getLocalOperation());
+    if (!local) return nullptr;
+    if (last) last->use();
+    return std::make_shared<ToldSend>(local->callee(), placeOfCall(at), std::move(last), where_.sent, forgotten);
+}
+
+/** Sends, and the handle is that of the call. */
+void Unit::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
+                  const std::shared_ptr<ToldSend>& told) {
+    const Operand call = sent(*called.part, name, at);
+    if (told) {
+        code_.keep(told);
+        emit(&instructions::announce, nullptr, nullptr, told.get());
+    }
+    store(handle, call, "the handle");
+    if (told) emit(&instructions::announce);
+}
+
+/** Nobody collects it, unless the value is assigned to something. */
+Operand Unit::sent(const Callable& called, const ast::Name& name, ast::Place at) {
+    const auto told = toldSend(called, at, nullptr, true);
+    if (!told) return sent(*called.part, name, at);
+    Operand result = fromSource(made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
+    sendTo(result, called, name, at, told);
+    result.sent = true;
+    return result;
+}
+
+Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+    const auto sources = arguments(name, part);
+    ++executions_;
+    code_.keep(OperationInterfacePart::hold(&part));
+    Operand result = fromSource(made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
+    result.sent = true;
+    return result;
+}
+
+/** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
+Operand Unit::command(const Callable& called, const ast::Name& name, ast::Place at) {
+    const OperationInterfacePart& part = *called.part;
+    const auto last = std::make_shared<LastSent>();
+    const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
+    const auto told = toldSend(called, at, last, false);
+    sendTo(fromSource(handle, at), called, name, at, told);
+    const Source status = made(
+        name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
+    auto* polled = internal::DataSource<SendStatus>::narrow(keep(status));
+    if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
+    if (told) keep(polled = new ToldCollect(polled, last, true, false));
+    emit(&instructions::await, nullptr, nullptr, polled);
+    const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
+    // Not collected again: the source keeps what it gave last.
+    Operand result = fromSource(value, at);
+    std::shared_ptr<base::ActionInterface> copy(
+        value->updateAction(keep(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
+    emit(&instructions::perform, nullptr, nullptr, copy.get());
+    code_.keep(std::move(copy));
+    return result;
+}
+
+namespace {
+
+/** What `make` makes; in its exceptions the first argument, which the script does not write, is not counted. */
+template <class Make>
+auto withoutFirst(Make make) -> decltype(make()) {
+    try {
+        return make();
+    } catch (wrong_types_of_args_exception& e) {
+        --e.whicharg;
+        throw;
+    } catch (non_lvalue_args_exception& e) {
+        --e.whicharg;
+        throw;
+    }
+}
+
+}  // namespace
+
+bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
+    if (name.parts.size() != 2) return false;
+    const std::string& what = name.parts[1].text;
+    const bool blocking = what == "collect";
+    if (!blocking && what != "collectIfDone") return false;
+    const Scope::Entry* const entry = declared(name.parts[0].text);
+    if (!entry) return false;
+    const std::string handle = "'" + name.parts[0].text + "'";
+    if (!entry->handle)
+        error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
+    const auto operation = entry->handle->operation();
+    const Source handleSource = entry->handle->source();
+    if (!operation || !handleSource) failUnsent(name.parts[0]);
+    OperationInterfacePart::Args sources{handleSource};
+    for (const Operand& value : values(name.arguments, [](std::size_t) { return true; }))
+        sources.push_back(sourceOf(value));
+    const OperationInterfacePart& part = *operation;
+    const unsigned wanted = part.collectArity();
+    if (sources.size() != 1 && sources.size() != wanted + 1)
+        error(at, "OPS142",
+              "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
+                  counted(sources.size() - 1));
+    const auto collected = [&] {
+        return withoutFirst(
+            [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
+    };
+    Source status = made(name, at, part, collected);
+    auto* const collect = internal::DataSource<SendStatus>::narrow(status.get());
+    const auto& last = entry->handle->lastSent();
+    if (collect && last->isUsed()) status = new ToldCollect(collect, last, sources.size() == 1, true);
+    result = fromSource(status, at);
+    ++executions_;
+    return true;
+}
+
+bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
+    const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
+    if (!to || to->called || to->parts.size() != 1) return false;
+    const Scope::Entry* const entry = declared(to->parts[0].text);
+    if (!entry || !entry->handle) return false;
+    result = sendInto(*entry->handle, to->parts[0].text, *assignment.value, at);
+    return true;
+}
+
+Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at) {
+    const auto* const from = std::get_if<ast::Name>(&value.what);
+    const std::size_t count = from ? from->parts.size() : 0;
+    const bool sends = count > 1 && from->parts.back().text == "send";
+    const Callable called = sends ? callable(from->parts, count - 1, walk(from->parts, count), true) : Callable();
+    if (!called.part) {
+        if (sends) expression(value);  // says what is unknown
+        error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
+    }
+    Source source = handle.source();
+    if (handle.operation().get() != called.part) {
+        const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
+        // What was compiled before has the same variable, if it can: which operation was sent last shows at run time.
+        if (!source || !source->hasTypeOf(*own)) source = own;
+        handle.set(OperationInterfacePart::hold(called.part), source);
+    }
+    const Operand result = fromSource(source, at);
+    const auto told = toldSend(called, value.at, handle.lastSent(), false);
+    sendTo(result, called, *from, value.at, told);
+    if (!told && handle.lastSent()->isUsed()) {
+        code_.keep(handle.lastSent());
+        emit(&instructions::forgetSent, nullptr, nullptr, handle.lastSent().get());
+    }
+    return result;
+}
+
+void Unit::failUnsent(const ast::Identifier& handle) {
+    error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

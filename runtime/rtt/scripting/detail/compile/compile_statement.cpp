@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/compile/unit.hpp>
+
+#include <rtt/scripting/detail/compile/find_calls.hpp>
+#include <rtt/scripting/detail/execute/instructions.hpp>
+#include <rtt/scripting/detail/compile/overloaded.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+void Unit::block(const ast::Block& block) {
+    for (const auto& each : block.statements) {
+        try {
+            statement(*each);
+        } catch (const Unresolved&) {
+            // The next one may have errors, too.
+        }
+    }
+}
+
+void Unit::statement(const ast::Statement& statement) {
+    code_.beginStatement(statement.at);
+    std::visit(
+        Overloaded{[&](const ast::Declaration& s) { declare(s); }, [&](const ast::Do& s) { evaluate(*s.expression); },
+                   // Loops of old scripts wait with it: `while !done nothing`.
+                   [&](const ast::Nothing&) { emit(&instructions::idle); },
+                   [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
+                   [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
+                   [&](const ast::While& s) { repeat(s); }, [&](const ast::For& s) { repeat(s); },
+                   [&](const ast::Break&) { breaks_.back().push_back(jump()); }},
+        statement.what);
+}
+
+/** For what it does. An assignment has done it. */
+void Unit::evaluate(const ast::Expression& expression) {
+    ignored_.clear();
+    forIgnored(expression, [this](const ast::Expression& each) {
+        if (const auto* const name = std::get_if<ast::Name>(&each.what)) ignored_.insert(name);
+    });
+    const Operand value = this->expression(expression);
+    if (!std::holds_alternative<ast::Assignment>(expression.what)) discard(value);
+}
+
+void Unit::end() { emit(&instructions::leave); }
+
+void Unit::attempt(const ast::Try& attempt) {
+    const std::size_t from = code_.size();
+    evaluate(*attempt.attempt);
+    const std::size_t until = code_.size();
+    if (until == from) return;
+    const std::size_t over = jump();
+    code_.guard(from, until, code_.size());
+    if (attempt.handler) block(*attempt.handler);
+    land(over);
+}
+
+void Unit::giveBack(const ast::Return& statement) {
+    if (statement.value && !(function_ && function_->result))
+        error(statement.value->at, "OPS210",
+              function_ ? "function '" + function_->name + "' returns nothing (void), but here it returns a value"
+                        : "found a value after 'return', which only functions give back");
+    if (statement.value)
+        store(fromSource(function_->result, statement.value->at), expression(*statement.value),
+              "the result of function '" + function_->name + "'");
+    end();
+}
+
+void Unit::choose(const ast::If& statement) {
+    const std::size_t otherwise = jumpUnless(truth(*statement.condition));
+    block(statement.then);
+    if (!statement.otherwise) return land(otherwise);
+    const std::size_t over = jump();
+    land(otherwise);
+    block(*statement.otherwise);
+    land(over);
+}
+
+void Unit::repeat(const ast::While& statement) { loop(statement.condition.get(), statement.body, nullptr); }
+
+void Unit::repeat(const ast::For& statement) {
+    const auto* const declaration = statement.first ? std::get_if<ast::Declaration>(&statement.first->what) : nullptr;
+    const auto mark = [&](Scope::Entry::Loop loop) {
+        for (const auto& declared : declaration->names) scope_->markLoop(declared.name.text, loop);
+    };
+    // Loops one after the other may use one variable.
+    if (declaration) {
+        declare(*declaration, true);
+        mark(Scope::Entry::Loop::Entered);
+    } else if (statement.first && !std::holds_alternative<ast::Nothing>(statement.first->what)) {
+        this->statement(*statement.first);
+    }
+    loop(statement.condition.get(), statement.body, statement.next.get());
+    if (declaration) mark(Scope::Entry::Loop::Left);
+}
+
+void Unit::loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next) {
+    const std::size_t begin = code_.size();
+    code_.beginStatement(condition->at);
+    const std::size_t out = jumpUnless(truth(*condition));
+    breaks_.emplace_back();
+    block(body);
+    if (next) {
+        code_.beginStatement(next->at);
+        evaluate(*next);
+    }
+    jumpBack(begin);
+    land(out);
+    for (const std::size_t jump : breaks_.back()) land(jump);
+    breaks_.pop_back();
+}
+
+std::size_t Unit::jumpUnless(const Operand& condition) { return emit(&instructions::jumpUnless, condition.address); }
+
+std::size_t Unit::jump() { return emit(&instructions::jump); }
+
+void Unit::land(std::size_t jump) {
+    code_.at(jump).offset = static_cast<std::ptrdiff_t>(code_.size()) - static_cast<std::ptrdiff_t>(jump);
+}
+
+void Unit::jumpBack(std::size_t target) {
+    const std::size_t from = emit(&instructions::jumpBack);
+    code_.at(from).offset = static_cast<std::ptrdiff_t>(target) - static_cast<std::ptrdiff_t>(from);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/compile/unit.hpp>
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+/** Makes a Code of what `fill` adds to it; null if there was an error. */
+template <class Fill>
+std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, Scope& scope, Fill fill) {
+    const std::size_t errors = where.sink->errorCount();
+    auto code = std::make_unique<Code>();
+    code->keep(state.activations);
+    Unit unit(state, where, *code, scope);
+    try {
+        fill(unit);
+        unit.end();
+    } catch (const Unresolved&) {
+        return nullptr;  // reported, unless it is a name to come
+    } catch (const std::exception& thrown) {
+        where.sink->error({where.file, 0, 0}, "OPS119", std::string("cannot be compiled: ") + thrown.what());
+    }
+    if (where.sink->errorCount() != errors) return nullptr;
+    return code;
+}
+
+}  // namespace
+
+Compiler::Compiler(Surroundings surroundings) : state_(new State(std::move(surroundings))) {}
+
+Compiler::~Compiler() = default;
+
+std::unique_ptr<Code> Compiler::program(const ast::Block& block, const std::string& name, const Scope& scope) {
+    Scope own(name, &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) { unit.block(block); });
+}
+
+std::unique_ptr<Code> Compiler::statement(const ast::Statement& statement, Scope& scope) {
+    return codeOf(*state_, state_->where, scope, [&](Unit& unit) { unit.statement(statement); });
+}
+
+std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope) {
+    return codeOf(*state_, state_->where, scope, [&](Unit& unit) {
+        for (const auto& each : declarations) {
+            try {
+                unit.statement(*each);
+            } catch (const Unresolved&) {
+                // The next one may have errors, too.
+            }
+        }
+    });
+}
+
+std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
+                                           const std::string& what, const Scope& scope) {
+    Scope own("", &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        unit.begin(value.at);
+        unit.store(unit.fromSource(to, value.at), unit.expression(value), what);
+    });
+}
+
+std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, const Scope& scope, const bool*& result) {
+    Scope own("", &scope);
+    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        unit.begin(expression.at);
+        result = static_cast<const bool*>(unit.truth(expression).address);
+    });
+}
+
+base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expression, const Scope& scope) {
+    base::DataSourceBase::shared_ptr found;
+    Scope own("", &scope);
+    const auto code = codeOf(*state_, state_->where, own, [&](Unit& unit) {
+        const Operand operand = unit.expression(expression);
+        if (operand.assignable()) found = operand.source;
+    });
+    // What has to be executed first, such as to compute an index, would be gone.
+    return code && code->size() == 1 ? found : nullptr;
+}
+
+std::unique_ptr<Activation> Compiler::function(const FunctionDefinition& definition) {
+    try {
+        state_->activateCalls(definition);
+    } catch (const Unresolved&) {
+        // Reported; found again below.
+    }
+    auto made = state_->compile(definition);
+    if (made) made->code.keep(state_->activations);
+    return made;
+}
+
+std::unique_ptr<Activation> Compiler::check(const FunctionDefinition& definition) {
+    state_->callsOnly = state_->where.checkOnly = true;
+    auto made = state_->compile(definition);
+    definition.calls = std::move(state_->calls);
+    definition.size = 1;
+    for (const auto& called : definition.calls) definition.size += called->size;
+    return made;
+}
+
+std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& definition) {
+    const ast::Function& tree = *definition.tree;
+    Surroundings there = where;
+    there.file = definition.file;
+    there.text = definition.text;
+    if (definition.functions) {
+        there.known = where.functions;
+        there.functions = definition.functions.get();
+    }
+    const std::size_t errors = where.sink->errorCount();
+    auto activation = std::make_unique<Activation>();
+    activation->name = definition.name;
+    activation->file = definition.file;
+    activation->text = definition.text;
+    Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
+    Unit unit(*this, there, activation->code, scope, activation.get());
+    unit.function(tree, !(callsOnly && quiet != 0));
+    if (where.sink->errorCount() != errors) return nullptr;
+    return activation;
+}
+
+void Compiler::State::activateCalls(const FunctionDefinition& definition) {
+    struct Step {
+        const FunctionDefinition* of;
+        std::size_t next;
+    };
+    std::vector<Step> steps{{&definition, 0}};
+    while (!steps.empty()) {
+        Step& step = steps.back();
+        if (step.next < step.of->calls.size()) {
+            const FunctionDefinition* const called = step.of->calls[step.next].get();
+            if (activations->of.count(called) || failed.count(called))
+                ++step.next;
+            else if (called->calls.empty())
+                activate(step.of->calls[step.next++]);
+            else
+                steps.push_back({called, 0});
+            continue;
+        }
+        steps.pop_back();
+        if (!steps.empty()) activate(steps.back().of->calls[steps.back().next++]);
+    }
+}
+
+Activation* Compiler::State::activate(const std::shared_ptr<const FunctionDefinition>& definition) {
+    if (failed.count(definition.get())) throw Unresolved();
+    const auto known = activations->of.find(definition.get());
+    if (known != activations->of.end()) return known->second.get();
+    if (callsOnly)
+        calls.push_back(definition);
+    else
+        activateCalls(*definition);
+    activations->of[definition.get()] = nullptr;
+    ++quiet;  // its warnings were given where it was defined
+    std::unique_ptr<Activation> made = compile(*definition);
+    --quiet;
+    if (!made) {
+        failed.insert(definition.get());
+        throw Unresolved();
+    }
+    return (activations->of[definition.get()] = std::move(made)).get();
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

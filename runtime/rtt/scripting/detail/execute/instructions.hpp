@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Instructions other than arithmetic.
+#ifndef ORO_SCRIPTING_DETAIL_INSTRUCTIONS_HPP
+#define ORO_SCRIPTING_DETAIL_INSTRUCTIONS_HPP
+
+#include <rtt/internal/DataSource.hpp>
+#include <rtt/scripting/detail/execute/process.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+namespace instructions {
+
+// What each of them uses of its Instruction is said in brackets.
+
+/** The end of a program, or of a function [none]. */
+const Instruction* leave(const Instruction& self, Process& process);
+const Instruction* yield(const Instruction& self, Process& process);
+/** `nothing`. */
+const Instruction* idle(const Instruction& self, Process& process);
+/** [offset] */
+const Instruction* jump(const Instruction& self, Process& process);
+/** Jumps if the bool at `a` is false [a, offset]. */
+const Instruction* jumpUnless(const Instruction& self, Process& process);
+/** Jumps to the beginning of a loop [offset]. */
+const Instruction* jumpBack(const Instruction& self, Process& process);
+/** Enters the Activation `to`. */
+const Instruction* enter(const Instruction& self, Process& process);
+/** Evaluates the source `to`. */
+const Instruction* evaluate(const Instruction& self, Process& process);
+/** Executes the ActionInterface `to`. */
+const Instruction* perform(const Instruction& self, Process& process);
+/** Seconds since the epoch, to the double `to`. */
+const Instruction* now(const Instruction& self, Process& process);
+/** Evaluates the DataSource<SendStatus> `to`; yields, to be executed again, until it is not SendNotReady. */
+const Instruction* await(const Instruction& self, Process& process);
+
+/** The ToldSend `to` reports how the next call that is sent ends; null: nothing reports it. */
+const Instruction* announce(const Instruction& self, Process& process);
+/** The script collects another call from now on than the one in the LastSent `to`. */
+const Instruction* forgetSent(const Instruction& self, Process& process);
+
+const Instruction* failEvaluation(Process& process);
+
+/** The value of the DataSourceBase `a`, of type T, to `to`. */
+template <class T>
+const Instruction* load(const Instruction& self, Process& process) {
+    auto* const source = const_cast<base::DataSourceBase*>(static_cast<const base::DataSourceBase*>(self.a));
+    if (!source->evaluate()) return failEvaluation(process);
+    const void* const value = source->getRawConstPointer();
+    if (!value) return failEvaluation(process);
+    *static_cast<T*>(self.to) = *static_cast<const T*>(value);
+    return process.proceed(&self + 1);
+}
+
+/** The value at `a` to the AssignableDataSource<T> `to`. */
+template <class T>
+const Instruction* store(const Instruction& self, Process&) {
+    static_cast<internal::AssignableDataSource<T>*>(self.to)->set(*static_cast<const T*>(self.a));
+    return &self + 1;
+}
+
+}  // namespace instructions
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

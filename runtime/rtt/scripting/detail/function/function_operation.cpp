@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/function/function_operation.hpp>
+
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/FactoryExceptions.hpp>
+#include <rtt/Logger.hpp>
+#include <rtt/TaskContext.hpp>
+#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/function/function_sources.hpp>
+#include <rtt/types/TypeInfo.hpp>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+using base::DataSourceBase;
+
+namespace {
+
+// Of functions. A chain of those that call each other would be compiled again with each that is added to it.
+constexpr std::size_t kMostAtOnce = 50;
+
+/** The function is executed by the engine of its component. */
+Surroundings ofItself(Surroundings where, oroforge::diag::Sink& sink) {
+    where.caller = where.component->engine();
+    where.sink = &sink;
+    return where;
+}
+
+const types::TypeInfo* typeOf(const DataSourceBase::shared_ptr& value) {
+    return value ? value->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
+}
+
+void checkCount(std::size_t wanted, std::size_t received) {
+    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
+}
+
+[[noreturn]] void throwWrongType(std::size_t index, const std::string& wanted,
+                                 const DataSourceBase::shared_ptr& found) {
+    throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
+}
+
+/** What a function gives that returns nothing: for Void = void. */
+template <class Void>
+class NoValue final : public internal::DataSource<Void> {
+public:
+    typedef typename internal::DataSource<Void>::const_reference_t const_reference_t;
+
+    bool evaluate() const override { return true; }
+    void get() const override {}
+    void value() const override {}
+    const_reference_t rvalue() const override {}
+    NoValue* clone() const override { return new NoValue; }
+    NoValue* copy(CopyMap&) const override { return const_cast<NoValue*>(this); }
+};
+
+oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
+    const ast::Place at = definition.tree->name.at;
+    return {definition.file, at.line, at.column};
+}
+
+}  // namespace
+
+void letGoOfFunctions(const Scope& script) {
+    for (const auto& named : script.entries())
+        if (named.second.handle && dynamic_cast<const FunctionSignature*>(named.second.handle->operation().get()))
+            named.second.handle->clear();
+}
+
+Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& component) {
+    switch (scope) {
+        case ast::Function::Scope::Exported: return component.provides().get();
+        case ast::Function::Scope::Global: return internal::GlobalService::Instance().get();
+        case ast::Function::Scope::Local: break;
+    }
+    return scripting;
+}
+
+FunctionSignature::FunctionSignature(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern)
+    : definition_(std::move(definition)) {
+    values_.emplace_back(pattern.result ? pattern.result->clone() : nullptr);
+    for (const auto& argument : pattern.arguments) values_.emplace_back(argument->clone());
+}
+
+std::string FunctionSignature::getName() const { return definition_->name; }
+std::string FunctionSignature::description() const { return "A function of a script."; }
+std::string FunctionSignature::resultType() const { return typeOf(values_.front())->getTypeName(); }
+unsigned FunctionSignature::arity() const { return static_cast<unsigned>(values_.size() - 1); }
+unsigned FunctionSignature::collectArity() const { return values_.front() ? 1 : 0; }
+
+std::vector<ArgumentDescription> FunctionSignature::getArgumentList() const {
+    std::vector<ArgumentDescription> list;
+    for (const ast::Function::Argument& argument : definition_->tree->arguments)
+        list.emplace_back(argument.name.text, "", typeOf(values_[list.size() + 1])->getTypeName());
+    return list;
+}
+
+const types::TypeInfo* FunctionSignature::getArgumentType(unsigned index) const {
+    return index < values_.size() ? typeOf(values_[index]) : nullptr;
+}
+
+const types::TypeInfo* FunctionSignature::getCollectType(unsigned index) const {
+    return index == 1 && values_.front() ? typeOf(values_.front()) : nullptr;
+}
+
+FunctionSignature::Args FunctionSignature::checked(const Args& args) const {
+    checkCount(arity(), args.size());
+    Args sources;
+    for (std::size_t i = 1; i != values_.size(); ++i) {
+        const DataSourceBase::shared_ptr& given = args[i - 1];
+        const types::TypeInfo& type = *typeOf(values_[i]);
+        const DataSourceBase::shared_ptr source = !given || given->hasTypeOf(*values_[i]) ? given : type.convert(given);
+        if (!source || !source->hasTypeOf(*values_[i])) throwWrongType(i, type.getTypeName(), given);
+        sources.push_back(source);
+    }
+    return sources;
+}
+
+DataSourceBase::shared_ptr FunctionSignature::produceHandle() const {
+    return new internal::ValueDataSource<FunctionCall::shared_ptr>();
+}
+
+FunctionSignature::Collected FunctionSignature::collected(const Args& args) const {
+    if (args.size() != 1) checkCount(1 + collectArity(), args.size());
+    FunctionHandle::shared_ptr const handle = FunctionHandle::narrow(args[0].get());
+    if (!handle) throwWrongType(1, "SendHandle", args[0]);
+    const DataSourceBase::shared_ptr variable = args.size() > 1 ? args[1] : nullptr;
+    if (args.size() > 1) {
+        if (!variable || !variable->hasTypeOf(*values_.front())) throwWrongType(2, resultType(), variable);
+        if (!variable->isAssignable()) throw non_lvalue_args_exception(2, variable->getType());
+    }
+    return {handle, variable};
+}
+
+FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern)
+    : FunctionSignature(std::shared_ptr<const FunctionDefinition>(pool, &pool->definition()), pattern),
+      pool_(std::move(pool)) {}
+
+DataSourceBase::shared_ptr FunctionPart::produce(const Args& args, ExecutionEngine* caller) const {
+    return makeCallSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceSend(const Args& args, ExecutionEngine* caller) const {
+    return makeSendSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+}
+
+DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
+                                                        internal::DataSource<bool>::shared_ptr blocking) const {
+    const Collected what = collected(args);
+    return makeCollectSource(pool_->owner(), what.handle, what.variable, std::move(blocking));
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produce(const Args& args, ExecutionEngine*) const {
+    (void)checked(args);
+    if (!result()) return new NoValue<void>;
+    return result()->clone();
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produceSend(const Args& args, ExecutionEngine*) const {
+    (void)checked(args);
+    return produceHandle();
+}
+
+DataSourceBase::shared_ptr UnexecutedPart::produceCollect(const Args& args,
+                                                          internal::DataSource<bool>::shared_ptr) const {
+    (void)collected(args);
+    return new internal::ValueDataSource<SendStatus>(SendNotReady);
+}
+
+bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scope, Service* scripting,
+                 const Surroundings& where) {
+    Service* const home = homeOf(scope, scripting, *where.component);
+    const OperationInterfacePart* const taken = home ? home->getPart(definition.name) : nullptr;
+    if (!taken || dynamic_cast<const FunctionSignature*>(taken)) return true;
+    where.sink->error(placeOf(definition), "OPS204",
+                      "function '" + definition.name + "' cannot be added: '" + home->getName() +
+                          "' has an operation of that name, which no script defined");
+    return false;
+}
+
+bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Function::Scope scope, Service& scripting,
+                 const Surroundings& where) {
+    if (!hasFreeName(*definition, scope, &scripting, where)) return false;
+    const std::string& name = definition->name;
+    const oroforge::diag::Location place = placeOf(*definition);
+    Service& home = *homeOf(scope, &scripting, *where.component);
+    const auto* const known = dynamic_cast<const FunctionPart*>(home.getPart(name));
+    oroforge::diag::Sink found;
+    const std::unique_ptr<Activation> pattern = Compiler(ofItself(where, found)).check(*definition);
+    const bool isSmall = definition->size <= kMostAtOnce;
+    const auto pool = std::make_shared<FunctionPool>(std::move(definition), where);
+    if (isSmall) {
+        // Finds the same, and the first one who calls it need not wait until it is compiled.
+        if (!pool->take(*where.sink)) return false;
+    } else {
+        for (const auto& each : found.all()) where.sink->add(each);
+    }
+    if (!pattern) return false;
+    if (known && !known->isLost())
+        where.sink->warning(place, "OPS205",
+                            "function '" + name +
+                                "' is defined again: what is loaded already goes on "
+                                "with the one it knows");
+    home.add(name, new FunctionPart(pool, *pattern));
+    if (scope == ast::Function::Scope::Exported)
+        log(Info) << "component '" << where.component->getName() << "' has function '" << name << "' as operation now"
+                  << endlog();
+    return true;
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/machine/machine_claim.hpp>
+
+#include <rtt/ExecutionEngine.hpp>
+#include <rtt/internal/EngineGate.hpp>
+#include <rtt/os/fosi.h>
+
+#include <unistd.h>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+constexpr std::int64_t kSlice = 1000000;  // between two looks, in ns
+constexpr unsigned kTries = 1000;
+}  // namespace
+
+// Who has the machine may be waiting for an operation of the component that this thread executes.
+void MachineClaim::wait(std::int64_t patience) {
+    for (unsigned tries = kTries; tries != 0; --tries)
+        if (take()) return;
+    if (patience < 0) return;
+    const std::int64_t end = rtos_get_time_ns() + patience;
+    const internal::EngineGate* const own = internal::EngineGate::ofThisThread();
+    ExecutionEngine* const engine = own ? own->engine() : nullptr;
+    while (!take() && rtos_get_time_ns() < end) {
+        if (engine)
+            engine->waitForMessages([this] { return owner_.load(std::memory_order_relaxed) == 0; },
+                                    rtos_get_time_ns() + kSlice);
+        else
+            usleep(kSlice / 10000);
+    }
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Programs, conditions and ports, as a state machine uses them.
+#ifndef ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
+#define ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
+
+#include <rtt/FlowStatus.hpp>
+#include <rtt/base/ActionInterface.hpp>
+#include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/PortSources.hpp>
+#include <rtt/scripting/detail/compile/compiler.hpp>
+#include <rtt/scripting/detail/machine/machine_model.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+typedef decltype(Surroundings::roundLimit) RoundLimit;
+
+class CodeRoutine final : public Routine {
+public:
+    /** At once: run() goes on where it yields, see Process::runToEnd(). */
+    enum class Pace { StepByStep, AtOnce };
+    CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace = Pace::StepByStep);
+    void restart() override { process_.restart(); }
+    Outcome run() override;
+    Outcome runStatement() override;
+    bool started() const override { return process_.started(); }
+    unsigned line() const override;
+    oroforge::diag::Location where() const override;
+    std::string failure() const override { return process_.message(); }
+
+private:
+    void limit() { process_.setRoundLimit(limit_ ? limit_->rvalue() : 0); }
+
+    const std::unique_ptr<const Code> code_;
+    const oroforge::diag::FileName file_;
+    const RoundLimit limit_;
+    const Pace pace_;
+    const unsigned first_line_;
+    Process process_;
+};
+
+class CodeGuard final : public Guard {
+public:
+    /** `result` is where the code leaves its truth. */
+    CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where);
+    Truth check(unsigned round) override;
+    oroforge::diag::Location where() const override { return routine_.where(); }
+    std::string failure() const override { return routine_.failure(); }
+
+private:
+    CodeRoutine routine_;
+    const bool* const result_;
+    bool failed_ = false;
+};
+
+/** A port that transitions ask for new data; read once in a round. May outlive the port, which has no more data then. */
+class PortReader {
+public:
+    /** `sample` is a value of the port's type. */
+    PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample);
+    bool hasNewData(unsigned round);
+    const std::string& name() const { return name_; }
+    const base::DataSourceBase::shared_ptr& sample() const { return sample_; }
+
+private:
+    const std::string name_;
+    const internal::PortLink port_;
+    const base::DataSourceBase::shared_ptr sample_;
+    FlowStatus status_ = NoData;
+    unsigned round_ = 0;
+};
+
+typedef std::unique_ptr<base::ActionInterface> ActionPtr;
+
+class PortGuard final : public Guard {
+public:
+    /** `assign`, which may be null, copies the sample to a variable of the script. */
+    PortGuard(std::shared_ptr<PortReader> reader, ActionPtr assign, oroforge::diag::Location where);
+    Truth check(unsigned round) override;
+    oroforge::diag::Location where() const override { return where_; }
+    std::string failure() const override;
+
+private:
+    const std::shared_ptr<PortReader> reader_;
+    const ActionPtr assign_;
+    const oroforge::diag::Location where_;
+};
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// Looks through a script without executing it.
+#ifndef ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
+#define ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
+
+#include <rtt/scripting/check.hpp>
+#include <rtt/scripting/detail/compile/find_calls.hpp>
+#include <rtt/scripting/detail/service/script_reader.hpp>
+
+#include <boost/shared_ptr.hpp>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+/** See check.hpp. */
+class ScriptChecker final : private ScriptReader, private NamesToCome {
+public:
+    ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
+                  Expectations& expected);
+    /** Of a script that the outer one runs; `certain`: whenever that runs itself. */
+    ScriptChecker(ScriptChecker& outer, std::shared_ptr<SourceFile> file, bool certain);
+    /** Removes the operations of functions, and the services of programs and state machines. */
+    ~ScriptChecker() override;
+
+    /** All that is certain. */
+    oroforge::diag::Sink check();
+
+private:
+    using ScriptReader::take;
+    bool take(const ast::Item& item, const ast::StatementPtr& statement) override;
+    bool take(const ast::Item& item, const ast::Function& function) override;
+    bool take(const ast::Item& item, const ast::Program& program) override;
+    bool take(const ast::Item& item, const ast::StateMachine& type) override;
+    bool take(const ast::Item& item, const ast::Instance& machine) override;
+    bool mayHave(const TaskContext* owner, const std::string& name, bool isFirst) override;
+    bool isToCome(const std::string& peer) override;
+    bool mayReplace(const std::string& function, bool isOfThis) override;
+    bool tellsDoubts() const override { return expected_.doubts; }
+    void miss(const std::string& name) override { missed_.insert(name); }
+    bool gap();
+    /** What an item that could not be made would have defined. */
+    void missWhatIsDefinedBy(const ast::Item& item);
+    void expectWhatIsDefinedBy(const ast::Item& item);
+    /** For calls by path, and those that send. */
+    void addOperation(const std::shared_ptr<const FunctionDefinition>& definition, const Activation& pattern);
+    /** For a program or a state machine. */
+    bool isFree(const char* kind, const char* code, const ast::Identifier& name);
+    Surroundings unevaluated(const Functions& functions);
+    void keepWhatIsCertain(oroforge::diag::Sink& found);
+    bool isCertain(const oroforge::diag::Diagnostic& error) const;
+    // What calls lead to.
+    enum class Made {
+        Yes,
+        Perhaps,  ///< it names what may be there when the script runs
+        No        ///< an error is told
+    };
+    void foresee(const std::vector<FoundCall>& calls, Made made, oroforge::diag::Sink& found);
+    void foresee(const FoundCall& call, oroforge::diag::Sink& found);
+    void follow(const std::string& script, bool certain, oroforge::diag::Sink& found);
+    bool isWithin(const std::string& script) const;
+    bool isCallOfOperation(const FoundCall& call) const;
+    bool isOwnOperation(const ast::Name& name) const;
+
+    ScriptChecker* const outer_ = nullptr;  // the script that runs this one
+    const bool certain_ = true;             // whenever the first of them runs
+    unsigned followed_ = 0;                 // by the first of them
+    CallForecast& forecast_;
+    Expectations& expected_;
+    Definitions definitions_;
+    std::vector<std::string> services_;
+    std::vector<std::pair<boost::shared_ptr<Service>, std::string>> operations_;
+    std::map<std::string, const ast::Block*> bodies_;  // of functions and programs of this script
+    std::set<const ast::Block*> entered_;              // of these
+    std::set<std::string> replaced_;                   // functions that scripts which this one ran defined
+    std::set<std::string> missed_;                     // names that the script would have declared
+    bool incomplete_ = false;                          // something was not compiled
+};
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
+
+#endif

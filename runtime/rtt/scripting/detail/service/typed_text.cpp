@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <rtt/scripting/detail/service/typed_text.hpp>
+
+#include <rtt/TaskContext.hpp>
+#include <rtt/base/AttributeBase.hpp>
+#include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/scripting/ScriptingService.hpp>
+#include <rtt/scripting/check.hpp>
+#include <rtt/scripting/detail/compile/unit.hpp>
+
+#include <exception>
+#include <utility>
+
+namespace RTT {
+namespace scripting {
+namespace detail {
+
+namespace {
+
+/** The code of an expression that is evaluated once. */
+struct Evaluation {
+    std::unique_ptr<Code> code;
+    base::DataSourceBase::shared_ptr value;  ///< once the code was executed; null for void
+};
+
+/** Of a type that no variable can be made of, the value is what the expression itself gives. */
+base::DataSourceBase::shared_ptr keepValue(Unit& unit, const Operand& operand) {
+    if (operand.kind == Kind::None) {
+        unit.discard(operand);
+        return nullptr;
+    }
+    const base::DataSourceBase::shared_ptr source = unit.sourceOf(operand);
+    const base::DataSourceBase::shared_ptr copy = source->getTypeInfo()->buildValue();
+    if (copy) {
+        unit.store(unit.fromSource(copy, operand.at), operand, "its copy");
+        return copy;
+    }
+    unit.discard(operand);
+    return source;
+}
+
+/** No code after an error, which is reported. */
+Evaluation evaluationOf(Compiler::State& state, Scope& scope, const ast::Expression& expression) {
+    oroforge::diag::Sink& sink = *state.where.sink;
+    const std::size_t errors = sink.errorCount();
+    Evaluation result{std::make_unique<Code>(), nullptr};
+    result.code->keep(state.activations);
+    Unit unit(state, state.where, *result.code, scope);
+    try {
+        unit.begin(expression.at);
+        result.value = keepValue(unit, unit.expression(expression));
+        unit.end();
+    } catch (const Unresolved&) {
+        // Reported.
+    } catch (const std::exception& thrown) {
+        sink.error({state.where.file, expression.at.line, expression.at.column}, "OPS119",
+                   std::string("cannot be compiled: ") + thrown.what());
+    }
+    if (sink.errorCount() != errors) result.code.reset();
+    return result;
+}
+
+}  // namespace
+
+TypedText::TypedText(TaskContext& component, std::shared_ptr<SourceFile> file, Scope& scope)
+    : ScriptReader(component, std::move(file)), gate_(component.engine()->gate()), scope_(scope) {}
+
+TypedText::~TypedText() = default;
+
+bool TypedText::run(TypedInput::Answer& answer, std::ostream& out) {
+    out_ = &out;
+    if (!parse()) return false;
+    for (const ast::Item& item : file_->tree.items) {
+        answer_ = {};
+        if (gate_->closed()) {
+            error(item.at, "OPS415", "the component is gone, which a statement before this one has destroyed");
+            return false;
+        }
+        if (!take(item)) return false;
+    }
+    answer = answer_;
+    return true;
+}
+
+void TypedText::answer(const Source& value) {
+    answer_.kind = value ? TypedInput::Answer::Value : TypedInput::Answer::Void;
+    answer_.value = value;
+}
+
+bool TypedText::take(const ast::Item&, const ast::StatementPtr& statement) {
+    if (const auto* const todo = std::get_if<ast::Do>(&statement->what)) return evaluate(*todo->expression);
+    if (const auto* const declaration = std::get_if<ast::Declaration>(&statement->what))
+        return declare(*statement, *declaration);
+    const std::unique_ptr<Code> code = compiler_.statement(*statement, scope_);
+    return code && execute(*code);
+}
+
+bool TypedText::evaluate(const ast::Expression& expression) {
+    Compiler::State state(surroundings(internal::GlobalEngine::Instance()));
+    const Evaluation evaluation = evaluationOf(state, scope_, expression);
+    if (!evaluation.code || !execute(*evaluation.code)) return false;
+    answer(evaluation.value);
+    return true;
+}
+
+bool TypedText::isFree(const ast::Identifier& name) {
+    const Service& component = *component_.provides();
+    if (scope_.findHere(name.text) || !(component.hasAttribute(name.text) || component.hasProperty(name.text)))
+        return true;
+    error(name.at, "OPS111",
+          "'" + name.text + "' is " + (component.hasProperty(name.text) ? "a property" : "an attribute") +
+              " of component '" + component_.getName() + "' already; assign to it, or take another name");
+    return false;
+}
+
+bool TypedText::declare(const ast::Statement& statement, const ast::Declaration& declaration) {
+    for (const ast::Declarator& declarator : declaration.names)
+        if (!isFree(declarator.name)) return false;
+    const std::unique_ptr<Code> code = compiler_.statement(statement, scope_);
+    for (const ast::Declarator& declarator : declaration.names) {
+        const Scope::Entry* const entry = scope_.findHere(declarator.name.text);
+        has_aliases_ = has_aliases_ || (entry && entry->alias);
+    }
+    if (!code || !execute(*code)) return false;
+    for (const ast::Declarator& declarator : declaration.names) publish(declarator);
+    return true;
+}
+
+/** What was declared becomes an attribute of the component. */
+void TypedText::publish(const ast::Declarator& declarator) {
+    const Scope::Entry* const entry = scope_.findHere(declarator.name.text);
+    if (!entry || !entry->source || gate_->closed()) return;
+    const types::TypeInfo& type = *entry->source->getTypeInfo();
+    const std::string& name = declarator.name.text;
+    std::unique_ptr<base::AttributeBase> made(entry->constant ? type.buildConstant(name, entry->source)
+                                                              : type.buildAttribute(name, entry->source));
+    if (made) component_.provides()->setValue(made.release());
+    const Source copy = type.buildValue();
+    if (copy && copy->update(entry->source.get())) answer(copy);
+}
+
+/** The service gets the item alone, at the place it has in the whole text. */
+bool TypedText::define(const ast::Item& item) {
+    std::string text = file_->text.substr(0, item.begin + item.size);
+    for (std::size_t i = 0; i != item.begin; ++i)
+        if (text[i] != '\n') text[i] = ' ';
+    if (!component_.loadService("scripting")) {
+        error(item.at, "OPS416",
+              "component '" + component_.getName() + "' has no service 'scripting' that would keep this");
+        return false;
+    }
+    const auto service = boost::dynamic_pointer_cast<ScriptingService>(component_.provides()->getService("scripting"));
+    if (!service) {
+        error(item.at, "OPS416",
+              "the service 'scripting' of component '" + component_.getName() + "' belongs to another process");
+        return false;
+    }
+    // Where it has been checked, little is left to fail; that is in the log.
+    return checkScriptText(text, file_->name, component_, *out_) && service->evalInternal(file_->name, text);
+}
+
+}  // namespace detail
+}  // namespace scripting
+}  // namespace RTT
