@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/ProgramInterface.hpp>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 ProgramInterface::~ProgramInterface() = default;
 
@@ -22,5 +21,4 @@ std::string ProgramInterface::getProgramStatusStr() const {
     return "unknown";
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

@@ -19,8 +19,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace diag = oroforge::diag;
 using detail::Contents;
@@ -209,7 +208,6 @@ void ScriptingService::retire(ProgramInterfacePtr program) {
         loaded_->retired.keep(std::move(program));  // it was written in C++
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting
 
 ORO_SERVICE_NAMED_PLUGIN(RTT::scripting::ScriptingService, "scripting")

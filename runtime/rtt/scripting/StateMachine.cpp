@@ -17,8 +17,7 @@
 
 #include <unistd.h>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace {
 
@@ -333,5 +332,4 @@ bool StateMachine::bringDown() {
     return true;
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

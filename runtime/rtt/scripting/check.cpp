@@ -8,8 +8,7 @@
 
 #include <diag/print.hpp>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace {
 
@@ -57,5 +56,4 @@ bool checkScriptText(const std::string& text, const std::string& name, TaskConte
     return check(text, name, component, messages, nothing, expected);
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

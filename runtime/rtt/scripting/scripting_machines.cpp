@@ -8,8 +8,7 @@
 
 #include <diag/nearest_match.hpp>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 bool ScriptingService::loadStateMachine(StateMachinePtr machine) {
     if (!machine || !getOwner()) return false;
@@ -156,5 +155,4 @@ std::string ScriptingService::getStateMachineText(const std::string& name) const
     return loaded_->machines.ask(name, std::string(), &StateMachine::getText);
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

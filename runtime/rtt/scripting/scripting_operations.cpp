@@ -3,8 +3,7 @@
 // The operations of the scripting service.
 #include <rtt/scripting/ScriptingService.hpp>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace {
 /** Of several functions of that name, the one that takes no more than a text. */
@@ -125,5 +124,4 @@ void ScriptingService::addStateMachineOperations() {
         .arg(name, which);
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

@@ -9,8 +9,7 @@
 
 #include <diag/nearest_match.hpp>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 bool ScriptingService::loadProgram(ProgramInterfacePtr program) {
     if (!program || !getOwner()) return false;
@@ -105,5 +104,4 @@ std::string ScriptingService::getProgramText(const std::string& name) const {
     return loaded_->programs.ask(name, std::string(), &ProgramInterface::getText);
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace diag = oroforge::diag;
 
@@ -72,5 +71,4 @@ bool TypedInput::goesOn(const std::string& text) {
     }
 }
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting

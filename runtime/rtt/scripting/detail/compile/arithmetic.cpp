@@ -8,9 +8,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -175,6 +173,4 @@ void convertValue(Kind from, const void* a, Kind to, void* b) {
     });
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

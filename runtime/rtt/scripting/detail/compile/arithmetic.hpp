@@ -10,9 +10,7 @@
 
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 struct Operation {
     Action act = nullptr;  ///< null: these types have no such operator
@@ -35,8 +33,6 @@ Action conversionAction(Kind from, Kind to);
 /** The same at once. */
 void convertValue(Kind from, const void* a, Kind to, void* b);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 std::string joined(const std::vector<ast::Identifier>& parts) {
     std::string text;
@@ -60,6 +58,4 @@ std::string elementsOf(const types::TypeInfo& type) {
     return "its elements are of type " + name + (name == "double" ? ", as 1.0 is; 1 is an int" : "");
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -13,9 +13,7 @@
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** From left to right: what a later argument calls may change what an earlier one is. Those that `isOutput` are variables. */
 std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsOutput& isOutput,
@@ -271,6 +269,4 @@ Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& defi
     return result;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -7,9 +7,7 @@
 #include <rtt/types/SizeLimit.hpp>
 #include <rtt/types/Types.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 void Unit::declare(const ast::Declaration& declaration, bool again) {
     for (const ast::Declarator& declarator : declaration.names) {
@@ -175,6 +173,4 @@ void Unit::declareAlias(const ast::Declaration& declaration, const ast::Declarat
     addEntry(declarator.name, std::move(entry));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <type_traits>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -388,6 +386,4 @@ base::DataSourceBase* Unit::keep(Source source) {
     return plain;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -338,6 +336,4 @@ unsigned Unit::lineOfLaterFunction(const ast::Identifier& name) const {
     return 0;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

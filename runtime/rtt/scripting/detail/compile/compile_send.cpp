@@ -17,9 +17,7 @@
 
 #include <typeinfo>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -211,6 +209,4 @@ void Unit::failUnsent(const ast::Identifier& handle) {
     error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -6,9 +6,7 @@
 #include <rtt/scripting/detail/execute/instructions.hpp>
 #include <rtt/scripting/detail/compile/overloaded.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 void Unit::block(const ast::Block& block) {
     for (const auto& each : block.statements) {
@@ -124,6 +122,4 @@ void Unit::jumpBack(std::size_t target) {
     code_.at(from).offset = static_cast<std::ptrdiff_t>(target) - static_cast<std::ptrdiff_t>(from);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -6,9 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -169,6 +167,4 @@ Activation* Compiler::State::activate(const std::shared_ptr<const FunctionDefini
     return (activations->of[definition.get()] = std::move(made)).get();
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

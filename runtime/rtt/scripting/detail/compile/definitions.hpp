@@ -13,9 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** A type of state machines: a tree, and the file it stands in with its name and variables. */
 struct MachineType {
@@ -77,8 +75,6 @@ private:
     std::shared_ptr<Shared<MachineTypes>> machine_types_ = std::make_shared<Shared<MachineTypes>>();
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

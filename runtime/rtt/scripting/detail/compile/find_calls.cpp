@@ -7,9 +7,7 @@
 #include <set>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -132,6 +130,4 @@ std::vector<FoundCall> found(const Tree& tree, bool certain) {
 std::vector<FoundCall> callsIn(const ast::Statement& statement) { return found(statement, true); }
 std::vector<FoundCall> callsIn(const ast::Block& block) { return found(block, false); }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

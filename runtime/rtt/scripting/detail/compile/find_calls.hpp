@@ -7,9 +7,7 @@
 
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** What may be a call: constructors of known types are none, names without argument list may be values. */
 struct FoundCall {
@@ -36,8 +34,6 @@ void forIgnored(const ast::Expression& expression, Visit visit) {
     for (const ast::Binary::Step& step : row->steps) forIgnored(*step.right, visit);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

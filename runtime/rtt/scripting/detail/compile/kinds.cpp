@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compile/kinds.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 Kind kindOf(const base::DataSourceBase& source) { return kindOf(source.getTypeId()); }
 
@@ -27,6 +25,4 @@ Kind widened(const std::type_info* id) {
     return *id == typeid(unsigned long) ? Kind::ULLong : Kind::Other;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

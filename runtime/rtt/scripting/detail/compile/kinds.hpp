@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <typeinfo>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 enum class Kind : std::uint8_t { Bool, Char, Int, UInt, LLong, ULLong, Float, Double, Other, None };
 
@@ -46,8 +44,6 @@ auto withType(Kind kind, F f) {
     }
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -8,9 +8,7 @@
 
 #include <typeinfo>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -47,6 +45,4 @@ const void* fixedAddress(base::DataSourceBase& source, Kind kind) {
     return withType(kind, [&](auto type) { return addressIn<typename decltype(type)::type>(source); });
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

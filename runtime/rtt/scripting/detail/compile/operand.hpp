@@ -8,9 +8,7 @@
 #include <rtt/scripting/detail/syntax/ast.hpp>
 #include <rtt/scripting/detail/compile/kinds.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /**
  * Either where the value is once the code before has been executed (`address`, direct kinds only), or a source that gives
@@ -41,8 +39,6 @@ std::string typeName(const Operand& operand);
 /** Where the value of a source of a direct kind always is; null if it has to be evaluated for that. */
 const void* fixedAddress(base::DataSourceBase& source, Kind kind);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -4,9 +4,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_OVERLOADED_HPP
 #define ORO_SCRIPTING_DETAIL_OVERLOADED_HPP
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 template <class... F>
 struct Overloaded : F... {
@@ -15,8 +13,6 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

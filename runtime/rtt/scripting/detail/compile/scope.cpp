@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 boost::shared_ptr<const OperationInterfacePart> Scope::Handle::operation() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -67,6 +65,4 @@ std::map<std::string, Scope::Entry> Scope::entries() const {
     return entries_;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

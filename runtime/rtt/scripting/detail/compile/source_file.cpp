@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 // What stands in the last line of the item before belongs to that.
 SourceFile::Excerpt SourceFile::withComment(const ast::Item& item) const {
@@ -24,6 +22,4 @@ SourceFile::Excerpt SourceFile::withComment(const ast::Item& item) const {
             {static_cast<unsigned>(line) + 1, static_cast<unsigned>(column) + 1}};
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -11,9 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /**
  * A script with the variables of its top level. Whatever a script defines and needs its tree later (functions, state machine
@@ -52,8 +50,6 @@ std::shared_ptr<const Part> partOf(const SourceFilePtr& file, const Part& part) 
     return std::shared_ptr<const Part>(file, &part);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -6,9 +6,7 @@
 
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 using internal::FailureReport;
 
@@ -45,6 +43,4 @@ ToldCall* ToldCall::copy(std::map<const base::DataSourceBase*, base::DataSourceB
     return static_cast<ToldCall*>(made);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -9,9 +9,7 @@
 #include <map>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /**
  * The call of an operation that gives reasons if it returns false (internal::FailureReport): they are logged with the place of
@@ -36,8 +34,6 @@ private:
     const bool ignored_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 using internal::FailureReport;
 using internal::SentCall;
@@ -167,6 +165,4 @@ ToldCollect* ToldCollect::copy(std::map<const base::DataSourceBase*, base::DataS
     return static_cast<ToldCollect*>(made);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -18,9 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** How a call ends that was sent. The script that sent it may be told of a failure, if that is strict; else, and if it does not
     ask, the log is. Any thread. */
@@ -122,8 +120,6 @@ private:
     const bool elsewhere_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Thrown, within the compiler, after an error has been reported. */
 struct Unresolved {};
@@ -240,8 +238,6 @@ auto Unit::watched(ast::Place at, Convert convert) {
     return made;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 std::size_t Code::add(const Instruction& instruction) {
     instructions_.push_back(instruction);
@@ -72,6 +70,4 @@ const Instruction* Code::handlerOf(const Instruction* at) const {
     return nullptr;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -14,9 +14,7 @@
 #include <memory>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class Process;
 struct Instruction;
@@ -108,8 +106,6 @@ private:
     std::vector<std::shared_ptr<void>> kept_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

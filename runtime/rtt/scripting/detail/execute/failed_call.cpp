@@ -10,9 +10,7 @@
 #include <map>
 #include <sstream>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -96,6 +94,4 @@ void FailedCall::addLines(diag::SourceCache& sources, const std::string& file, c
     for (const auto& [name, lines] : files) sources.add(name, joined(lines));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The place of a call in a script, with its line for messages, which no thread of a component reads from the file. */
 struct CallPlace {
@@ -55,8 +53,6 @@ private:
     std::vector<Call> calls_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -7,9 +7,7 @@
 #include <rtt/scripting/detail/compile/told_send.hpp>
 #include <rtt/types/detail/refusal_watch.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 namespace instructions {
 
 using types::detail::RefusalWatch;
@@ -72,6 +70,4 @@ const Instruction* failEvaluation(Process& process) {
 }
 
 }  // namespace instructions
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -7,9 +7,7 @@
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/scripting/detail/execute/process.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 namespace instructions {
 
 // What each of them uses of its Instruction is said in brackets.
@@ -62,8 +60,6 @@ const Instruction* store(const Instruction& self, Process&) {
 }
 
 }  // namespace instructions
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

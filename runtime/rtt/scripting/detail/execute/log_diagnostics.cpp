@@ -10,9 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -30,6 +28,4 @@ void logDiagnostics(const diag::Sink& sink, diag::SourceCache& sources) {
     write(Error, errors.str());
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -6,15 +6,11 @@
 #include <diag/sink.hpp>
 #include <diag/source_cache.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** One message of all errors, and one of all that is no error, with the lines of the texts. */
 void logDiagnostics(const oroforge::diag::Sink& sink, oroforge::diag::SourceCache& sources);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 void Peers::add(const TaskContext& component) {
     const auto& gate = component.engine()->gate();
@@ -16,6 +14,4 @@ void Peers::add(const TaskContext& component) {
     if (std::none_of(peers_.begin(), peers_.end(), same)) peers_.push_back({component.getName(), gate});
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

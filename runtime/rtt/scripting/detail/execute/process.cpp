@@ -14,9 +14,7 @@
 #include <exception>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -228,6 +226,4 @@ const Instruction* Process::leave() {
     return next;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -15,9 +15,7 @@
 #include <string>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 struct Activation;
 
@@ -147,8 +145,6 @@ struct Activation {
     std::weak_ptr<const std::string> text;  ///< of the file, which it does not keep
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -11,9 +11,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -242,6 +240,4 @@ Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskC
     return service;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -15,9 +15,7 @@
 #include <memory>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class Program final : public ProgramInterface {
 public:
@@ -73,8 +71,6 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
 /** The service by which others command a program; not added to the component yet. */
 Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskContext& owner);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -17,9 +17,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 using internal::EngineGate;
 using internal::Interruption;
@@ -286,6 +284,4 @@ void FunctionCall::finish(State state) {
     if (waiting) waiting->waitPoint.notify();
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

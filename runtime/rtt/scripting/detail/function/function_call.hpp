@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class FunctionPool;
 
@@ -115,8 +113,6 @@ private:
     FunctionCall* next_ = nullptr;        // in there
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -11,9 +11,7 @@
 #include <rtt/scripting/detail/function/function_sources.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 using base::DataSourceBase;
 
@@ -210,6 +208,4 @@ bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Func
     return true;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

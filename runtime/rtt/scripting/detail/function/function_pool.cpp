@@ -11,9 +11,7 @@
 
 #include <stdexcept>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -111,6 +109,4 @@ void FunctionPool::giveBack(FunctionCall* call) noexcept {
     while (!pool->returned_.compare_exchange_weak(first, call, std::memory_order_release, std::memory_order_relaxed));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

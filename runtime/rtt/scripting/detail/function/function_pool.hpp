@@ -9,9 +9,7 @@
 #include <atomic>
 #include <memory>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The executions of one function: compiles another one when all are taken. */
 class FunctionPool : public std::enable_shared_from_this<FunctionPool> {
@@ -44,8 +42,6 @@ private:
     std::atomic<FunctionCall*> returned_{nullptr};  // anybody adds, takeFree() takes all
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

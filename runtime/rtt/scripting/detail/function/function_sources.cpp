@@ -9,9 +9,7 @@
 
 #include <stdexcept>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 using base::DataSourceBase;
 
@@ -162,6 +160,4 @@ DataSourceBase::shared_ptr makeCollectSource(std::shared_ptr<FunctionOwner> owne
     return new CollectSource(std::move(owner), std::move(handle), std::move(variable), std::move(blocking));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

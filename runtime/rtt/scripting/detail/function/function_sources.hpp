@@ -11,9 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 typedef internal::DataSource<FunctionCall::shared_ptr> FunctionHandle;
 typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
@@ -42,8 +40,6 @@ base::DataSourceBase::shared_ptr makeCollectSource(std::shared_ptr<FunctionOwner
                                                    base::DataSourceBase::shared_ptr variable,
                                                    internal::DataSource<bool>::shared_ptr blocking);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -7,9 +7,7 @@
 #include <rtt/scripting/StateMachine.hpp>
 #include <rtt/scripting/detail/compile/definitions.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Whether states, transitions and sub machines fit together. False, with all errors in `*where.sink`, if they do not. The names
     in programs and conditions are looked up by makeMachine(). */
@@ -26,8 +24,6 @@ bool checkInstance(const ast::Instance& instance, const MachineTypes& known, con
 StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known, const SourceFile& file,
                             const Surroundings& where);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -9,9 +9,7 @@
 
 #include <diag/nearest_match.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -170,6 +168,4 @@ void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInt
     model_->events.push_back(std::move(event));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

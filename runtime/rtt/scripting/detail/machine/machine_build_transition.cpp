@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/machine/machine_builder.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 MachineSelection MachineBuilder::selection(const ast::Selection& tree, const Scope& scope) {
     MachineSelection made;
@@ -45,6 +43,4 @@ void MachineBuilder::addTransition(const ast::Transition& tree, const Scope& sco
     }
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 MachineBuilder::MachineBuilder(const ast::Instance& instance, const Context& context)
     : instance_(instance),
@@ -189,6 +187,4 @@ StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known
     return MachineBuilder(root, context).build();
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /**
  * Makes one machine, and by further builders its sub machines:
@@ -98,8 +96,6 @@ private:
     std::vector<std::unique_ptr<Scope>> state_scopes_;  // each sees those of the states before
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -165,6 +163,4 @@ bool checkInstance(const ast::Instance& instance, const MachineTypes& known, con
     return where.sink->errorCount() == before;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -8,9 +8,7 @@
 
 #include <unistd.h>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 constexpr std::int64_t kSlice = 1000000;  // between two looks, in ns
@@ -34,6 +32,4 @@ void MachineClaim::wait(std::int64_t patience) {
     }
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -9,9 +9,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The thread that has it; null if none. Taken with acquire, given back with release: who takes it sees what the last one did. */
 typedef std::atomic<std::uintptr_t> MachineOwner;
@@ -54,8 +52,6 @@ private:
     bool taken_ = false, nested_ = false;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

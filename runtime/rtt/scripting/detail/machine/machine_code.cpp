@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/machine/machine_code.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace)
     : code_(std::move(code)),
@@ -67,6 +65,4 @@ std::string PortGuard::failure() const {
     return "the sample of port '" + reader_->name() + "' cannot be assigned to its variable";
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 typedef decltype(Surroundings::roundLimit) RoundLimit;
 
@@ -92,8 +90,6 @@ private:
     const oroforge::diag::Location where_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

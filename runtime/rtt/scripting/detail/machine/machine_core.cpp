@@ -3,9 +3,7 @@
 // Commands, and which of them counts in a cycle.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 Routine::~Routine() = default;
 Guard::~Guard() = default;
@@ -263,6 +261,4 @@ void MachineCore::continueDeactivation() {
     setStatus(Status::inactive);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

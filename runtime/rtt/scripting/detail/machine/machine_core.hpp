@@ -12,9 +12,7 @@
 #include <atomic>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Is told what a machine does. Called in the thread that executes it. */
 class MachineObserver {
@@ -164,8 +162,6 @@ private:
     std::size_t looked_at_ = 0;  // transitions, in this round
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

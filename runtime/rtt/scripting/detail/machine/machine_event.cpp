@@ -5,9 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -112,6 +110,4 @@ OperationEvent::Call* EventQueue::takeList() {
     return first;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class EventQueue;
 
@@ -101,8 +99,6 @@ private:
     std::shared_ptr<EventQueue> self_;  // meanwhile
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

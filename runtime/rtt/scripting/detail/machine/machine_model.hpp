@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** A program: entry, run, handle, exit, of a transition, or the initial values of variables. Real-time safe, except failure()
     and where(), and what the script itself calls. */
@@ -107,8 +105,6 @@ struct MachineModel {
     SourceFilePtr source;  ///< of the type; or null
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -3,9 +3,7 @@
 // What has to be executed, in its order.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 void MachineCore::schedule(Routine*& slot, Routine* routine) {
     slot = routine;
@@ -164,6 +162,4 @@ void MachineCore::tell(const char* what, const std::string& state) {
     if (traced_.load(std::memory_order_relaxed)) observer_.did(what, state);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

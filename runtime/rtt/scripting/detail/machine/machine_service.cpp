@@ -4,9 +4,7 @@
 
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -122,6 +120,4 @@ void addMachineValues(Service& service, const Scope& scope) {
     }
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

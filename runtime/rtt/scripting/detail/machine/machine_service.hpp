@@ -10,9 +10,7 @@
 
 #include <boost/weak_ptr.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The machine that operations work on: there is none before it is made and after it is destroyed. */
 typedef std::shared_ptr<boost::weak_ptr<StateMachine>> MachineSlot;
@@ -22,8 +20,6 @@ void addMachineOperations(Service& service, const MachineSlot& slot);
 /** Variables and constants as attributes. */
 void addMachineValues(Service& service, const Scope& scope);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

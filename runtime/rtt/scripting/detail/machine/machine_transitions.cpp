@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** While a condition is evaluated, which may call what calls this machine. */
 class MachineCore::Looking {
@@ -141,6 +139,4 @@ bool MachineCore::happened(MachineEvent& event) {
     return true;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

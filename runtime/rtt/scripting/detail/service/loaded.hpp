@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 namespace detail {
 
@@ -117,7 +116,6 @@ struct ScriptingService::Loaded {
     detail::Retired retired;
 };
 
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting
 
 #endif

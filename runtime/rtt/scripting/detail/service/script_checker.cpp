@@ -14,9 +14,7 @@
 #include <iterator>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -221,6 +219,4 @@ bool ScriptChecker::take(const ast::Item&, const ast::Instance& machine) {
     return true;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** See check.hpp. */
 class ScriptChecker final : private ScriptReader, private NamesToCome {
@@ -85,8 +83,6 @@ private:
     bool incomplete_ = false;                          // something was not compiled
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

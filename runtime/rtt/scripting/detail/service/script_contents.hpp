@@ -8,9 +8,7 @@
 
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Calls `error(place, code, message)` for all that does not belong into such a script. */
 template <class Items, class Error>
@@ -32,8 +30,6 @@ void checkContents(const Items& items, Contents contents, Error error) {
     if (!programs && !machines) error(ast::Place{}, "OPS413", "found no RootMachine, expected at least one");
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -11,9 +11,7 @@
 #include <filesystem>
 #include <initializer_list>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -151,6 +149,4 @@ bool ScriptChecker::isWithin(const std::string& script) const {
     return false;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -14,9 +14,7 @@
 #include <thread>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 using internal::Interruption;
@@ -166,6 +164,4 @@ diag::Diagnostic& ScriptReader::refuse(const char* kind, const char* code, const
     return error(name.at, code, std::string(kind) + " '" + name.text + "' cannot be loaded: " + why);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

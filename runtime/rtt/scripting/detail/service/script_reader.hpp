@@ -13,9 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Why a program or state machine cannot be loaded: what has its name already is a `kind`. */
 std::string nameTaken(const TaskContext& component, const char* kind);
@@ -71,8 +69,6 @@ private:
     std::map<std::string, ast::Place> defined_;  // with the kind before the name
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

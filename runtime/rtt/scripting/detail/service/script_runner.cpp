@@ -16,9 +16,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace diag = oroforge::diag;
 
@@ -162,6 +160,4 @@ void ScriptRunner::report() {
     sink_ = {};
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

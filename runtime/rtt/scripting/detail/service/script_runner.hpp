@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
+namespace RTT::scripting {
 
 class ScriptingService;
 
@@ -62,7 +61,6 @@ private:
 };
 
 }  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting
 
 #endif

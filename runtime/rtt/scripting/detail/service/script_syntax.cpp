@@ -10,9 +10,7 @@
 #include <rtt/scripting/detail/service/script_contents.hpp>
 #include <rtt/scripting/detail/syntax/script_text.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 void checkSyntax(const std::string& file, oroforge::diag::Sink& sink) {
     if (const auto text = readScript(file, sink)) (void)parse(*text, file, sink);
@@ -49,6 +47,4 @@ void checkAlone(const std::string& file, const std::string& component, Contents 
     });
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -9,9 +9,7 @@
 
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** What a text may have. */
 enum class Contents { Everything, Programs, StateMachines };
@@ -25,8 +23,6 @@ RTT_API void checkSyntax(const std::string& file, oroforge::diag::Sink& sink);
 RTT_API void checkAlone(const std::string& file, const std::string& component, Contents contents,
                         oroforge::diag::Sink& sink);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -12,9 +12,7 @@
 #include <exception>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -160,6 +158,4 @@ bool TypedText::define(const ast::Item& item) {
     return checkScriptText(text, file_->name, component_, *out_) && service->evalInternal(file_->name, text);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

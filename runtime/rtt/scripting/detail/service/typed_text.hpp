@@ -12,9 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class TypedText final : private ScriptReader {
 public:
@@ -50,8 +48,6 @@ private:
     bool has_aliases_ = false;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

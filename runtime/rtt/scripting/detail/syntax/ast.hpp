@@ -9,9 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 namespace ast {
 
 /** In the text of the script; lines and columns count from 1, columns in bytes. */
@@ -204,8 +202,6 @@ struct Script {
 };
 
 }  // namespace ast
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -8,9 +8,7 @@
 
 #include <string_view>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** Cheap to copy: who wants to look ahead reads from a copy. Reports nothing; what is wrong is a token, too. */
 class Lexer {
@@ -46,8 +44,6 @@ private:
     bool new_line_ = true;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/syntax/parse_rules.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** `{ … }`, or one statement. */
 ast::Block Parser::block() {
@@ -87,6 +85,4 @@ void Parser::closeBraces(const Token& open) {
     forget();
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

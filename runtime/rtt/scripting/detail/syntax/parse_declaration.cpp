@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/syntax/parse_rules.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 bool Parser::atDeclaration() const { return atWord("var") || atWord("const") || atWord("alias"); }
 
@@ -65,6 +63,4 @@ ast::StatementPtr Parser::parameters() {
     return makeStatement(at, std::move(result));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

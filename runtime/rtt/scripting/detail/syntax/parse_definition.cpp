@@ -3,9 +3,7 @@
 // Functions, programs and RootMachine.
 #include <rtt/scripting/detail/syntax/parse_rules.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -116,6 +114,4 @@ void Parser::instanceArguments(ast::Instance& instance) {
     expectClosing(TokenKind::CloseParen, "',' or ')'", open);
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -263,6 +261,4 @@ void Parser::failTooDeep() {
     failWith("OPS010", "found expressions or blocks in each other more than " + std::to_string(kMaxNesting) + " deep");
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

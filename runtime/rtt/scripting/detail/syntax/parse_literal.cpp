@@ -6,9 +6,7 @@
 #include <charconv>
 #include <limits>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -188,6 +186,4 @@ Problem readLetter(std::string_view quoted, char& letter) {
     return {};
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -11,9 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 struct LiteralProblem {
     const char* code;
@@ -34,8 +32,6 @@ std::optional<LiteralProblem> readText(std::string_view quoted, std::string& tex
 /** With its quotes. */
 std::optional<LiteralProblem> readLetter(std::string_view quoted, char& letter);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

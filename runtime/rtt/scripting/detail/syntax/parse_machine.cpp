@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -162,6 +160,4 @@ void Parser::precondition(ast::State& state) {
     state.detours.push_back(std::move(detour));
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

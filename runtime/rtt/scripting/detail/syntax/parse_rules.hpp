@@ -9,9 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 class Parser : private TokenReader {
 public:
@@ -164,8 +162,6 @@ ast::StatementPtr makeStatement(ast::Place at, What what) {
     return result;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

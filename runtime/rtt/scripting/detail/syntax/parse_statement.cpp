@@ -4,9 +4,7 @@
 
 #include <diag/nearest_match.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -237,6 +235,4 @@ void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::D
     }
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -7,9 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -352,6 +350,4 @@ void TokenReader::recoverAtBrace(bool acrossSemicolons) {
     open_parens_ = 0;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

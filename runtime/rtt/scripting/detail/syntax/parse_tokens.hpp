@@ -14,9 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** True for words that cannot be names. */
 bool isReserved(std::string_view word);
@@ -117,8 +115,6 @@ private:
     oroforge::diag::Sink& sink_;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

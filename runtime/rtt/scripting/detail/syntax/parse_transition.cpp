@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/syntax/parse_rules.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 bool Parser::atTransitions() const { return atWord("transition") || atWord("transitions"); }
 
@@ -81,6 +79,4 @@ ast::Selection Parser::selection() {
     return result;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -6,9 +6,7 @@
 
 #include <diag/nearest_match.hpp>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 namespace {
 
@@ -85,6 +83,4 @@ void Parser::strayBrace() {
     advance();
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

@@ -10,9 +10,7 @@
 
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The whole text; every syntax error in it is reported to `sink`, then what is returned must not be executed. `name` stands
     for the file in messages. Time and memory grow linearly with the text; expressions and blocks nest at most
@@ -22,8 +20,6 @@ ast::Script parse(const std::string& text, const oroforge::diag::FileName& name,
 constexpr unsigned kMaxNesting = 200;
 constexpr std::size_t kMaxOperators = 100000;
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

@@ -7,9 +7,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 std::optional<std::string> readScript(const std::string& file, oroforge::diag::Sink& sink) {
     std::ifstream in(file, std::ios::binary);
@@ -21,6 +19,4 @@ std::optional<std::string> readScript(const std::string& file, oroforge::diag::S
     return std::nullopt;
 }
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail

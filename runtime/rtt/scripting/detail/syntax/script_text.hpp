@@ -8,15 +8,11 @@
 #include <optional>
 #include <string>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 /** The content of a script file; nothing if it cannot be read, and why in the sink. */
 std::optional<std::string> readScript(const std::string& file, oroforge::diag::Sink& sink);
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif

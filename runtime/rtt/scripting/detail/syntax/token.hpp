@@ -7,9 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace RTT {
-namespace scripting {
-namespace detail {
+namespace RTT::scripting::detail {
 
 enum class TokenKind : std::uint8_t {
     End,
@@ -57,8 +55,6 @@ struct Token {
     std::size_t begin = 0, end = 0;
 };
 
-}  // namespace detail
-}  // namespace scripting
-}  // namespace RTT
+}  // namespace RTT::scripting::detail
 
 #endif
