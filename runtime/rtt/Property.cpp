@@ -4,9 +4,7 @@
 
 #include "Logger.hpp"
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 const std::string& noText() {
@@ -26,6 +24,4 @@ const std::string& descriptionOf(const base::PropertyBase* property) {
     return property ? property->getDescription() : noText();
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -121,13 +121,11 @@ std::ostream& operator<<(std::ostream& os, const PropertyBag& bag) {
     return os << "]]";
 }
 
-namespace internal {
-namespace detail {
+namespace internal::detail {
 bool composeFromBag(const PropertyBag& bag, base::DataSourceBase::shared_ptr target) {
     const base::DataSourceBase::shared_ptr source(new ConstReferenceDataSource<PropertyBag>(bag));
     return types::detail::updateByAnyMeans(target, source);
 }
-}  // namespace detail
-}  // namespace internal
+}  // namespace internal::detail
 
 }  // namespace RTT

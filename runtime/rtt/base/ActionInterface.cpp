@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include "ActionInterface.hpp"
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 ActionInterface::~ActionInterface() = default;
 
@@ -13,5 +12,4 @@ bool ActionInterface::valid() const { return true; }
 
 ActionInterface* ActionInterface::copy(std::map<const DataSourceBase*, DataSourceBase*>&) const { return clone(); }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -5,8 +5,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/internal/AccessGate.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 ActivityInterface::ActivityInterface() : gate_(std::make_shared<internal::AccessGate>()) {}
 
@@ -86,5 +85,4 @@ bool ActivityInterface::isSelf() const {
     return thread && thread->isSelf();
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -4,8 +4,7 @@
 
 #include <rtt/internal/Reclaimer.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::Reclaimer;
 
@@ -154,5 +153,4 @@ bool ChannelElementBase::getSampleErased(void* sample) {
     return input && input->getSampleErased(sample);
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

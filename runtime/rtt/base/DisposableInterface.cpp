@@ -3,10 +3,8 @@
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 DisposableInterface::~DisposableInterface() = default;
 bool DisposableInterface::isError() const { return false; }
 ExecutableInterface::~ExecutableInterface() = default;
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

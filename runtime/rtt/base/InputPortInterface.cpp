@@ -18,8 +18,7 @@
 #include <cstring>
 #include <memory>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::ChannelArray;
 using internal::Reclaimer;
@@ -152,5 +151,4 @@ bool InputPortInterface::channelReady(ChannelElementBase::shared_ptr const& chan
     return addConnection(owned.release(), channel, policy);
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -4,8 +4,7 @@
 
 #include <rtt/internal/OperationPart.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 OperationBase::OperationBase(const std::string& name, OperationCallerInterface* implementation,
                              const internal::OperationTable& table)
@@ -52,5 +51,4 @@ OperationInterfacePart* OperationBase::makePart(bool callOnly) const {
     return new internal::OperationPart(description_, implementation_, *table_, callOnly);
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -16,8 +16,7 @@
 
 #include <cstring>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::ChannelArray;
 using internal::Reclaimer;
@@ -230,5 +229,4 @@ bool OutputPortInterface::addConnection(internal::ConnID* id, ChannelElementBase
     return false;
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -12,8 +12,7 @@
 #include <rtt/internal/Reclaimer.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 PortInterface::PortInterface(const std::string& name, const types::TypeOps* ops)
     : name_(name),
@@ -119,5 +118,4 @@ ChannelElementBase::shared_ptr PortInterface::buildStorage(ConnPolicy const&) co
     return nullptr;
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -7,8 +7,7 @@
 #include "PropertyIntrospection.hpp"
 #include <ostream>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::detail::BagUpdate;
 
@@ -109,5 +108,4 @@ std::ostream& operator<<(std::ostream& os, PropertyBase* property) {
     return os << property->getDataSource();
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -4,8 +4,7 @@
 
 #include <rtt/base/ActivityInterface.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 RunnableInterface::RunnableInterface() = default;
 
@@ -23,5 +22,4 @@ os::ThreadInterface* RunnableInterface::getThread() const { return owner_task ? 
 ActivityInterface* RunnableInterface::getActivity() const { return owner_task; }
 void RunnableInterface::setActivity(ActivityInterface* activity) { owner_task = activity; }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -10,8 +10,7 @@
 #include <exception>
 #include <unistd.h>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::EngineGate;
 using internal::HookInProgress;
@@ -355,5 +354,4 @@ void TaskCore::cleanupHook() {}
 void TaskCore::exceptionHook() {}
 void TaskCore::dataOnPortCallback(PortInterface*) {}
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -22,8 +22,7 @@
 #include <exception>
 #include <thread>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 using internal::detail::Waiting;
 
@@ -102,5 +101,4 @@ void InputPortInterface::newDataAvailable() {
     if (iface && signalsInterface()) iface->dataOnPort(this);
 }
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

@@ -5,8 +5,7 @@
 
 #include <rtt/ConnPolicy.hpp>
 
-namespace RTT {
-namespace base {
+namespace RTT::base {
 
 StorageUsers::StorageUsers(const ConnPolicy& policy)
     : max_threads_(policy.max_threads > 0 ? static_cast<unsigned int>(policy.max_threads) : 0),
@@ -20,5 +19,4 @@ BufferBase::~BufferBase() = default;
 BufferBase::Options::Options(const ConnPolicy& policy)
     : StorageUsers(policy), circular_(policy.type == ConnPolicy::CIRCULAR_BUFFER) {}
 
-}  // namespace base
-}  // namespace RTT
+}  // namespace RTT::base

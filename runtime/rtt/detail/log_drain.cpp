@@ -7,8 +7,7 @@
 
 #include <csignal>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 void LogDrain::start() {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -82,5 +81,4 @@ void writeLogOnFatalSignals() {
     }
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

@@ -12,8 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 namespace {
 
@@ -88,5 +87,4 @@ void LogFile::close() noexcept {
     descriptor_ = -1;
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

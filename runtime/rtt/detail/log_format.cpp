@@ -5,8 +5,7 @@
 #include <charconv>
 #include <cstring>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 const char* levelTag(LoggerLevel level) noexcept {
     switch (level) {
@@ -80,5 +79,4 @@ std::string compilerName() {
 #endif
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

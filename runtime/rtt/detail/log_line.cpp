@@ -12,8 +12,7 @@
 #include <cstring>
 #include <pthread.h>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 namespace {
 
@@ -124,5 +123,4 @@ void LogLine::finish(bool flush) {
     stream.clear();
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 LogQueue::LogQueue() : cells_(new Cell[kCells]()) { clear(); }
 
@@ -66,5 +65,4 @@ bool LogQueue::take(LogRecord& record, char* bytes) noexcept {
     return true;
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

@@ -16,8 +16,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-namespace RTT {
-namespace detail {
+namespace RTT::detail {
 
 namespace {
 constexpr std::size_t kRecentLines = 1000;
@@ -310,5 +309,4 @@ std::string LogSink::takeLine() {
     return line;
 }
 
-}  // namespace detail
-}  // namespace RTT
+}  // namespace RTT::detail

@@ -13,8 +13,7 @@
 #include <climits>
 #include <cstring>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 namespace {
 
@@ -238,5 +237,4 @@ void FileDescriptorActivity::reportFailure(const detail::PollResult& found) {
     descriptors_->failureReported = found.error != 0;
 }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

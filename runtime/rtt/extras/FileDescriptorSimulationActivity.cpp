@@ -4,8 +4,7 @@
 
 #include <climits>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 // Scheduler, priority, CPUs and name would be those of a thread that there is not.
 FileDescriptorSimulationActivity::FileDescriptorSimulationActivity(int, base::RunnableInterface* r, const std::string&)
@@ -46,5 +45,4 @@ void FileDescriptorSimulationActivity::work(base::RunnableInterface::WorkReason 
     SimulationActivity::work(reason);
 }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

@@ -10,8 +10,7 @@
 #include <cxxabi.h>
 #include <exception>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 PeriodicActivity::PeriodicActivity(int priority, Seconds period, base::RunnableInterface* r)
     : PeriodicActivity(TimerThread::Instance(ORO_SCHED_RT, priority, period), r) {}
@@ -120,5 +119,4 @@ void PeriodicActivity::finalize() {
     if (runner) runner->finalize();
 }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

@@ -9,8 +9,7 @@
 
 #include <exception>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 SequentialActivity::SequentialActivity(base::RunnableInterface* r) { adopt(r); }
 
@@ -165,5 +164,4 @@ void SequentialActivity::finalize() {
     if (runner) runner->finalize();
 }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

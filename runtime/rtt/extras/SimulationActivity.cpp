@@ -5,8 +5,7 @@
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 SimulationActivity::SimulationActivity(double period, base::RunnableInterface* r)
     : PeriodicActivity(SimulationThread::Instance(period), r) {
@@ -31,5 +30,4 @@ bool SimulationActivity::isSelf() const {
 }
 bool SimulationActivity::execute() { return timerThread().executeNow(*this); }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

@@ -4,8 +4,7 @@
 
 #include <rtt/os/TimeService.hpp>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 namespace {
 
@@ -95,5 +94,4 @@ void SimulationThread::step() {
 
 void SimulationThread::finalize() { os::TimeService::Instance()->enableSystemClock(true); }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

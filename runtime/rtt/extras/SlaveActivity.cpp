@@ -14,8 +14,7 @@
 
 #include <exception>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 /**
  * The one message of a slave, made once so that trigger() allocates nothing. It is in the queue of the master at
@@ -342,5 +341,4 @@ void SlaveActivity::work(base::RunnableInterface::WorkReason reason) {
     if (runner) runner->work(reason);
 }
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace RTT {
-namespace extras {
+namespace RTT::extras {
 
 namespace {
 
@@ -201,5 +200,4 @@ bool TimerThread::isSelf() const { return os::Thread::isSelf() || cycling_ == os
 
 void TimerThread::finalize() {}
 
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras

@@ -4,8 +4,7 @@
 
 #include <rtt/os/detail/futex.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 void AccessGate::close() noexcept {
     closed_ = true;
@@ -18,5 +17,4 @@ void AccessGate::closeForGood() noexcept {
     Presence::forget(this);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <new>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -84,5 +83,4 @@ void CallPool::give(void* block) noexcept {
 
 bool CallPool::owns(const void* block) noexcept { return smallBlocks.owns(block) || largeBlocks.owns(block); }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

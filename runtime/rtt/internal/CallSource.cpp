@@ -9,8 +9,7 @@
 
 #include <stdexcept>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -111,5 +110,4 @@ template class CallSource<std::string>;
 template class CallSource<FlowStatus>;
 template class CallSource<WriteStatus>;
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

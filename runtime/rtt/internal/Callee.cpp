@@ -5,8 +5,7 @@
 #include <rtt/base/OperationBase.hpp>
 #include <rtt/internal/SignalBase.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 CalleeBase::~CalleeBase() = default;
 
@@ -37,5 +36,4 @@ std::string describe(const CalleeBase* callee) {
 
 void CalleeBase::emit(const SignalBase& signal, void* const* arguments) { signal.emitErased(arguments); }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 
 #include <new>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 static_assert(sizeof(ChannelArray) % alignof(ChannelArray::Entry) == 0, "entries follow the head without a gap");
 
@@ -32,5 +31,4 @@ void ChannelArray::retire(const ChannelArray* array) {
     });
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 
 #include <mutex>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 namespace {
 
 std::mutex& mutex() {
@@ -49,5 +48,4 @@ const ComponentDescription* ComponentDescriptions::find(const std::string& type,
     return nullptr;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

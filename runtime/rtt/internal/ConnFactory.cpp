@@ -7,8 +7,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 ConnFactory::~ConnFactory() = default;
 
@@ -87,5 +86,4 @@ std::unique_ptr<SampleStore> ConnFactory::makeStore(const types::TypeOps& ops, C
     return store;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

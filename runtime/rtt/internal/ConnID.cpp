@@ -4,8 +4,7 @@
 
 #include <rtt/base/PortInterface.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 ConnID::~ConnID() = default;
 
@@ -31,5 +30,4 @@ bool SharedConnID::isSameID(ConnID const& id) const {
 
 SharedConnID* SharedConnID::clone() const { return new SharedConnID(name_id); }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

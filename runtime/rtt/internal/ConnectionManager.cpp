@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 using base::ChannelElementBase;
 using base::PortInterface;
@@ -162,5 +161,4 @@ void ConnectionManager::publish() {
         port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()), std::memory_order_acq_rel));
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -8,8 +8,7 @@
 #include "FusedFunctorDataSource.hpp"
 #include <algorithm>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace detail {
 
@@ -84,5 +83,4 @@ std::vector<base::DataSourceBase::shared_ptr> checkedArguments(
 
 }  // namespace detail
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 
 #include <new>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 // A pointer, because threads end in any order with what they have.
@@ -107,5 +106,4 @@ bool DeferredActivity::timeout() try { return isActive() && made()->timeout(); }
 os::ThreadInterface* DeferredActivity::thread() { return made()->thread(); }
 bool DeferredActivity::isSelf() const { return ifMade() && ifMade()->isSelf(); }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/DeferredCalls.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 bool DeferredCalls::add(Call* own, Function function, void* argument) noexcept {
     if (!own) {
@@ -89,5 +88,4 @@ unsigned DeferredCalls::abandon(Batch* batch, const void* argument) noexcept {
     return found;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <new>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 thread_local const EngineGate::Step* EngineGate::Step::innermost_ = nullptr;
 
@@ -135,5 +134,4 @@ void EngineGate::deref() const {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -9,8 +9,7 @@
 #include <mutex>
 #include <set>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -91,5 +90,4 @@ bool KeptErrors::keep(const std::string& line) {
     return true;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -10,8 +10,7 @@
 #include <memory>
 #include <mutex>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -71,5 +70,4 @@ void GlobalEngine::Release() {
     g.state = Off;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

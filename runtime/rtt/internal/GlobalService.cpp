@@ -7,8 +7,7 @@
 
 #include <mutex>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 std::mutex mutex;
@@ -40,5 +39,4 @@ void GlobalService::Release() {
     holder().reset();
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -51,5 +50,4 @@ const HookInProgress* HookInProgress::top() noexcept { return innermostHook; }
 
 void HookInProgress::setWatch(const HookWatch* watch) noexcept { hookWatch.store(watch, std::memory_order_release); }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

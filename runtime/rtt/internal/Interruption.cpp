@@ -4,8 +4,7 @@
 
 #include <utility>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -45,5 +44,4 @@ Interruption::Listener::~Listener() {
     of_->listeners_ = outer_;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/Mailbox.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 constexpr std::uintptr_t kKindBits = 3;
@@ -94,5 +93,4 @@ bool Mailbox::peek(Item& item) const {
     return true;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

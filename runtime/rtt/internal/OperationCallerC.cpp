@@ -8,8 +8,7 @@
 
 #include <exception>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 OperationCallerC::OperationCallerC(const OperationInterfacePart* part, const std::string& name, ExecutionEngine* caller)
     : part_(OperationInterfacePart::hold(part)), name_(name), caller_(caller) {}
@@ -91,5 +90,4 @@ OperationCallerC::Source OperationCallerC::getSendDataSource() {
     }
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -10,8 +10,7 @@
 #include <rtt/internal/detail/call_handles.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -171,5 +170,4 @@ OperationPart* OperationPart::reimplemented(const base::OperationBase& by) const
     return new OperationPart(description_, implementation, by.table(), call_only_);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

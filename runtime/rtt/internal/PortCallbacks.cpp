@@ -9,8 +9,7 @@
 #include <chrono>
 #include <thread>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 using detail::Waiting;
 
@@ -139,5 +138,4 @@ base::PortInterface* PortCallbacks::nextAnnounced(std::uint64_t& last) const {
     return nullptr;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

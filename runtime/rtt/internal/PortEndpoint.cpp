@@ -6,8 +6,7 @@
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 bool PortEndpoint::signal() {
     // Most input ports are polled. Relaxed: who switches signals on while others write gets those of later samples.
@@ -48,5 +47,4 @@ void PortEndpoint::detach() {
     port_.store(nullptr, std::memory_order_release);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 PortCallee::~PortCallee() = default;
 
@@ -71,5 +70,4 @@ base::DataSourceBase* PortOperation::makeWrite(GenericCall&& call) {
     return new CallSource<WriteStatus>(std::move(call));
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -6,8 +6,7 @@
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/Reclaimer.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 PortLink::PortLink(const base::PortInterface& port)
     : endpoint_(port.getEndpoint()), input_(dynamic_cast<const base::InputPortInterface*>(&port) != nullptr) {}
@@ -69,5 +68,4 @@ ValuePlace* PortPlace::clone() const { return new PortPlace(link_, parent->clone
 
 ValuePlace* PortPlace::copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>&) const { return nullptr; }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -10,8 +10,7 @@
 
 #include <new>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 /** What a place has that is in use, for an object that is no more. */
@@ -143,5 +142,4 @@ bool Presence::Waiter::wait(NANO_TIME deadline) const noexcept {
 
 const Presence::Word& Presence::Waiter::word() const noexcept { return bellOf(what_).rings; }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -12,8 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 std::atomic<std::uint64_t> Reclaimer::epoch_{1};
 bool Reclaimer::asymmetric_ = false;
@@ -139,5 +138,4 @@ std::size_t Reclaimer::pending() {
     return state.retired_.size();
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -11,8 +11,7 @@
 
 #include <exception>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -168,5 +167,4 @@ bool sendRemoteOperation(const base::OperationCallerInterface::shared_ptr& held,
     return remote->send(call, arguments.data(), result);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 std::size_t roundUp(std::size_t n, std::size_t to) { return (n + to - 1) / to * to; }
@@ -39,5 +38,4 @@ SampleArray::~SampleArray() {
     ::operator delete(block_, std::align_val_t(alignment_));
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

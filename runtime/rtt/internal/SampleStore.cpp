@@ -5,8 +5,7 @@
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 SampleStore::~SampleStore() = default;
 
@@ -53,5 +52,4 @@ bool SampleStore::getSample(void* sample) const {
     return true;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -7,8 +7,7 @@
 
 #include <exception>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -73,5 +72,4 @@ SendStatus SendHandleC::fetch(bool wait) {
     return status ? status->get() : SendFailure;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

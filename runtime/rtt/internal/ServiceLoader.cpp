@@ -6,8 +6,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 std::atomic<ServiceLoaderHook> loader{nullptr};
@@ -21,5 +20,4 @@ bool loadServicePlugin(const std::string& service, TaskContext* component) {
     return false;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

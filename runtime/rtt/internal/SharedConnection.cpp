@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 std::mutex& repositoryMutex() {
@@ -87,5 +86,4 @@ void SharedConnectionRepository::forget(SharedConnectionBase& connection) {
     delete &connection;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -9,8 +9,7 @@
 #include <mutex>
 #include <vector>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 // One for all: readers come and go seldom, and only storages with several readers have a list.
@@ -85,5 +84,4 @@ bool StorageCore::connect(base::ChannelElementBase& element, base::ChannelElemen
     return output->connectFrom(&element);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -4,8 +4,7 @@
 
 #include <rtt/base/ActionInterface.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 ValuePlace::ValuePlace(base::DataSourceBase* parent_) : parent(parent_) {}
 
@@ -176,5 +175,4 @@ ValuePlace* ActionPlace::copy(std::map<const base::DataSourceBase*, base::DataSo
     return new ActionPlace(action_->copy(cloned), parent->copy(cloned));
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

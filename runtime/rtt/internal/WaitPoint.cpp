@@ -4,8 +4,7 @@
 
 #include <rtt/os/detail/futex.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 void WaitPoint::wait(std::uint32_t ticket, std::int64_t deadline) {
     std::uint32_t asleep = 0;
@@ -28,5 +27,4 @@ void WaitPoint::wake() {
     if (word_.fetch_and(~kAsleep) & kAsleep) os::detail::futexWakeAll(word_);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -14,8 +14,7 @@
 
 #include <cstring>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 using base::InputPortInterface;
 using base::OutputPortInterface;
@@ -234,5 +233,4 @@ bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortI
     return done;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

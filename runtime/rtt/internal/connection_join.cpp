@@ -8,8 +8,7 @@
 #include <rtt/internal/Reclaimer.hpp>
 #include <rtt/internal/detail/graph_lock.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 using base::ChannelElementBase;
 using base::PortInterface;
@@ -99,5 +98,4 @@ ConnectionManager::Obstacle ConnectionManager::join(const SharedConnectionBase::
     return None;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -13,8 +13,7 @@
 #include <rtt/types/TypeMarshaller.hpp>
 #include <rtt/types/TypeThunkTable.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -115,5 +114,4 @@ bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const
     return false;
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

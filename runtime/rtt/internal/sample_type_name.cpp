@@ -10,8 +10,7 @@
 
 #include <boost/core/demangle.hpp>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 const char kUnknown[] = "unknown_t";
@@ -38,5 +37,4 @@ std::string sampleDifference(const base::PortInterface& a, const base::PortInter
                                    "in that of " + b.getFullName());
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

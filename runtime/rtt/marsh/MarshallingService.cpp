@@ -7,8 +7,7 @@
 #include <rtt/internal/failed.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 MarshallingService::MarshallingService(TaskContext* parent) : Service("marshalling", parent) {
     doc("Reads and writes property files");
@@ -181,7 +180,6 @@ bool MarshallingService::writeServiceProperty(Text name, Text file, Text service
     return writeOne(target(service), name, file);
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh
 
 ORO_SERVICE_NAMED_PLUGIN(RTT::marsh::MarshallingService, "marshalling")

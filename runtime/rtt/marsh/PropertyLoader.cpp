@@ -8,8 +8,7 @@
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace {
 
@@ -63,5 +62,4 @@ bool PropertyLoader::save(const std::string& file, const std::string& name) cons
     return logged(saved(file), [&](diag::Sink& sink) { return saveOneToFile(*bag_, file, name, sink); });
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

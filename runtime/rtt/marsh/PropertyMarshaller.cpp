@@ -7,8 +7,7 @@
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 std::string detail::cpfElement(base::PropertyBase& property) { return cpfItem(property, 2); }
 
@@ -45,5 +44,4 @@ bool PropertyDemarshaller::deserialize(PropertyBag& bag) {
     return good && copyProperties(bag, read);
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

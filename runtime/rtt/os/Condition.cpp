@@ -6,8 +6,7 @@
 
 #include <cerrno>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 Condition::Condition() {
     pthread_condattr_t attributes;
@@ -28,5 +27,4 @@ bool Condition::wait_until(Mutex& mutex, nsecs deadline) {
     return pthread_cond_timedwait(&condition_, &mutex.mutex_, &until) != ETIMEDOUT;
 }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

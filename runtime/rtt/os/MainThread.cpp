@@ -9,8 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 MainThread::MainThread() : task_() {
     // May be the first call in another thread: the id of the main thread is that of the process.
@@ -70,5 +69,4 @@ unsigned MainThread::getCpuAffinity() const { return detail::affinityOf(task_.pi
 
 void MainThread::yield() { sched_yield(); }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

@@ -7,8 +7,7 @@
 #include <cassert>
 #include <cerrno>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 namespace {
 
@@ -76,5 +75,4 @@ void SharedMutex::unlock() { pthread_rwlock_unlock(&lock_); }
 void SharedMutex::lock_shared() { pthread_rwlock_rdlock(&lock_); }
 void SharedMutex::unlock_shared() { pthread_rwlock_unlock(&lock_); }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

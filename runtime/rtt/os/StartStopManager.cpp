@@ -6,8 +6,7 @@
 #include <mutex>
 #include <vector>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 namespace {
 
@@ -114,5 +113,4 @@ CleanupFunction::CleanupFunction(stop_fun function, int phase) : function_(funct
 }
 CleanupFunction::~CleanupFunction() { StartStopManager::Instance()->removeStopFunction(function_); }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

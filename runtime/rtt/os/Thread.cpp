@@ -23,8 +23,7 @@
  * Creation, properties and end of a thread. What it executes is in ThreadSession.cpp, start() and stop() in
  * ThreadStartStop.cpp.
  */
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 namespace {
 
@@ -251,5 +250,4 @@ void Thread::setStackSize(unsigned bytes) { stackSize = bytes; }
 void Thread::setLockTimeoutNoPeriod(double seconds) { stopTimeoutNoPeriod = seconds; }
 void Thread::setLockTimeoutPeriodFactor(double periods) { stopTimeoutPeriods = periods; }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

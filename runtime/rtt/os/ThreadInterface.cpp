@@ -5,8 +5,7 @@
 #include <rtt/os/detail/futex.hpp>
 #include <rtt/os/detail/thread_list.hpp>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 ThreadInterface::~ThreadInterface() { delist(); }
 
@@ -19,5 +18,4 @@ void ThreadInterface::delist() {
     number_ = -1;
 }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

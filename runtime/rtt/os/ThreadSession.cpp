@@ -7,8 +7,7 @@
 #include <exception>
 
 /** @file What the thread itself executes. */
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 void Thread::run() {
     while (!state_->exit) {
@@ -92,5 +91,4 @@ nsecs Thread::nextWakeUp(nsecs previous, nsecs now, nsecs period) {
 Thread::UserCode::UserCode(Thread& thread) noexcept : thread_(thread) { ++thread_.state_->inUserCode; }
 Thread::UserCode::~UserCode() { --thread_.state_->inUserCode; }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

@@ -7,8 +7,7 @@
 #include <cxxabi.h>
 #include <exception>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 bool Thread::isActive() const { return state_->isPast(State::kActive); }
 
@@ -154,5 +153,4 @@ void Thread::loop() { step(); }
 bool Thread::breakLoop() { return false; }
 void Thread::finalize() {}
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

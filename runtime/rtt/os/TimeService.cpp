@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/os/TimeService.hpp>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 TimeService* TimeService::Instance() {
     // Constant-initialised and trivially destroyed: usable from static constructors and destructors.
@@ -44,5 +43,4 @@ void TimeService::enableSystemClock(bool yes) {
 
 bool TimeService::systemClockEnabled() const { return enabledOf(word_.load()); }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

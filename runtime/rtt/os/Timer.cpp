@@ -6,8 +6,7 @@
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/detail/os_log.hpp>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 /** Runs Timer::loop(). */
 class Timer::OwnActivity : public Activity {
@@ -184,5 +183,4 @@ bool Timer::waitForUntil(TimerId id, nsecs deadline) {
     return true;
 }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

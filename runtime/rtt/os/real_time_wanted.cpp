@@ -6,8 +6,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 namespace {
 
@@ -32,5 +31,4 @@ void detail::noteRealTimeWanted(const ThreadInterface& thread, bool wanted) noex
     if (std::atomic<bool>* const entry = entryOf(thread)) entry->store(wanted, std::memory_order_relaxed);
 }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

@@ -14,8 +14,7 @@
 #include <sys/syscall.h>
 #include <utility>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 const int LowestPriority = 1;
 const int HighestPriority = 99;
@@ -157,5 +156,4 @@ std::vector<threads::Info> threads::list() {
 
 std::size_t threads::count() { return list().size(); }
 
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

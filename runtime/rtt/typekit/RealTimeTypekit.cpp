@@ -4,8 +4,7 @@
 
 #include <rtt/typekit/detail/builtin_parts.hpp>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 bool RealTimeTypekitPlugin::loadTypes() {
     builtin::addNumbers();
@@ -37,7 +36,6 @@ bool RealTimeTypekitPlugin::loadGlobals() {
 
 std::string RealTimeTypekitPlugin::getName() { return "rtt-types"; }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types
 
 ORO_TYPEKIT_PLUGIN(RTT::types::RealTimeTypekitPlugin)

@@ -10,8 +10,7 @@
 #include <cstring>
 #include <exception>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 
@@ -78,5 +77,4 @@ DataSourceBase::shared_ptr ErasedFunction::apply(const std::vector<DataSourceBas
     return made;
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

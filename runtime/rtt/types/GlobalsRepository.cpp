@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include "GlobalsRepository.hpp"
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
     // Never destroyed: plugins may hold references to what is in it.
@@ -11,5 +10,4 @@ GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
     return *instance;
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -5,8 +5,7 @@
 #include "Types.hpp"
 #include <mutex>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 
@@ -105,5 +104,4 @@ DataSourceBase* OperatorRepository::applyDot(const std::string& name, DataSource
     return apply('.' + name, {value});
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -8,8 +8,7 @@
 #include "Types.hpp"
 #include <rtt/types/detail/member_update.hpp>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 using base::PropertyBase;
@@ -120,5 +119,4 @@ bool composePropertyBag(const PropertyBag& source, PropertyBag& target) {
     return internal::detail::addCopies(target, source, how);
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

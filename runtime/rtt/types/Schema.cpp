@@ -6,8 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 namespace {
 
@@ -174,5 +173,4 @@ std::uint64_t layoutHash(const Schema& schema) { return hashOf(schema, Of::Layou
 
 std::uint64_t schemaHash(const Schema& schema) { return hashOf(schema, Of::Names); }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

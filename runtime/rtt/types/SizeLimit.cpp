@@ -4,8 +4,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 namespace {
 
@@ -22,5 +21,4 @@ std::string beyondSizeLimit(std::size_t elements) {
            "; the option --max-elements of the deployer, or RTT::types::setSizeLimit(), raises it";
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -14,8 +14,7 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -161,5 +160,4 @@ std::istream& StructMembers::read(std::istream& is, SourcePtr) const {
     return is;
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

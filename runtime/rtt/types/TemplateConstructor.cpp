@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include "TemplateConstructor.hpp"
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 namespace {
 
@@ -42,6 +40,4 @@ TypeConstructor* newErasedConstructor(const ErasedFunction& function, bool autom
     return new ErasedConstructor(function, automatic);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -8,8 +8,7 @@
 #include <rtt/types/detail/type_info_state.hpp>
 #include <algorithm>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 TypeInfo::TypeInfo(std::string name, TypeId id) : state_(new State(std::move(name), id)) {}
 
@@ -166,5 +165,4 @@ ConnFactoryPtr TypeInfo::getPortFactory() const {
     return state_->locked([this] { return state_->ports; });
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -13,8 +13,7 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 /**
  * Types are never removed: pointers handed out stay valid, which the caches in DataSourceTypeInfo rely on.
@@ -196,5 +195,4 @@ TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id) {
 }
 }  // namespace detail
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -10,8 +10,7 @@
 #include <memory>
 #include <mutex>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 namespace {
 
@@ -81,5 +80,4 @@ bool TypekitRepository::hasTransport(const std::string& name) {
     return loaded().transports.count(name) != 0;
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

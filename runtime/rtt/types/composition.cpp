@@ -10,8 +10,7 @@
 #include <rtt/types/detail/member_update.hpp>
 #include <algorithm>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -157,5 +156,4 @@ bool composeMembers(const PropertyBag& source, const std::type_info& id, void* v
 
 }  // namespace detail
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

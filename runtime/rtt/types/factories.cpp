@@ -19,8 +19,7 @@
 #include <rtt/internal/Reference.hpp>
 #include <sstream>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 ValueFactory::~ValueFactory() = default;
 CompositionFactory::~CompositionFactory() = default;
@@ -124,5 +123,4 @@ void warnConversion(const base::DataSourceBase& from, const base::DataSourceBase
 
 }  // namespace detail
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

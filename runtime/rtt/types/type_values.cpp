@@ -18,8 +18,7 @@
 #include <ostream>
 #include <sstream>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 using base::DataSourceBase;
 
@@ -204,5 +203,4 @@ base::ChannelElementBase::shared_ptr TypeInfo::buildChannelInput(base::OutputPor
     return internal::ConnFactory::makeChannelInput(port, policy);
 }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 
-namespace RTT {
-namespace extras {
-namespace detail {
+namespace RTT::extras::detail {
 
 namespace {
 // What it waits before it tries again what the system has refused.
@@ -121,6 +119,4 @@ void PollSet::noteResults(PollResult& result) {
     ++version_;
 }
 
-}  // namespace detail
-}  // namespace extras
-}  // namespace RTT
+}  // namespace RTT::extras::detail

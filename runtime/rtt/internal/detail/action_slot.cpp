@@ -5,9 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 /** One emission on its way to the subscriber's thread, with copies of its arguments. */
 class ActionSlot::Event final : public base::DisposableInterface {
@@ -66,6 +64,4 @@ void ActionSlot::run() const {
     action_->execute();
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

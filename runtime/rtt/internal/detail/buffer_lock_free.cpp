@@ -29,9 +29,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -293,6 +291,4 @@ StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, co
     return StorePtr(new LockFreeBuffer(ops, spec, first));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

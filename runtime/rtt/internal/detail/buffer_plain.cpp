@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -139,6 +137,4 @@ StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const
     return StorePtr(new PlainBuffer<NoMutex>(ops, spec, first));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -42,9 +42,7 @@
 #include <memory>
 #include <new>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -290,6 +288,4 @@ StorePtr makeWordBuffer(const types::TypeOps& ops, const StoreSpec& spec) {
     return StorePtr(new WordBuffer(ops, spec));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -4,9 +4,7 @@
 
 #include <rtt/internal/OperationTable.hpp>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 CollectSource::CollectSource(const OperationTable& table, Handle handle, Variables variables,
                              DataSource<bool>::shared_ptr blocking)
@@ -39,6 +37,4 @@ CollectSource* CollectSource::copy(CopyMap& cloned) const {
     return new CollectSource(*table_, handle_->copy(cloned), variables, blocking_ ? blocking_->copy(cloned) : nullptr);
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

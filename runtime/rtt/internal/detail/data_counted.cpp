@@ -27,9 +27,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -171,6 +169,4 @@ StorePtr makeCountedData(const types::TypeOps& ops, const StoreSpec& spec, const
     return StorePtr(new CountedData(ops, spec.maxThreads, first));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -5,9 +5,7 @@
 #include <rtt/internal/detail/stores.hpp>
 #include <rtt/internal/detail/store_lock.hpp>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -56,6 +54,4 @@ StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const v
     return StorePtr(new PlainData<NoMutex>(ops, first));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -33,9 +33,7 @@
 #include <cstdint>
 #include <new>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -149,6 +147,4 @@ StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec) {
     return StorePtr(new VersionedData(ops, spec.maxThreads));
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -4,8 +4,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace internal {
+namespace RTT::internal {
 
 namespace {
 
@@ -20,5 +19,4 @@ bool takeDiagnostics(const oroforge::diag::Sink& sink) {
     return taker && !sink.empty() && taker(sink);
 }
 
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -79,6 +77,4 @@ SendStatus PartSend::collect(bool wait) {
     return status;
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -14,9 +14,7 @@
 
 namespace diag = oroforge::diag;
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 using base::PropertyBase;
 
@@ -232,6 +230,4 @@ bool updateOne(PropertyBase& target, const PropertyBase& source, const BagUpdate
     return updateAt(target, source, how, nullptr);
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

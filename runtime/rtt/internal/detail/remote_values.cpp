@@ -12,9 +12,7 @@
 
 #include <stdexcept>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 namespace {
 
@@ -156,6 +154,4 @@ void checkOutputs(const OperationInterfacePart& part, const CallerSignature& sig
     }
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace RTT {
-namespace internal {
-namespace detail {
+namespace RTT::internal::detail {
 
 // Never destroyed: components with static storage may still remove ports while the process exits.
 std::mutex& Waiting::mutex() {
@@ -65,6 +63,4 @@ unsigned Waiting::abandon(const void* argument) {
     return Reclaimer::deferred().abandon(argument);
 }
 
-}  // namespace detail
-}  // namespace internal
-}  // namespace RTT
+}  // namespace RTT::internal::detail

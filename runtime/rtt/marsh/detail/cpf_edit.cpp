@@ -16,8 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace xml = oroforge::xml;
 using base::PropertyBase;
@@ -244,5 +243,4 @@ std::string editedCpf(const std::string& text, const xml::Element& root, const P
     return editor.result();
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

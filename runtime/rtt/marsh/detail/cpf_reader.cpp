@@ -10,8 +10,7 @@
 
 #include <atomic>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace {
 
@@ -194,5 +193,4 @@ void logDiagnostics(const diag::Sink& sink) {
                                   diag::toString(diagnostic));
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

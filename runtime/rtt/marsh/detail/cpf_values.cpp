@@ -8,8 +8,7 @@
 #include <charconv>
 #include <type_traits>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace {
 
@@ -180,5 +179,4 @@ bool writeSimple(const base::PropertyBase& property, std::string& type, std::str
            writeChar<char>(property, "char", to) || writeChar<unsigned char>(property, "octet", to);
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

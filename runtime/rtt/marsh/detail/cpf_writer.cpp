@@ -13,8 +13,7 @@
 
 #include <memory>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace xml = oroforge::xml;
 
@@ -113,5 +112,4 @@ bool writeFile(const std::string& file, const std::string& text) {
     return !failed;
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

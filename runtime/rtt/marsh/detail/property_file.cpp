@@ -12,8 +12,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 using base::PropertyBase;
 using internal::detail::bagOf;
@@ -132,5 +131,4 @@ bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::s
     return exists(file) ? edit(file, simple, true, sink) : write(file, cpfText(simple), sink);
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

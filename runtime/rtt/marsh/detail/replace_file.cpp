@@ -9,8 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace fs = std::filesystem;
 namespace files = oroforge::files;
@@ -71,5 +70,4 @@ std::error_code replaceFile(const std::string& file, const std::string& text) {
     return exists && mayOverwriteAfter(failed) ? files::overwrite(target, text) : failed;
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

@@ -2,8 +2,7 @@
 // Copyright Oroforge contributors
 #include "text_edit.hpp"
 
-namespace RTT {
-namespace marsh {
+namespace RTT::marsh {
 
 namespace {
 constexpr std::size_t kTab = 3;  // as far as the writer indents what is within another
@@ -75,5 +74,4 @@ std::string TextEdit::result() const {
     return made.append(text_, at, std::string::npos);
 }
 
-}  // namespace marsh
-}  // namespace RTT
+}  // namespace RTT::marsh

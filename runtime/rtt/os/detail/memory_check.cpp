@@ -4,9 +4,7 @@
 #include <rtt/os/detail/memory_blocks.hpp>
 #include <rtt/os/detail/memory_pool.hpp>
 
-namespace RTT {
-namespace os {
-namespace detail {
+namespace RTT::os::detail {
 
 std::string MemoryPool::findFaultInBlocks(std::size_t& used, std::size_t& freeBlocks) const {
     for (Area* area = areas_; area; area = area->next) {
@@ -64,6 +62,4 @@ std::string MemoryPool::findFault() const {
     return fault;
 }
 
-}  // namespace detail
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os::detail

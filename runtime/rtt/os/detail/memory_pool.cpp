@@ -9,9 +9,7 @@
 #include <new>
 #include <unistd.h>
 
-namespace RTT {
-namespace os {
-namespace detail {
+namespace RTT::os::detail {
 
 namespace {
 
@@ -230,6 +228,4 @@ MemoryPool::Usage MemoryPool::usage() const noexcept {
     return usage_;
 }
 
-}  // namespace detail
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os::detail

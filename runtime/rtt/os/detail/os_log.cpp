@@ -7,8 +7,7 @@
 #include <atomic>
 #include <cstdio>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 namespace {
 std::atomic<LogHook> logHook{nullptr};
@@ -32,5 +31,4 @@ void log(LogLevel level, const char* module, std::string_view text) {
 }
 
 }  // namespace detail
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

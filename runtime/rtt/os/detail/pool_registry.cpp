@@ -7,9 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace RTT {
-namespace os {
-namespace detail {
+namespace RTT::os::detail {
 
 namespace {
 
@@ -158,6 +156,4 @@ void PoolRegistry::destroy(void* memory) noexcept {
     pool->~MemoryPool();
 }
 
-}  // namespace detail
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os::detail

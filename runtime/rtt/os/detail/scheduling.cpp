@@ -8,8 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace RTT {
-namespace os {
+namespace RTT::os {
 
 bool inRealTimeThread() noexcept {
     switch (sched_getscheduler(0) & ~SCHED_RESET_ON_FORK) {
@@ -118,5 +117,4 @@ int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stac
 }
 
 }  // namespace detail
-}  // namespace os
-}  // namespace RTT
+}  // namespace RTT::os

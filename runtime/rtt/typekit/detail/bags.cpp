@@ -6,9 +6,7 @@
 #include <rtt/types/MemberFactory.hpp>
 #include <rtt/types/TemplateTypeInfo.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -35,6 +33,4 @@ public:
 
 void addBags() { Types()->addType(new BagInfo()); }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

@@ -6,15 +6,11 @@
 #include <rtt/internal/SendHandleC.hpp>
 #include <rtt/types/PrimitiveTypeInfo.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 void addComponentTypes() {
     Types()->addType(new PrimitiveTypeInfo<TaskContext*>("TaskContext"));
     Types()->addType(new PrimitiveTypeInfo<internal::SendHandleC>("SendHandle"));
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

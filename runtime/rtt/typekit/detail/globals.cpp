@@ -9,9 +9,7 @@
 #include <rtt/os/fosi.h>
 #include <rtt/types/GlobalsRepository.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -54,6 +52,4 @@ void addGlobals() {
     GlobalsRepository::Instance()->addAttribute("DefaultConnPolicy", ConnPolicy::Default());
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

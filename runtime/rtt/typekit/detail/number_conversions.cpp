@@ -5,9 +5,7 @@
 
 #include <type_traits>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 void addConversions(const Conversion* rows, std::size_t count) {
     for (std::size_t i = 0; i != count; ++i) {
@@ -105,6 +103,4 @@ void addNumberConversions() {
     addConversions(narrowings);
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

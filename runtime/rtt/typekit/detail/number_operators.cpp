@@ -5,9 +5,7 @@
 
 #include <type_traits>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -109,6 +107,4 @@ void addNumberOperators() {
     addReal<float>();
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

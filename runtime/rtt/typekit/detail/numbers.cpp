@@ -6,9 +6,7 @@
 #include <rtt/typekit/StdTypeInfo.hpp>
 #include <rtt/types/TypeInfoName.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 void addNumbers() {
     const auto types = Types();
@@ -23,6 +21,4 @@ void addNumbers() {
     types->addType(new TypeInfoName<void>("void"));
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

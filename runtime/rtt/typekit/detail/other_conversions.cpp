@@ -9,9 +9,7 @@
 #include <new>
 #include <string>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -63,6 +61,4 @@ constexpr Conversion conversions[] = {
 
 void addOtherConversions() { addConversions(conversions); }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

@@ -6,9 +6,7 @@
 #include <rtt/types/GeneratedTypekit.hpp>
 #include <rtt/types/Types.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 constexpr Enumerator bufferPolicy[] = {
@@ -40,6 +38,4 @@ void addPolicies() {
                                                 "how two ports are joined"));
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

@@ -7,9 +7,7 @@
 #include <rtt/types/TemplateTypeInfo.hpp>
 #include <limits>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -71,6 +69,4 @@ void addSmallNumbers() {
     types->addType(new SmallNumberInfo<unsigned long, unsigned long long>("uint64"));
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

@@ -7,9 +7,7 @@
 #include <rtt/types/GeneratedTypekit.hpp>
 #include <rtt/types/Types.hpp>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 constexpr Enumerator flowStatus[] = {
@@ -36,6 +34,4 @@ void addStatusTypes() {
     Types()->addType(makeEnumType<SendStatus>("SendStatus", sendStatus, 4));
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

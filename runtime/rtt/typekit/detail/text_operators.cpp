@@ -11,9 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -91,6 +89,4 @@ void addTextOperators() {
     addComparisons<SendStatus>();
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

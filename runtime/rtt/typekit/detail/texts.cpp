@@ -9,9 +9,7 @@
 
 #include <new>
 
-namespace RTT {
-namespace types {
-namespace builtin {
+namespace RTT::types::builtin {
 
 namespace {
 
@@ -47,6 +45,4 @@ void addTexts() {
     Types()->addType(new StdVectorTypeInfo<double>());
 }
 
-}  // namespace builtin
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::builtin

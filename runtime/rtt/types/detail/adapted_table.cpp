@@ -10,9 +10,7 @@
 #include "member_update.hpp"
 #include "table_generator.hpp"
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -82,6 +80,4 @@ TypeInfoGenerator* newAdaptedGenerator(const char* name, const char* doc, const 
     return new AdaptedTable(name, doc, elements, ops, thunks, columns);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

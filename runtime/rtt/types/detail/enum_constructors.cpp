@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 namespace {
 using SourcePtr = base::DataSourceBase::shared_ptr;
@@ -193,6 +191,4 @@ void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& name
     operators()->add(new BinaryOp{"!=", function(&isOtherNumber, names, &typeRef<bool>, {enumType, &typeRef<int>})});
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

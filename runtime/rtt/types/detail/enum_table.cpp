@@ -12,9 +12,7 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 using base::DataSourceBase;
 
@@ -96,6 +94,4 @@ TypeInfoGenerator* newEnumGenerator(const char* name, const Enumerator* values, 
     return new EnumTable(name, values, count, doc, ops, thunks, enumOps, type);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -4,12 +4,10 @@
 
 #include <rtt/types/TypeInfoRepository.hpp>
 
-namespace RTT {
-namespace types {
+namespace RTT::types {
 
 bool addType(TypeInfoGenerator* generator) { return Types()->addType(generator); }
 
 bool aliasType(const char* alias, const char* of) { return Types()->aliasType(alias, Types()->type(of)); }
 
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types

@@ -11,9 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -116,6 +114,4 @@ TypeConstructor* newSequenceConstructor(const SequenceOps& sequence, const TypeT
     return new SequenceConstructor(sequence, thunks);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -6,9 +6,7 @@
 #include <rtt/types/SequenceMembers.hpp>
 #include "table_generator.hpp"
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 namespace {
 
@@ -48,6 +46,4 @@ TypeInfoGenerator* newArrayGenerator(const char* name, const SequenceOps& sequen
     return new SequenceTable(name, sequence, ops, thunks, true);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -16,9 +16,7 @@
 #include <memory>
 #include <ostream>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -127,6 +125,4 @@ TypeInfoGenerator* newShownGenerator(const char* name, const char* doc, TypeRef 
     return new ShownTable(name, doc, self, ops, thunks, shown);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

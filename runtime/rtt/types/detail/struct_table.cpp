@@ -5,9 +5,7 @@
 
 #include "table_generator.hpp"
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 namespace {
 
@@ -34,6 +32,4 @@ TypeInfoGenerator* newStructGenerator(const char* name, const Member* members, s
     return new StructTable(name, members, count, doc, ops, thunks);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -12,9 +12,7 @@
 #include <initializer_list>
 #include <string>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 TableGenerator::TableGenerator(const char* name, const char* doc, const TypeOps& ops, const TypeThunks& thunks)
     : name_(name), doc_(doc), ops_(&ops), thunks_(&thunks) {}
@@ -72,6 +70,4 @@ bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceB
     return type->composeType(source, target);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

@@ -2,9 +2,7 @@
 // Copyright Oroforge contributors
 #include "type_names.hpp"
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 std::string dottedName(const std::string& name) {
     std::string result;
@@ -30,6 +28,4 @@ std::string slashedName(const std::string& name) {
     return result;
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail

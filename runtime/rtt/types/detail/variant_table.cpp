@@ -17,9 +17,7 @@
 #include <istream>
 #include <ostream>
 
-namespace RTT {
-namespace types {
-namespace detail {
+namespace RTT::types::detail {
 
 using base::DataSourceBase;
 using SourcePtr = DataSourceBase::shared_ptr;
@@ -186,6 +184,4 @@ TypeInfoGenerator* newVariantGenerator(const char* name, const char* const* name
     return new VariantTable(name, names, variant, ops, thunks);
 }
 
-}  // namespace detail
-}  // namespace types
-}  // namespace RTT
+}  // namespace RTT::types::detail
