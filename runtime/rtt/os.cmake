@@ -41,5 +41,6 @@ target_sources(orocos-rtt PRIVATE
   rtt/os/real_time_wanted.cpp
   rtt/os/startstop.cpp
   rtt/os/threads.cpp)
-# `deployer --rt-check` knows real-time memory by the names of its functions, which those that the compiler divides have not.
+# `deployer --rt-check` recognises real-time memory by the names of its functions: the compiler must not divide them into parts
+# without names.
 set_source_files_properties(rtt/os/detail/memory_pool.cpp PROPERTIES COMPILE_OPTIONS -fsemantic-interposition)
