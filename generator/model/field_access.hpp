@@ -15,7 +15,7 @@ enum class AccessKind {
     Bytes,      ///< a member whose bytes are copied
     Packed,     ///< the same of one at an address that does not suit its type
     EnumBits,   ///< a bit-field of an enum without a name: shown as a number
-    Text,       ///< an array of characters, of which the last one stays 0
+    Text,       ///< an array of characters; the last one stays 0
     Atomic,     ///< a member of type std::atomic
     Shared,     ///< what a std::shared_ptr points to, or nothing
     Unique,     ///< the same of a std::unique_ptr

@@ -99,12 +99,13 @@ private:
         return std::string_view(text_).substr(begin, position_ - begin);
     }
 
-    /// Most elements of a file have one of a few names.
+    /// Most elements of a file have one of a few names; those of a file with many names are not kept.
     diag::SharedText shared(std::string_view name) {
-        if (name.empty()) return {};
-        diag::SharedText& known = names_[name];
-        if (known.empty()) known = std::string(name);
-        return known;
+        const auto known = names_.find(name);
+        if (known != names_.end()) return known->second;
+        diag::SharedText made = std::string(name);
+        if (names_.size() < maxSharedNames) names_.emplace(name, made);
+        return made;
     }
 
     bool characters() {

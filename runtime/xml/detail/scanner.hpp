@@ -25,6 +25,8 @@ struct Building {
 constexpr std::size_t maxDepth = 98;
 /// How many attributes a tag may have: each is compared with all before it.
 constexpr std::size_t maxAttributes = 1000;
+/// How many names of elements and attributes are shared.
+constexpr std::size_t maxSharedNames = 1000;
 
 /// Stops at the first syntax error, reports it and returns nothing; else the root.
 std::optional<Element> scan(const std::string& text, const std::string& file, diag::Sink& sink,
