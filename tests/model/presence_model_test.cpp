@@ -24,9 +24,9 @@ struct Object {
         Presence::asymmetric_ = asymmetric;
     }
     void use() {
-        Presence::enter(key);
+        Presence::Place& place = Presence::enter(key);
         if (!gone) require(value == 1, "used after it was taken away");
-        Presence::leave();
+        Presence::leave(place);
     }
     void takeAway() {
         gone = true;
@@ -49,8 +49,7 @@ void usingTwice(Trial& trial) {
     std::uint16_t other = 0;
     trial.thread([&] {
         object.use();
-        Presence::enter(&other);
-        Presence::leave();
+        Presence::leave(Presence::enter(&other));
     });
     trial.thread([&] { object.takeAway(); });
     trial.go();
@@ -61,10 +60,10 @@ void twoWait(Trial& trial) {
     Object object;
     std::atomic<bool> ended{false};
     trial.thread([&] {
-        Presence::enter(object.key);
+        Presence::Place& place = Presence::enter(object.key);
         ended.store(true, std::memory_order_relaxed);
         object.value = 2;
-        Presence::leave();
+        Presence::leave(place);
     });
     for (int i = 0; i != 2; ++i)
         trial.thread([&] {
@@ -80,9 +79,10 @@ void nesting(Trial& trial) {
     Object object;
     std::uint16_t other = 0;
     trial.thread([&] {
-        for (unsigned i = 0; i != Presence::kDepth; ++i) Presence::enter(&other);
+        Presence::Place* places[Presence::kDepth];
+        for (Presence::Place*& place : places) place = &Presence::enter(&other);
         object.use();
-        for (unsigned i = 0; i != Presence::kDepth; ++i) Presence::leave();
+        for (unsigned i = Presence::kDepth; i != 0; --i) Presence::leave(*places[i - 1]);
         object.use();
     });
     trial.thread([&] { object.takeAway(); });
@@ -93,11 +93,11 @@ void nesting(Trial& trial) {
 void within(Trial& trial) {
     Object object;
     trial.thread([&] {
-        Presence::enter(object.key);
+        Presence::Place& place = Presence::enter(object.key);
         object.takeAway();
         Presence::forget(object.key);
         object.value = 3;
-        require(!Presence::leave(), "marked");
+        require(!Presence::leave(place), "marked");
     });
     trial.thread([&] { Presence::Waiter(object.key).wait(RTT::os::detail::kForever); });
     trial.go();
@@ -109,12 +109,12 @@ void withinSomethingForgotten(Trial& trial) {
     Object object;
     std::uint16_t other = 0;
     trial.thread([&] {
-        Presence::enter(&other);
-        Presence::enter(object.key);
+        Presence::Place& outer = Presence::enter(&other);
+        Presence::Place& inner = Presence::enter(object.key);
         Presence::forget(&other);
         if (!object.gone) require(object.value == 1, "used after it was taken away");
-        Presence::leave();
-        Presence::leave();
+        Presence::leave(inner);
+        Presence::leave(outer);
     });
     trial.thread([&] { object.takeAway(); });
     trial.go();

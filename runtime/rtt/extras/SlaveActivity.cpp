@@ -70,9 +70,10 @@ private:
 /** The end of an execution, also when the component throws. */
 struct SlaveActivity::Leave {
     SlaveActivity& slave;
+    internal::Presence::Place& place;
     ~Leave() {
         slave.executor_.store(0, std::memory_order_release);
-        internal::Presence::leave();  // another thread may destroy the slave from here on
+        internal::Presence::leave(place);  // another thread may destroy the slave from here on
     }
 };
 
@@ -177,55 +178,60 @@ bool SlaveActivity::setCpuAffinity(unsigned) { return false; }
 
 bool SlaveActivity::isExecutor() const { return executor_ == os::detail::currentTid(); }
 
-bool SlaveActivity::enter() {
-    if (claim() != Direct::Entered) return false;
+// For a step; null if this thread may not make one now.
+internal::Presence::Place* SlaveActivity::enter() {
+    internal::Presence::Place* place = nullptr;
+    if (claim(place) != Direct::Entered) return nullptr;
     const int self = os::detail::currentTid();
     if (updater_ != self) updater_ = self;
-    return true;
+    return place;
 }
 
 // The owner enters and then looks whether it still is the owner. A thread that takes over first makes that nobody and then looks
 // for others inside. So the owner, which nearly always is the one that executes, needs no locked instruction.
-base::ActivityInterface::Direct SlaveActivity::claim() {
+base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*& place) {
     const int self = os::detail::currentTid();
     if (executor_ == self) return Direct::Granted;
-    bool entered = false;
-    if (owner_ == self) {
-        internal::Presence::enter(this);
-        entered = owner_ == self;
-        if (!entered) internal::Presence::leave();
+    place = owner_ == self ? &internal::Presence::enter(this) : nullptr;
+    if (place && owner_ != self) {
+        internal::Presence::leave(*place);
+        place = nullptr;
     }
-    if (!entered && !takeOver()) return Direct::Refused;
+    if (!place) place = takeOver();
+    if (!place) return Direct::Refused;
     executor_.store(self, std::memory_order_release);
     return Direct::Entered;
 }
 
-// False if another thread executes.
-bool SlaveActivity::takeOver() {
+// Null if another thread executes.
+internal::Presence::Place* SlaveActivity::takeOver() {
     const os::detail::PriorityLock only(handover_);
     const int last = owner_.exchange(0);
     if (internal::Presence::Waiter(this).others()) {
         owner_ = last;
-        return false;
+        return nullptr;
     }
-    internal::Presence::enter(this);
+    internal::Presence::Place& place = internal::Presence::enter(this);
     owner_ = os::detail::currentTid();
-    return true;
+    return &place;
 }
 
 // A trigger that found another thread executing left its mark before it looked; that thread comes here when it is done.
 void SlaveActivity::servePending() {
-    while (pending_ && enter()) {
-        const Leave atEnd{*this};
+    while (pending_) {
+        internal::Presence::Place* const place = enter();
+        if (!place) return;
+        const Leave atEnd{*this, *place};
         if (pending_.exchange(false) && open_) work(base::RunnableInterface::Trigger);
     }
 }
 
 bool SlaveActivity::execute() {
-    if (!enter()) return false;
+    internal::Presence::Place* const place = enter();
+    if (!place) return false;
     bool active = false;
     {
-        const Leave atEnd{*this};
+        const Leave atEnd{*this, *place};
         // Asked within: stop() clears it before it looks who executes, so one of the two sees what the other has done.
         active = open_;
         if (active) executeOnce();
@@ -304,17 +310,17 @@ bool SlaveActivity::isUpdater() const {
 // any moment. So it becomes the executing thread for as long as the call takes.
 base::ActivityInterface::Direct SlaveActivity::beginDirect() {
     if (isExecutor()) return Direct::Granted;
-    return isSelf() ? claim() : Direct::Refused;
+    return isSelf() ? claim(direct_) : Direct::Refused;
 }
 
 base::ActivityInterface::Direct SlaveActivity::beginInStead() {
     if (ofMaster([](ActivityInterface& master) { return master.isActive(); }, false))
         return SlaveActivity::beginDirect();
-    return claim();
+    return claim(direct_);
 }
 
 void SlaveActivity::endDirect() {
-    { const Leave atEnd{*this}; }
+    { const Leave atEnd{*this, *direct_}; }
     // Called by a destructor, and the call has nothing to do with what others have triggered.
     try {
         servePending();

@@ -78,15 +78,16 @@ protected:
 
 private:
     class TriggerMessage;
+    typedef std::atomic<std::uintptr_t> Place;  // internal::Presence::Place
     struct Leave;
     template <class Ask>
     auto ofMaster(Ask&& ask, decltype(ask(std::declval<base::ActivityInterface&>())) otherwise) const;
     bool activate();
     void executeTrigger();
-    bool enter();
-    bool takeOver();
+    Place* enter();
+    Place* takeOver();
     bool isUpdater() const;
-    Direct claim();
+    Direct claim(Place*& place);
     bool isExecutor() const;
     void executeOnce();
     void servePending();
@@ -104,6 +105,7 @@ private:
     std::atomic<int> executor_{0}, owner_{0}, updater_{0};
     std::atomic<std::uint32_t> handover_{0};  // locked while owner_ changes
     std::atomic<bool> pending_{false};        // work(Trigger) is due
+    Place* direct_ = nullptr;                 // of the thread that makes a direct call
     TriggerMessage* message_;                 // shared with the queue of the master's engine
 };
 

@@ -24,22 +24,22 @@ public:
     class RTT_API Pass {
     public:
         /** A null gate is closed. */
-        explicit Pass(const std::shared_ptr<AccessGate>& gate) noexcept : inside_(gate && enter(*gate)) {}
+        explicit Pass(const std::shared_ptr<AccessGate>& gate) noexcept : place_(gate ? enter(*gate) : nullptr) {}
         ~Pass() {
-            if (inside_) Presence::leave();  // of a gate that may be gone
+            if (place_) Presence::leave(*place_);  // of a gate that may be gone
         }
         Pass(const Pass&) = delete;
         Pass& operator=(const Pass&) = delete;
-        explicit operator bool() const noexcept { return inside_; }
+        explicit operator bool() const noexcept { return place_ != nullptr; }
 
     private:
-        static bool enter(const AccessGate& gate) noexcept {
-            Presence::enter(&gate);
-            if (!gate.closed_) return true;
-            Presence::leave();
-            return false;
+        static Presence::Place* enter(const AccessGate& gate) noexcept {
+            Presence::Place& place = Presence::enter(&gate);
+            if (!gate.closed_) return &place;
+            Presence::leave(place);
+            return nullptr;
         }
-        const bool inside_;
+        Presence::Place* const place_;
     };
 
     /** To be called before others get the gate. Without that there is nobody for whom close() would wait. Real-time safe. */

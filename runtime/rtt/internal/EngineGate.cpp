@@ -15,14 +15,14 @@ namespace RTT::internal {
 
 thread_local const EngineGate::Step* EngineGate::Step::innermost_ = nullptr;
 
-EngineGate::Step::Step(const EngineGate& gate) noexcept : gate_(&gate), outer_(innermost_), first_(!gate.isStepping()) {
-    if (first_) Presence::enter(gate.step());
+EngineGate::Step::Step(const EngineGate& gate) noexcept
+    : gate_(&gate), outer_(innermost_), place_(gate.isStepping() ? nullptr : &Presence::enter(gate.step())) {
     innermost_ = this;
 }
 
 EngineGate::Step::~Step() {
     innermost_ = outer_;
-    if (first_) Presence::leave();
+    if (place_) Presence::leave(*place_);
 }
 
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {

@@ -30,9 +30,9 @@ public:
     /** While one exists, what it gives is not destroyed. Never blocks; real-time safe. */
     class RTT_API Visit {
     public:
-        explicit Visit(const EngineGate& gate) noexcept : gate_(gate) { Presence::enter(&gate); }
+        explicit Visit(const EngineGate& gate) noexcept : gate_(gate), place_(Presence::enter(&gate)) {}
         ~Visit() {
-            if (Presence::leave()) gate_.deref();  // the engine was destroyed within
+            if (Presence::leave(place_)) gate_.deref();  // the engine was destroyed within
         }
         Visit(const Visit&) = delete;
         Visit& operator=(const Visit&) = delete;
@@ -43,6 +43,7 @@ public:
 
     private:
         const EngineGate& gate_;
+        Presence::Place& place_;
     };
 
     /** A step of the engine in this thread. Steps nest: a sequential activity may execute within the step of another. */
@@ -58,7 +59,7 @@ public:
         ExecutionEngine* engine() const { return gate_ ? gate_->engine_.load(std::memory_order_relaxed) : nullptr; }
         const Step* outer() const { return outer_; }
         /** Not within another step of the same engine. */
-        bool first() const { return first_; }
+        bool first() const { return place_ != nullptr; }
         /** Of this thread; null if it is within no step. */
         static const Step* innermost() noexcept { return innermost_; }
 
@@ -66,7 +67,7 @@ public:
         friend class EngineGate;
         mutable const EngineGate* gate_;
         const Step* outer_;
-        const bool first_;
+        Presence::Place* const place_;  // null if it is not the first
         static thread_local const Step* innermost_ __attribute__((tls_model("initial-exec")));
     };
 

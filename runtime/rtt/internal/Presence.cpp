@@ -53,7 +53,7 @@ struct Presence::State {
     static void forOwn(const void* what, Visit visit) {
         const auto word = reinterpret_cast<std::uintptr_t>(what);
         for (Record* record = record_; record; record = record->outer)
-            for (std::atomic<std::uintptr_t>& place : record->places)
+            for (Place& place : record->places)
                 if (place.load(std::memory_order_relaxed) == word) visit(place);
     }
 
@@ -77,16 +77,16 @@ Presence::Record* Presence::deeper() noexcept {
 }
 
 void Presence::leaveDownTo(const void* what) noexcept {
-    const auto isOther = [what] {
-        const std::uintptr_t word = record_->places[record_->depth - 1].load(std::memory_order_relaxed);
-        return (word & ~kKept) != reinterpret_cast<std::uintptr_t>(what);
-    };
-    while (isOther()) leave();
+    for (;;) {
+        Place& last = record_->places[record_->depth - 1];
+        if ((last.load(std::memory_order_relaxed) & ~kKept) == reinterpret_cast<std::uintptr_t>(what)) return;
+        leave(last);
+    }
 }
 
 unsigned Presence::keep(const void* what) noexcept {
     unsigned number = 0;
-    State::forOwn(what, [&](std::atomic<std::uintptr_t>& place) {
+    State::forOwn(what, [&](Place& place) {
         place.store(reinterpret_cast<std::uintptr_t>(what) | kKept, std::memory_order_release);
         ++number;
     });
@@ -94,7 +94,7 @@ unsigned Presence::keep(const void* what) noexcept {
 }
 
 void Presence::forget(const void* what) noexcept {
-    State::forOwn(what, [](std::atomic<std::uintptr_t>& place) { place.store(kForgotten, std::memory_order_release); });
+    State::forOwn(what, [](Place& place) { place.store(kForgotten, std::memory_order_release); });
     ring(bellOf(reinterpret_cast<std::uintptr_t>(what)));
 }
 
@@ -122,7 +122,7 @@ bool Presence::Waiter::others() const noexcept {
     for (Record* record = State::instance().records.first(); record; record = record->next) {
         if (isOwn(record)) continue;
         // Uses nest: behind the first free place of a thread there is none that began before this waiter's barrier.
-        for (const std::atomic<std::uintptr_t>& place : record->places) {
+        for (const Place& place : record->places) {
             const std::uintptr_t word = place.load();
             if ((word & ~kKept) == what_) return true;
             if (word == 0) break;

@@ -25,17 +25,19 @@ namespace internal {
 class RTT_API Presence {
 public:
     typedef std::atomic<std::uint32_t> Word;
+    /** Where a thread says what it uses. */
+    typedef std::atomic<std::uintptr_t> Place;
 
     /** Has a record for this thread, which its first use would take otherwise; that may take memory. */
     static void prepare() noexcept {
         if (!record_) deeper();
     }
-    /** This thread uses `what`, which has an even address, until it calls leave(). Uses nest. Never blocks; real-time safe, but
-        one that nests deeper than before may take memory. */
-    static void enter(const void* what) noexcept {
+    /** This thread uses `what`, which has an even address, until it calls leave() with the result. Uses nest. Never blocks;
+        real-time safe, but one that nests deeper than before may take memory. */
+    static Place& enter(const void* what) noexcept {
         Record* record = record_;
         if (__builtin_expect(!record || record->depth == kDepth, 0)) record = deeper();
-        std::atomic<std::uintptr_t>& place = record->places[record->depth++];
+        Place& place = record->places[record->depth++];
         // Release: a waiter that finds this use, and not that the previous one has ended, must see what was done in that.
         const auto word = reinterpret_cast<std::uintptr_t>(what);
         if (__builtin_expect(asymmetric_, 1)) {
@@ -44,11 +46,13 @@ public:
         } else {
             place.exchange(word);
         }
+        return place;
     }
-    /** Ends what this thread has entered last. True if it was marked with keep(). */
-    static bool leave() noexcept {
+    /** Ends the use that this thread began last. True if it was marked with keep(). */
+    static bool leave(Place& place) noexcept {
         Record* const record = record_;
-        std::atomic<std::uintptr_t>& place = record->places[--record->depth];
+        // Not one less than it was: the next use would have to wait until that is known.
+        record->depth = static_cast<unsigned>(&place - record->places);
         const std::uintptr_t word = place.load(std::memory_order_relaxed);
         if (__builtin_expect(asymmetric_, 1)) {
             place.store(0, std::memory_order_release);
@@ -58,7 +62,7 @@ public:
         }
         Bell& bell = bellOf(word & ~kKept);
         if (__builtin_expect(bell.waiters != 0, 0)) ring(bell);
-        if (__builtin_expect(record->depth == 0 && record->outer, 0)) record_ = record->outer;
+        if (__builtin_expect(&place == record->places && record->outer, 0)) record_ = record->outer;
         return (word & kKept) != 0;
     }
 
@@ -93,7 +97,7 @@ private:
 
     /** One per thread; a thread that uses more at once has several. */
     struct alignas(64) Record {
-        std::atomic<std::uintptr_t> places[kDepth] = {};  // 0: free
+        Place places[kDepth] = {};  // 0: free
         // The rest but `used` is touched by the owning thread only, `next` before the record is published.
         unsigned depth = 0;
         std::atomic<bool> used{false};

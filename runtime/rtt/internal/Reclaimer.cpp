@@ -116,7 +116,7 @@ void Reclaimer::collect() {
 void Reclaimer::synchronize() {
     ReclaimerState& state = ReclaimerState::instance();
     Record* const self = mine();
-    if (self->nesting != 0) self->waiting.store(true, std::memory_order_seq_cst);
+    if (inside()) self->waiting.store(true, std::memory_order_seq_cst);
     const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
     ReclaimerState::barrier();
     for (Record* r = state.records_.first(); r; r = r->next) {

@@ -28,7 +28,6 @@ public:
     /** One per thread that ever was inside; reused after the thread ended. */
     struct alignas(64) Record {
         std::atomic<std::uint64_t> epoch{0};  // 0: outside
-        std::uint32_t nesting = 0;            // touched by the owning thread only
         std::atomic<bool> waiting{false};     // the owner is inside and in synchronize()
         std::atomic<bool> used{false};
         Record* next = nullptr;  // set before the record is published
@@ -39,13 +38,15 @@ public:
         never allocates (a thread's very first use takes a record from a static pool, and from the heap when that is empty). */
     class Guard {
     public:
-        Guard() noexcept : record_(mine()) { enter(*record_); }
-        ~Guard() { leave(*record_); }
+        Guard() noexcept : record_(enter()) {}
+        ~Guard() {
+            if (record_) leave(*record_);
+        }
         Guard(const Guard&) = delete;
         Guard& operator=(const Guard&) = delete;
 
     private:
-        Record* record_;
+        Record* const record_;  // null within another one
     };
 
     /** What this thread calls as soon as it has left its outermost Guard; to be added to inside one. Used for telling
@@ -64,7 +65,7 @@ public:
     static void synchronize();
 
     /** This thread is inside a Guard. */
-    static bool inside() noexcept { return mine()->nesting != 0; }
+    static bool inside() noexcept { return mine()->epoch.load(std::memory_order_relaxed) != 0; }
 
     /** See detail::thisThread(). */
     static const void* thisThread() noexcept { return mine(); }
@@ -77,8 +78,11 @@ private:
         Record* record = record_;
         return __builtin_expect(record != nullptr, 1) ? record : attach();
     }
-    static void enter(Record& record) noexcept {
-        if (record.nesting++ != 0) return;
+    // Only the outermost Guard announces. Whether there is one is read from the announcement: a count of nested ones would make
+    // each Guard of a thread wait for the previous one.
+    static Record* enter() noexcept {
+        Record& record = *mine();
+        if (__builtin_expect(record.epoch.load(std::memory_order_relaxed) != 0, 0)) return nullptr;
         // Acquire: with the number that retire() left behind we also see that its object was unlinked. Release: who finds that
         // we are inside again, and not that we have left before, must see what we did then.
         record.epoch.store(epoch_.load(std::memory_order_acquire), std::memory_order_release);
@@ -88,9 +92,9 @@ private:
             // Either this comes after the unlinking side's own addition and sees what it unlinked, or before, and then
             // that one sees our announcement.
             epoch_.fetch_add(0, std::memory_order_acq_rel);
+        return &record;
     }
     static void leave(Record& record) noexcept {
-        if (--record.nesting != 0) return;
         // Pairs with the acquire loads of collect() and synchronize(): what we did inside happens before the destruction.
         record.epoch.store(0, std::memory_order_release);
         if (__builtin_expect(!record.deferred.empty(), 0)) record.deferred.run();

@@ -17,5 +17,5 @@ faulty_statement(slave_trigger_not_served ${file} [=[        if (active) execute
     }
     @{servePending();}@]=] [=[static_cast<void>(0);]=])
 faulty_value(slave_two_execute ${file} [=[if (@{internal::Presence::Waiter(this).others()}@) {]=] [=[false]=])
-faulty_value(slave_owner_not_asked_again ${file} [=[        entered = @{owner_ == self}@;]=] [=[true]=])
+faulty_value(slave_owner_not_asked_again ${file} [=[if (place && @{owner_ != self}@) {]=] [=[false]=])
 faulty_value(slave_owner_stays ${file} [=[const int last = @{owner_.exchange(0)}@;]=] [=[owner_.load()]=])

@@ -21,6 +21,23 @@ namespace {
 constexpr int kDeep = 40;  // more than one record of a thread takes
 constexpr NANO_TIME kEver = InfiniteNSecs;
 
+/** Uses something kDeep times. */
+class DeepUse {
+public:
+    explicit DeepUse(const void* what) {
+        for (Presence::Place*& place : places_) place = &Presence::enter(what);
+    }
+    /** How many of them were marked. */
+    int leave() {
+        int marked = 0;
+        for (int i = kDeep; i != 0; --i) marked += Presence::leave(*places_[i - 1]);
+        return marked;
+    }
+
+private:
+    Presence::Place* places_[kDeep];
+};
+
 bool othersUse(const void* what) { return Presence::Waiter(what).others(); }
 
 }  // namespace
@@ -29,16 +46,16 @@ TEST(Presence, IsSeenByOtherThreadsHoweverDeepItNests) {
     std::uint64_t outer = 0, inner = 0, deepest = 0;
     std::atomic<int> reached{0}, wanted{0};
     std::thread user([&] {
-        Presence::enter(&outer);
-        for (int i = 0; i != kDeep; ++i) Presence::enter(&inner);
-        Presence::enter(&deepest);
+        Presence::Place& first = Presence::enter(&outer);
+        DeepUse within(&inner);
+        Presence::Place& last = Presence::enter(&deepest);
         reached = 1;
         eventually([&] { return wanted == 2; });
-        Presence::leave();
-        for (int i = 0; i != kDeep; ++i) Presence::leave();
+        Presence::leave(last);
+        within.leave();
         reached = 2;
         eventually([&] { return wanted == 3; });
-        Presence::leave();
+        Presence::leave(first);
         reached = 3;
         eventually([&] { return wanted == 4; });
     });
@@ -57,23 +74,19 @@ TEST(Presence, IsSeenByOtherThreadsHoweverDeepItNests) {
 
 TEST(Presence, OfTheThreadThatAsksDoesNotCount) {
     std::uint64_t what = 0;
-    for (int i = 0; i != kDeep; ++i) Presence::enter(&what);
+    DeepUse deep(&what);
     EXPECT_FALSE(othersUse(&what));
     EXPECT_EQ(Presence::keep(&what), static_cast<unsigned>(kDeep));
-    for (int i = 0; i != kDeep; ++i) EXPECT_TRUE(Presence::leave());
-    Presence::enter(&what);
+    EXPECT_EQ(deep.leave(), kDeep);
+    Presence::Place& place = Presence::enter(&what);
     Presence::forget(&what);
     std::thread([&] { EXPECT_FALSE(othersUse(&what)); }).join();
-    EXPECT_FALSE(Presence::leave());
+    EXPECT_FALSE(Presence::leave(place));
 }
 
 TEST(Presence, RecordsOfThreadsThatHaveEndedAreFree) {
     std::uint64_t what = 0;
-    for (int round = 0; round != 200; ++round)
-        std::thread([&] {
-            for (int i = 0; i != kDeep; ++i) Presence::enter(&what);
-            for (int i = 0; i != kDeep; ++i) Presence::leave();
-        }).join();
+    for (int round = 0; round != 200; ++round) std::thread([&] { DeepUse(&what).leave(); }).join();
     EXPECT_FALSE(othersUse(&what));
 }
 
