@@ -118,20 +118,25 @@ protected:
     /** The neighbour without taking a reference. Valid only while an internal::Reclaimer::Guard exists. */
     ChannelElementBase* inputUnderGuard() const { return input_.load(std::memory_order_acquire); }
     ChannelElementBase* outputUnderGuard() const { return output_.load(std::memory_order_acquire); }
-    /** signal() of this class, for those who are inside a Guard already. */
+    /** signal() of this class, for a thread that is inside a Guard already. */
     bool signalUnderGuard() {
         ChannelElementBase* output = outputUnderGuard();
-        return output && output->signal();
+        return output && (output->quiet_.load(std::memory_order_relaxed) || output->signal());
     }
+    /** Whether signal() of this element has nothing to do, so that a writer need not call it. */
+    void setQuiet(bool quiet) { quiet_.store(quiet, std::memory_order_relaxed); }
+    bool isQuiet() const { return quiet_.load(std::memory_order_relaxed); }
 
 private:
     friend class internal::ConnectionManager;
+    friend class internal::StorageCore;
     static void exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to);
     static void dropLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* expected);
 
     std::atomic<ChannelElementBase*> input_{nullptr};   // each holds one reference,
     std::atomic<ChannelElementBase*> output_{nullptr};  // given back through the Reclaimer
     std::atomic<int> references_{0};
+    std::atomic<bool> quiet_{false};
 };
 
 inline void intrusive_ptr_add_ref(ChannelElementBase* element) { element->ref(); }

@@ -38,7 +38,7 @@ FlowStatus InputPortInterface::readSample(void* sample, bool copyOld) {
     const Reclaimer::Guard guard;
     const ChannelArray* channels = channels_.load(std::memory_order_acquire);
     if (!channels) return NoData;
-    if (channels->size == 1) return channels->begin()->channel->readErased(sample, copyOld);
+    if (channels->size == 1) return channels->begin()->read(sample, copyOld);
     return readSeveral(*channels, sample, copyOld);
 }
 
@@ -49,18 +49,18 @@ FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* s
     for (const ChannelArray::Entry& entry : channels)
         if (entry.channel == current) first = &entry;
 
-    FlowStatus best = first->channel->readErased(sample, copyOld);
+    FlowStatus best = first->read(sample, copyOld);
     const ChannelArray::Entry* old = first;
     for (const ChannelArray::Entry& entry : channels) {
         if (best == NewData) break;
         if (&entry == first) continue;
-        const FlowStatus status = entry.channel->readErased(sample, false);
+        const FlowStatus status = entry.read(sample, false);
         if (status > best) {
             best = status;
             old = &entry;
         }
     }
-    if (best == OldData && old != first && copyOld) best = old->channel->readErased(sample, true);
+    if (best == OldData && old != first && copyOld) best = old->read(sample, true);
     if (best == NewData) current_.store(old->channel, std::memory_order_relaxed);
     return best;
 }

@@ -66,6 +66,22 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
     else if (has_last_.load(std::memory_order_relaxed))
         has_last_.store(false, std::memory_order_relaxed);
 
+    {
+        const Reclaimer::Guard guard;
+        const ChannelArray* channels = channels_.load(std::memory_order_acquire);
+        if (!channels) return NotConnected;
+        if (__builtin_expect(channels->size == 1, 1)) {
+            const ChannelArray::Entry& only = *channels->begin();
+            const WriteStatus status = only.write(sample);
+            if (__builtin_expect(status == WriteSuccess, 1)) return WriteSuccess;
+            if (status != NotConnected) return only.mandatory ? status : WriteSuccess;
+        }
+    }
+    return writeToAll(sample);
+}
+
+/** For several channels, or one that is broken. */
+WriteStatus OutputPortInterface::writeToAll(const void* sample) {
     WriteStatus worst = WriteSuccess;
     DeadChannels dead;
     {
@@ -73,7 +89,7 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
         const ChannelArray* channels = channels_.load(std::memory_order_acquire);
         if (!channels) return NotConnected;
         for (const ChannelArray::Entry& entry : *channels) {
-            const WriteStatus status = entry.channel->writeErased(sample);
+            const WriteStatus status = entry.write(sample);
             if (__builtin_expect(status == WriteSuccess, 1)) continue;
             if (status == NotConnected) dead.add(entry.channel);
             if (entry.mandatory && status > worst) worst = status;

@@ -66,6 +66,7 @@ private:
     void allocateLast();
     void remember(const void* sample);
     class DeadChannels;
+    WriteStatus writeToAll(const void* sample);
     WriteStatus dropDead(const DeadChannels& dead, WriteStatus worst);
 
     std::atomic<bool> keep_last_{false};

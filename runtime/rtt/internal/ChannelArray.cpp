@@ -16,7 +16,7 @@ ChannelArray* ChannelArray::make(const Entry* entries, std::size_t size) {
     array->size = size;
     Entry* to = reinterpret_cast<Entry*>(array + 1);
     for (std::size_t i = 0; i < size; ++i) {
-        new (to + i) Entry(entries[i]);
+        new (to + i) Entry{entries[i].channel, entries[i].mandatory, entries[i].channel->storageCore()};
         entries[i].channel->ref();
     }
     return array;

@@ -5,6 +5,7 @@
 #define ORO_INTERNAL_CHANNEL_ARRAY_HPP
 
 #include <rtt/base/ChannelElementBase.hpp>
+#include <rtt/internal/StorageCore.hpp>
 
 #include <cstddef>
 
@@ -17,6 +18,15 @@ struct ChannelArray {
     struct Entry {
         base::ChannelElementBase* channel;
         bool mandatory;
+        /** Of the channel, if that stores samples: ports use it without the channel's virtual functions. Set by make(). */
+        StorageCore* storage = nullptr;
+
+        WriteStatus write(const void* sample) const {
+            return storage ? storage->write(sample, *channel) : channel->writeErased(sample);
+        }
+        FlowStatus read(void* sample, bool copyOld) const {
+            return storage ? storage->store().read(sample, copyOld) : channel->readErased(sample, copyOld);
+        }
     };
 
     std::size_t size = 0;

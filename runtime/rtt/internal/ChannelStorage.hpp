@@ -35,11 +35,7 @@ public:
         return ChannelStorage::sampleErased(&sample, reset);
     }
 
-    WriteStatus writeErased(const void* sample) override {
-        const WriteStatus status = core_.store().write(sample);
-        if (status == WriteSuccess) core_.hasManyReaders() ? core_.signalReaders() : Base::signalUnderGuard();
-        return status;
-    }
+    WriteStatus writeErased(const void* sample) override { return core_.write(sample, *this); }
     FlowStatus readErased(void* sample, bool copyOld) override { return core_.store().read(sample, copyOld); }
     [[gnu::cold]] WriteStatus sampleErased(const void* sample, bool reset) override {
         core_.store().setSample(sample, reset);

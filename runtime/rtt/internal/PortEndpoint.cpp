@@ -9,8 +9,8 @@
 namespace RTT::internal {
 
 bool PortEndpoint::signal() {
-    // Most input ports are polled. Relaxed: who switches signals on while others write gets those of later samples.
-    if (!signals_.load(std::memory_order_relaxed)) return input_.load(std::memory_order_relaxed) != nullptr;
+    // Most input ports are polled. Relaxed: a port whose signals are switched on while others write gets those of later samples.
+    if (!signals()) return input_.load(std::memory_order_relaxed) != nullptr;
     const Reclaimer::Guard guard;
     base::InputPortInterface* port = input_.load(std::memory_order_acquire);
     if (!port) return false;

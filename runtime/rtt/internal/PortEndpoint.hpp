@@ -15,7 +15,7 @@ namespace internal {
 /** Outlives its port: channels that still hold it find the port gone. One per port, shared by all its channels. */
 class RTT_API PortEndpoint final : public base::ChannelElementBase {
 public:
-    explicit PortEndpoint(base::PortInterface& port) : port_(&port) {}
+    explicit PortEndpoint(base::PortInterface& port) : port_(&port) { setQuiet(true); }
 
     base::PortInterface* getPort() const override { return port_.load(std::memory_order_acquire); }
     std::string getElementName() const override { return "PortEndpoint"; }
@@ -35,15 +35,14 @@ public:
     /** For the input port itself; it is set once, so that signal() need not ask for the port's kind. */
     void setInputPort(base::InputPortInterface* port) { input_.store(port, std::memory_order_release); }
     /** Whether signal() tells the port; that it need not is known here without looking at the port. */
-    void setSignals(bool on) { signals_.store(on, std::memory_order_relaxed); }
-    bool signals() const { return signals_.load(std::memory_order_relaxed); }
+    void setSignals(bool on) { setQuiet(!on); }
+    bool signals() const { return !isQuiet(); }
     /** The port goes away. Its destructor waits for those that are in signal(). */
     void detach();
 
 private:
     std::atomic<base::PortInterface*> port_;
     std::atomic<base::InputPortInterface*> input_{nullptr};
-    std::atomic<bool> signals_{false};
 };
 
 }  // namespace internal

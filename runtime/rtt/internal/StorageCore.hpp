@@ -30,6 +30,13 @@ public:
     void addReader(base::ChannelElementBase& reader);
     void removeReader(const base::ChannelElementBase* reader);
     bool signalReaders() const;
+    /** What `element`, which has this, does in writeErased(). */
+    WriteStatus write(const void* sample, base::ChannelElementBase& element) {
+        const WriteStatus status = store_->write(sample);
+        if (__builtin_expect(status == WriteSuccess, 1))
+            hasManyReaders() ? signalReaders() : element.signalUnderGuard();
+        return status;
+    }
     // The rare functions of the element that this belongs to.
     /** The new element, or null, and it deleted, if its storage could not be made. */
     static base::ChannelElementBase::shared_ptr heldIfReady(base::ChannelElementBase* made);
