@@ -84,7 +84,7 @@ void oneToEight(benchmark::State& state) {
             if (reader->read(got) != NewData) return state.SkipWithError("sample lost");
         benchmark::DoNotOptimize(got);
     }
-    state.counters["target_ns"] = 200;
+    state.counters["target_ns"] = 80;
 }
 
 template <class T>
@@ -100,16 +100,16 @@ void row(const std::string& name, const ConnPolicy& policy, bool keepLast, doubl
 const bool registered = [] {
     const auto data = [](int lock) { return ConnPolicy::data(lock); };
     const auto buffer = [](int lock) { return ConnPolicy::buffer(10, lock); };
-    row<double>("double, DATA lock-free", data(ConnPolicy::LOCK_FREE), false, 30);
-    row<double>("double, DATA lock-free, keep last", data(ConnPolicy::LOCK_FREE), true, 45);
-    row<double>("double, DATA locked", data(ConnPolicy::LOCKED), false, 0);
-    row<double>("double, DATA unsync", data(ConnPolicy::UNSYNC), false, 0);
-    row<double>("double, BUFFER lock-free", buffer(ConnPolicy::LOCK_FREE), false, 40);
+    row<double>("double, DATA lock-free", data(ConnPolicy::LOCK_FREE), false, 12);
+    row<double>("double, DATA lock-free, keep last", data(ConnPolicy::LOCK_FREE), true, 20);
+    row<double>("double, DATA locked", data(ConnPolicy::LOCKED), false, 26);
+    row<double>("double, DATA unsync", data(ConnPolicy::UNSYNC), false, 10);
+    row<double>("double, BUFFER lock-free", buffer(ConnPolicy::LOCK_FREE), false, 14);
     row<double>("double, BUFFER lock-free, keep last", buffer(ConnPolicy::LOCK_FREE), true, 0);
-    row<double>("double, BUFFER locked", buffer(ConnPolicy::LOCKED), false, 60);
-    row<double>("double, BUFFER unsync", buffer(ConnPolicy::UNSYNC), false, 25);
+    row<double>("double, BUFFER locked", buffer(ConnPolicy::LOCKED), false, 28);
+    row<double>("double, BUFFER unsync", buffer(ConnPolicy::UNSYNC), false, 12);
     row<double>("double, CIRCULAR_BUFFER lock-free", ConnPolicy::circularBuffer(10), false, 0);
-    row<Bytes64>("64-byte struct, DATA lock-free", data(ConnPolicy::LOCK_FREE), false, 40);
+    row<Bytes64>("64-byte struct, DATA lock-free", data(ConnPolicy::LOCK_FREE), false, 18);
     row<Bytes64>("64-byte struct, BUFFER lock-free", buffer(ConnPolicy::LOCK_FREE), false, 40);
     row<std::string>("short string, DATA lock-free", data(ConnPolicy::LOCK_FREE), false, 0);
     row<std::string>("short string, BUFFER lock-free", buffer(ConnPolicy::LOCK_FREE), false, 0);

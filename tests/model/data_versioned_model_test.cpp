@@ -107,6 +107,10 @@ TEST(VersionedData, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(away<o
 TEST(VersionedData, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(away<twoReaders>)); }
 TEST(VersionedData, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(away<twoWriters>)); }
 
+// The same with a reader that takes samples by plain stores.
+TEST(VersionedDataAlone, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(model::alone<away<oneWriter>>)); }
+TEST(VersionedDataAlone, two_writers_and_one_reader) { EXPECT_TRUE(model::holds(model::alone<away<twoWriters>>)); }
+
 // The same with a writer that has slots of its own.
 TEST(VersionedDataAtHome, one_writer_and_one_reader) { EXPECT_TRUE(model::holds(atHome<1, oneHomeWriter>)); }
 TEST(VersionedDataAtHome, one_writer_and_two_readers) { EXPECT_TRUE(model::holds(atHome<1, twoReaders>)); }
@@ -118,6 +122,7 @@ TEST(VersionedData, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("versioned_relaxed_copy", away<oneWriter>));
     EXPECT_TRUE(model::catches("versioned_relaxed_publication", away<oneWriter>));
     EXPECT_TRUE(model::catches("versioned_new_twice", away<twoReaders>));
+    EXPECT_TRUE(model::catches("versioned_never_taken", model::alone<away<oneWriter>>));
     EXPECT_TRUE(model::catches("versioned_current_overwritten", away<twoWriters>));
     EXPECT_TRUE(model::catches("versioned_relaxed_owner", away<twoWriters>));
     EXPECT_TRUE(model::catches("versioned_home_not_in_turn", atHome<1, oneHomeWriter>));

@@ -17,5 +17,8 @@ faulty_value(versioned_current_overwritten ${file}
 faulty_value(versioned_relaxed_owner ${file}
   [=[slot.owner.store(0, @{std::memory_order_release}@);  // W5]=] [=[std::memory_order_relaxed]=])
 faulty_value(versioned_new_twice ${file}
-  [=[!read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel)]=] [=[(read_.store(current), false)]=])
+  [=[if (!alone) return @{read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel)}@;]=]
+  [=[(read_.store(current), true)]=])
+faulty_statement(versioned_never_taken ${file} [=[        @{read_.store(current, std::memory_order_release);}@
+        return true;]=] [=[]=])
 faulty_value(versioned_home_not_in_turn ${file} [=[homeNext_ = @{homeNext_ + 1 < kHomeSlots ? homeNext_ + 1 : 0}@;]=] [=[0]=])

@@ -191,3 +191,30 @@ TEST(StoreStress, SizingAndClearingDuringTraffic) {
         for (const Result& r : storm.results) EXPECT_EQ(r.torn, 0u);
     }
 }
+
+// The first reader has long been the only one, and takes samples without asking whether others do.
+TEST(StoreStress, SecondReaderComesToOneThatReadsAlone) {
+    for (std::uint64_t round = stressCount(100); round != 0; --round) {
+        constexpr std::uint64_t kSamples = 400;
+        const auto store =
+            SampleStore::make(types::typeOps<double>(), spec(StoreSpec::Data, StoreSpec::LockFree), nullptr);
+        std::atomic<std::uint64_t> written{0};
+        std::atomic<unsigned> fresh[kSamples + 1] = {};
+        const auto readAll = [&] {
+            for (double sample = 0; sample < kSamples;)
+                if (store->read(&sample, true) == NewData) ++fresh[static_cast<std::size_t>(sample)];
+        };
+        std::thread writer([&] {
+            for (double sample = 1; sample <= kSamples; ++sample, ++written)
+                ASSERT_EQ(store->write(&sample), WriteSuccess);
+        });
+        std::thread first(readAll);
+        while (written < kSamples / 4 + round % 64) std::this_thread::yield();
+        std::thread second(readAll);
+        for (std::thread* const thread : {&writer, &first, &second}) thread->join();
+        for (const std::atomic<unsigned>& times : fresh) ASSERT_LE(times, 1u) << "sample " << &times - fresh;
+        double sample = 0;
+        const FlowStatus status = store->read(&sample, true);
+        EXPECT_EQ(status == NewData, fresh[kSamples] == 0u);
+    }
+}

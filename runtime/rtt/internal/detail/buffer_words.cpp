@@ -102,7 +102,7 @@ public:
     }
 
     FlowStatus read(void* sample, bool copyOld) override {
-        WordsCopy copy;
+        WordsCopy<> copy;
         for (;;) {
             Word h = head_.load(std::memory_order_acquire);                          // R1
             const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);  // R2
@@ -141,7 +141,7 @@ public:
         const std::size_t spare = claim();
         if (spare == spareCount_) return nullptr;
         const Word slot = claimed(spare);
-        WordsCopy copy;
+        WordsCopy<> copy;
         for (;;) {
             Word h = head_.load(std::memory_order_acquire);
             const Word word = ring_[h & ringMask_].load(std::memory_order_acquire);

@@ -25,8 +25,10 @@
 // published last, which is the only one of them that can be current.
 // New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader.
 // If it fails, another reader was first; the reader starts again and cannot return an older sample than that one.
+// The sole reader (sole_reader.hpp) makes a plain store in R5: no other thread takes samples meanwhile.
 #include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
+#include <rtt/internal/detail/sole_reader.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
 #include <atomic>
@@ -48,17 +50,18 @@ struct Slot {
     AtomicWord words[1];           // really as many as the sample needs
 };
 
+/** For samples of kSize bytes; 0: any. */
+template <std::size_t kSize>
 class VersionedData final : public SampleStore {
 public:
     VersionedData(const types::TypeOps& ops, std::size_t threads)
         : SampleStore(ops),
-          words_(wordsFor(ops.size)),
           slots_(kHomeSlots + threads + 2),
-          stride_(strideFor(sizeof(Slot) + (words_ - 1) * sizeof(Word))),
+          stride_(strideFor(sizeof(Slot) + (words() - 1) * sizeof(Word))),
           block_(static_cast<unsigned char*>(::operator new(stride_* slots_, std::align_val_t(64)))) {
         for (std::size_t i = 0; i < slots_; ++i) {
             Slot* s = new (block_ + i * stride_) Slot;
-            for (std::size_t w = 1; w < words_; ++w) new (s->words + w) AtomicWord;
+            for (std::size_t w = 1; w < words(); ++w) new (s->words + w) AtomicWord;
         }
     }
     ~VersionedData() override { ::operator delete(block_, std::align_val_t(64)); }
@@ -91,21 +94,22 @@ public:
     }
 
     FlowStatus read(void* sample, bool copyOld) override {
+        const SoleReader::Reading reading(reader_);
         for (;;) {
             Word seen = read_.load(std::memory_order_acquire);              // R0
             const Word current = current_.load(std::memory_order_acquire);  // R1
             if (current == kNone) return NoData;
-            if (seen == current && !copyOld) return OldData;
+            const bool isNew = seen != current && !reading.late();
+            if (!isNew && !copyOld) return OldData;
             const Slot& slot = at(indexOf(current));
             const Word version = current >> kSlotBits;
             if (slot.version.load(std::memory_order_acquire) != version) continue;  // R2
-            WordsCopy copy;
-            loadWords(copy, slot.words, words_);                                                              // R3
-            if (slot.version.load(std::memory_order_relaxed) != version) continue;                            // R4
-            if (seen != current && !read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel))  // R5
-                continue;
-            copyOut(sample, copy, ops_.size);
-            return seen == current ? OldData : NewData;
+            WordsCopy<kSize == 0 ? kMaxSampleWords : wordsFor(kSize)> copy;
+            loadWords(copy, slot.words, words());                                   // R3
+            if (slot.version.load(std::memory_order_relaxed) != version) continue;  // R4
+            if (isNew && !take(seen, current, reading.alone())) continue;           // R5
+            copyOut(sample, copy, bytes());
+            return isNew ? NewData : OldData;
         }
     }
 
@@ -116,20 +120,27 @@ public:
     }
 
 private:
+    std::size_t bytes() const { return kSize == 0 ? ops_.size : kSize; }
+    std::size_t words() const { return wordsFor(bytes()); }
     /** Small slots share a cache line by two. */
     static std::size_t strideFor(std::size_t size) { return size <= 32 ? 32 : (size + 63) / 64 * 64; }
     void publish(std::size_t i, const void* sample) {
         Slot& slot = at(i);
         const Word version = slot.version.load(std::memory_order_relaxed) + 1;
         slot.version.store(version, std::memory_order_relaxed);               // W2
-        storeWords(slot.words, sample, ops_.size);                            // W3
+        storeWords(slot.words, sample, bytes());                              // W3
         current_.store(version << kSlotBits | i, std::memory_order_release);  // W4
+    }
+    bool take(Word seen, Word current, bool alone) {
+        if (!alone) return read_.compare_exchange_strong(seen, current, std::memory_order_acq_rel);
+        read_.store(current, std::memory_order_release);
+        return true;
     }
     static std::size_t indexOf(Word current) { return current & ((Word(1) << kSlotBits) - 1); }
     Slot& at(std::size_t i) const { return *reinterpret_cast<Slot*>(block_ + i * stride_); }
     void resizeElements(const void*, bool) override {}  // plain samples all have one size
 
-    const std::size_t words_, slots_, stride_;
+    const std::size_t slots_, stride_;
     unsigned char* const block_;
     // Writers change the first ones, readers the last one: each on a cache line of its own.
     alignas(64) std::atomic<Word> current_{kNone};
@@ -137,6 +148,7 @@ private:
     std::size_t homeNext_ = 0;                   // the home thread's
     std::atomic<std::size_t> hint_{kHomeSlots};  // where the last other writer was; only spreads them
     alignas(64) std::atomic<Word> read_{kNone};
+    SoleReader reader_;
 };
 
 }  // namespace
@@ -144,7 +156,8 @@ private:
 bool fitsVersionedData(const types::TypeOps& ops) { return fitsWords(ops); }
 
 StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec) {
-    return StorePtr(new VersionedData(ops, spec.maxThreads));
+    if (ops.size == sizeof(double)) return StorePtr(new VersionedData<sizeof(double)>(ops, spec.maxThreads));
+    return StorePtr(new VersionedData<0>(ops, spec.maxThreads));
 }
 
 }  // namespace RTT::internal::detail

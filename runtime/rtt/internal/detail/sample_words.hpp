@@ -26,7 +26,7 @@ inline bool fitsWords(const types::TypeOps& ops) {
 }
 
 /** How many words a sample of `size` bytes takes. */
-inline std::size_t wordsFor(std::size_t size) { return (size + sizeof(SampleWord) - 1) / sizeof(SampleWord); }
+constexpr std::size_t wordsFor(std::size_t size) { return (size + sizeof(SampleWord) - 1) / sizeof(SampleWord); }
 
 /** Release each: who sees one of the words by an acquire also sees what was done before the sample was stored. */
 inline void storeWords(AtomicWord* to, const void* sample, std::size_t size) {
@@ -43,17 +43,20 @@ inline void storeWords(AtomicWord* to, const void* sample, std::size_t size) {
 }
 
 /** A copy that only its reader sees, until it is known to be whole. */
+template <std::size_t kWords = kMaxSampleWords>
 struct WordsCopy {
-    SampleWord words[kMaxSampleWords];
+    SampleWord words[kWords];
 };
 
 /** Acquire each: what is loaded afterwards is at least as new as any of the words. */
-inline void loadWords(WordsCopy& to, const AtomicWord* from, std::size_t count) {
+template <std::size_t kWords>
+void loadWords(WordsCopy<kWords>& to, const AtomicWord* from, std::size_t count) {
     for (std::size_t w = 0; w < count; ++w) to.words[w] = from[w].load(std::memory_order_acquire);
 }
 
 /** Word by word: for so few of them a call of memcpy() costs more than the copy. */
-inline void copyOut(void* sample, const WordsCopy& copy, std::size_t size) {
+template <std::size_t kWords>
+void copyOut(void* sample, const WordsCopy<kWords>& copy, std::size_t size) {
     unsigned char* to = static_cast<unsigned char*>(sample);
     const SampleWord* from = copy.words;
     for (; size >= sizeof(SampleWord); ++from, to += sizeof(SampleWord), size -= sizeof(SampleWord)) {
