@@ -19,7 +19,7 @@ bool CAS(volatile T* address, const V& expected, const W& value) noexcept {
     static_assert(std::is_trivially_copyable<T>::value, "CAS needs a trivially copyable type");
     static_assert(sizeof(T) == 1 || sizeof(T) == 2 || sizeof(T) == 4 || sizeof(T) == 8,
                   "CAS works on 1, 2, 4 or 8 bytes");
-    // As a number of that size: for a struct of smaller members Clang would call a function that may lock.
+    // Uses a number of that size: for a struct of smaller members, Clang would call a function that may lock.
     using Number = std::conditional_t<sizeof(T) <= 2, std::conditional_t<sizeof(T) == 1, std::uint8_t, std::uint16_t>,
                                       std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>;
     typedef Number __attribute__((may_alias)) Bits;

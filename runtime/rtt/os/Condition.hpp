@@ -11,8 +11,8 @@ namespace RTT {
 namespace os {
 
 /**
- * Lets threads wait for something that others announce. Waiting releases the mutex, which the caller must hold, and
- * takes it again before returning. Waits block and are not real-time safe; broadcast() does not block.
+ * Lets threads wait until another thread announces a change. The caller of a wait must hold the mutex; the wait
+ * releases it and locks it again before it returns. Waits block and are not real-time safe; broadcast() does not block.
  */
 class RTT_API Condition {
 public:
@@ -35,7 +35,7 @@ public:
 
     /**
      * Waits at most until the monotonic time `deadline` (nanoseconds, as rtos_get_time_ns()). Returns false if that
-     * time has come, true if it was woken before.
+     * time has come, true if the thread was woken before.
      */
     bool wait_until(Mutex& mutex, nsecs deadline);
 

@@ -27,7 +27,7 @@ void MainThread::Release() {}
 
 namespace {
 
-// By id, not pthread_t: the main thread has none that another thread could ask for.
+// By thread id: another thread cannot find out the pthread_t of the main thread.
 bool setScheduling(pid_t thread, int scheduler, int priority) {
     sched_param parameters{};
     parameters.sched_priority = priority;

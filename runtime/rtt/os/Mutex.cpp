@@ -30,12 +30,12 @@ bool lockWithin(pthread_mutex_t& mutex, Seconds timeout) {
     const nsecs now = rtos_get_time_ns();
     const nsecs wait = timeout > 0 ? Seconds_to_nsecs(timeout) : 0;
     if (wait > InfiniteNSecs - now) return pthread_mutex_lock(&mutex) == 0;
-#ifndef __SANITIZE_THREAD__  // which does not know this function and would take the mutex for unlocked
+#ifndef __SANITIZE_THREAD__  // it does not know this function and would take the mutex for unlocked
     const TIME_SPEC deadline = ticks2timespec(now + wait);
     const int error = pthread_mutex_clocklock(&mutex, CLOCK_MONOTONIC, &deadline);
     if (error != EINVAL) return error == 0;
 #endif
-    // Kernels before 5.14 know only the wall clock for a mutex that inherits priority.
+    // For a mutex that inherits priority, kernels before 5.14 support only the wall clock.
     TIME_SPEC wall;
     clock_gettime(CLOCK_REALTIME, &wall);
     const TIME_SPEC wallDeadline = ticks2timespec(wall.tv_sec * 1000000000LL + wall.tv_nsec + wait);

@@ -10,9 +10,9 @@ namespace RTT {
 namespace os {
 
 /**
- * What every mutex can do. lock() blocks until it has the mutex; trylock() never blocks; timedlock() blocks at
- * most the given number of seconds (measured on the monotonic clock). The shared functions take the mutex together
- * with other shared holders where the implementation knows sharing, else exclusively.
+ * The interface of all mutexes. lock() blocks until it has the mutex; trylock() never blocks; timedlock() blocks at
+ * most the given number of seconds, measured on the monotonic clock. The shared functions lock the mutex together with
+ * other shared holders if the implementation supports sharing, otherwise exclusively.
  */
 class RTT_API MutexInterface {
 public:

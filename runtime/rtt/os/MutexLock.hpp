@@ -32,7 +32,7 @@ private:
     MutexInterface& mutex_;
 };
 
-/** Takes a mutex if it is free; never blocks. Ask isSuccessful(). */
+/** Locks a mutex if it is free; never blocks. Check isSuccessful(). */
 class MutexTryLock {
 public:
     explicit MutexTryLock(MutexInterface& mutex) : mutex_(mutex), successful_(mutex.trylock()) {}
@@ -48,7 +48,7 @@ private:
     const bool successful_;
 };
 
-/** Waits at most `timeout` seconds for a mutex. Ask isSuccessful(). */
+/** Waits at most `timeout` seconds for a mutex. Check isSuccessful(). */
 class MutexTimedLock {
 public:
     MutexTimedLock(MutexInterface& mutex, Seconds timeout) : mutex_(mutex), successful_(mutex.timedlock(timeout)) {}

@@ -7,8 +7,8 @@
 
 /**
  * @file
- * Holds base::RunnableInterface. It lives in this folder because os::Timer is one and this layer includes nothing
- * above it; include <rtt/base/RunnableInterface.hpp>.
+ * Defines base::RunnableInterface. It is in this folder because os::Timer derives from it and this layer includes
+ * nothing above itself. Include <rtt/base/RunnableInterface.hpp> instead.
  */
 namespace RTT {
 namespace os {
@@ -29,7 +29,7 @@ public:
     enum WorkReason { TimeOut = 0, Trigger, IOReady };
 
     RunnableInterface();
-    /** Detaches from its activity, which must be stopped before. */
+    /** Detaches from the activity, which must have been stopped. */
     virtual ~RunnableInterface();
     RunnableInterface(const RunnableInterface&) = delete;
     RunnableInterface& operator=(const RunnableInterface&) = delete;
@@ -47,15 +47,16 @@ public:
     /** True if there are messages to execute. Must be safe to call from any thread. */
     virtual bool hasWork();
     /**
-     * Queues a message for execution in the thread of this runnable; false if it takes none (the caller keeps
-     * the message then). The ExecutionEngine implements it; SlaveActivity uses it on its master. Callable from any thread.
+     * Queues a message for execution in the thread of this runnable. If it accepts none, returns false and the caller
+     * keeps the message. The ExecutionEngine implements it; SlaveActivity uses it on its master. May be called from any
+     * thread.
      */
     virtual bool process(DisposableInterface* message);
 
     /** The thread of the activity, null if there is none. */
     virtual os::ThreadInterface* getThread() const;
     virtual ActivityInterface* getActivity() const;
-    /** Called by the activity; null detaches. */
+    /** Called by the activity to attach; null detaches. */
     virtual void setActivity(ActivityInterface* activity);
 
 protected:

@@ -28,7 +28,7 @@ public:
     void signal() { sem_post(&semaphore_); }
     /** Takes one if there is one. */
     bool trywait() { return sem_trywait(&semaphore_) == 0; }
-    /** The counter as it was a moment ago. */
+    /** The counter at some moment during the call. */
     int value() {
         int count = 0;
         sem_getvalue(&semaphore_, &count);

@@ -43,7 +43,7 @@ struct StartStopManager::Registry {
 StartStopManager::StartStopManager() : registry_(new Registry) {}
 
 StartStopManager* StartStopManager::Instance() {
-    // Never destroyed: static CleanupFunction objects of any library leave it at the very end.
+    // Never destroyed: static CleanupFunction objects of libraries unregister when the process ends.
     static StartStopManager* const instance = new StartStopManager;
     return instance;
 }
@@ -94,7 +94,7 @@ void StartStopManager::stop() {
         registry_->started = false;
         now = registry_->stops;
     }
-    // Phases forwards, within a phase backwards: what was registered last may use what was there before it.
+    // Phases go forwards, functions of a phase backwards: what was registered last may use what existed before.
     for (auto first = now.begin(); first != now.end();) {
         auto last = first;
         while (last != now.end() && last->phase == first->phase) ++last;

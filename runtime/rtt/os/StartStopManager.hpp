@@ -25,16 +25,19 @@ public:
     /** Nothing to release; kept for callers of the RTT API. */
     static void Release() {}
 
-    /** Called by start(), or at once if start() was called already (a plugin loaded later). Returns 0 if all is well. */
+    /** Registers a function for start(); calls it at once if start() was called already, as for plugins. Returns 0 on
+        success. */
     void startFunction(start_fun function, int phase = StartDefault);
-    /** Called by stop(). */
+    /** Registers a function for stop(). */
     void stopFunction(stop_fun function, int phase = StopDefault);
     void removeStartFunction(start_fun function);
     void removeStopFunction(stop_fun function);
 
-    /** Calls the start functions until one returns non-zero; returns that value, else 0. Does nothing the second time. */
+    /**
+     * Calls the start functions until one returns non-zero, and returns that value or 0. A second call does nothing.
+     */
     int start();
-    /** Calls the stop functions; a later start() begins anew. */
+    /** Calls the stop functions; start() may be called again afterwards. */
     void stop();
 
 private:

@@ -20,8 +20,8 @@
 
 /**
  * @file
- * Creation, properties and end of a thread. What it executes is in ThreadSession.cpp, start() and stop() in
- * ThreadStartStop.cpp.
+ * Creation, properties and end of a thread. ThreadSession.cpp has what it executes, ThreadStartStop.cpp start() and
+ * stop().
  */
 namespace RTT::os {
 
@@ -37,7 +37,7 @@ std::string formatted(const char* format, double value) {
     return text;
 }
 
-/** Why no thread can be created; a bad_alloc for those who know no other reason. */
+/** Says why no thread can be created. It is a bad_alloc, because callers of the RTT API expect one. */
 class NoThread final : public std::bad_alloc {
 public:
     explicit NoThread(const std::string& text) : text_(std::make_shared<const std::string>(text)) {}
@@ -53,14 +53,14 @@ std::string whyNot(int error) {
     return text + " (EAGAIN): the limit of threads (ulimit -u, pids.max of the control group) or of memory is reached";
 }
 
-/** A stack for signal handlers of this thread: a report of the crash where its own stack is used up needs one. */
+/** A stack for signal handlers of this thread: without it, the exhaustion of its own stack could not be reported. */
 class SignalStack {
 public:
     SignalStack() {
         stack_t present{};
         // A sanitizer has set one already.
         if (sigaltstack(nullptr, &present) != 0 || !(present.ss_flags & SS_DISABLE)) return;
-        // Mapped: as long as no handler runs it takes no memory.
+        // Mapped, so that it takes no memory as long as no handler runs.
         void* const memory =
             mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
         if (memory == MAP_FAILED) return;
@@ -77,7 +77,7 @@ public:
         if (!memory_ || sigaltstack(nullptr, &present) != 0) return;
         stack_t none{};
         none.ss_flags = SS_DISABLE;
-        // What the thread executed may have set another one.
+        // Code that the thread executed may have set another one.
         if (present.ss_sp == memory_ && sigaltstack(&none, nullptr) != 0) return;
         munmap(memory_, kSize);
     }
@@ -127,7 +127,7 @@ Thread::Thread(int scheduler, int priority, unsigned cpuAffinity, const std::str
 }
 
 Thread::~Thread() {
-    // The overrides of a sub-class are gone already: end the thread, call nothing.
+    // The overrides of a sub-class are already destroyed, so the thread ends without a call.
     state_->running = false;
     terminate();
 }
@@ -148,7 +148,7 @@ void Thread::terminate() {
     state_->exit = true;
     state_->running = false;
     wake(kExitReason);
-    if (ThreadInterface::isSelf()) {  // not a sub-class's: one that executes for this thread may join it
+    if (ThreadInterface::isSelf()) {  // not a sub-class's override: a thread that executes for this one may join it
         detail::log(
             detail::LogCritical, "Thread",
             "thread '" + state_->name + "' destroys itself: let another thread do that, this one cannot return");
@@ -157,11 +157,11 @@ void Thread::terminate() {
         reportIfBusy();
         pthread_join(state_->task.thread, nullptr);
     }
-    detail::noteRealTimeWanted(*this, false);  // another thread may get the number
+    detail::noteRealTimeWanted(*this, false);  // because another thread may get its number
     delist();
 }
 
-// Its end is waited for without limit, so that nothing is taken away from below what it executes.
+// The destructor then waits without limit, so that what the thread executes is not destroyed under it.
 void Thread::reportIfBusy() const {
     const nsecs deadline = detail::after(rtos_get_time_ns(), Seconds_to_nsecs(Thread::getStopTimeout()));
     std::uint32_t session = state_->session;
@@ -222,7 +222,7 @@ unsigned Thread::getCpuAffinity() const { return state_->joinable ? detail::affi
 
 bool Thread::setPeriod(Seconds period) {
     const nsecs ns = Seconds_to_nsecs(period);
-    // Between periodic and not, only while idle: the two run different functions.
+    // Periodic and non-periodic threads run different functions, so only an idle thread may change between them.
     if (ns < 0 || (isActive() && (ns == 0) != (state_->period == 0))) return false;
     state_->period = ns;
     return true;
@@ -242,7 +242,7 @@ void Thread::setStopTimeout(Seconds timeout) { state_->stopTimeout = Seconds_to_
 Seconds Thread::getStopTimeout() const {
     if (const nsecs set = state_->stopTimeout) return nsecs_to_Seconds(set);
     const nsecs period =
-        state_->period;  // not getPeriod(): an Activity waits by itself and stops within the time of no period
+        state_->period;  // not getPeriod(): an Activity waits by itself, so it gets the time of non-periodic threads
     return period == 0 ? stopTimeoutNoPeriod.load() : stopTimeoutPeriods * nsecs_to_Seconds(period);
 }
 

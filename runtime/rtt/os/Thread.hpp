@@ -15,16 +15,16 @@ namespace os {
 
 /**
  * A thread that is created idle with its object and can be started and stopped many times. Override initialize(),
- * step() (periodic) or loop() (not periodic), breakLoop() and finalize(). start() and stop() may be called from any
- * thread, at the same time as well: exactly one of several concurrent calls takes effect.
+ * step() (periodic) or loop() (not periodic), breakLoop() and finalize(). Any thread may call start() and stop(); of
+ * several concurrent calls, exactly one takes effect.
  *
  * A class that overrides these must call stop() and terminate() in its own destructor.
  */
 class RTT_API Thread : public ThreadInterface {
 public:
     /**
-     * Creates the thread; blocks until it exists. Scheduler and priority are adjusted, with a warning, to what the
-     * process may use (CheckScheduler, CheckPriority).
+     * Creates the thread; blocks until it exists. If the process may not use the scheduler or priority, they are
+     * replaced with a warning (CheckScheduler, CheckPriority).
      * @param period seconds; 0 makes the thread non-periodic
      * @param cpuAffinity bit n allows CPU n; 0 allows all
      * @throw std::bad_alloc, with the reason in what(), if no thread can be created
@@ -33,15 +33,15 @@ public:
     ~Thread() override;
 
     /**
-     * Calls initialize() in the caller, then lets the thread run; false if that returned false. Active already: a
-     * non-periodic thread executes loop() once more (true), a periodic one refuses (false).
+     * Calls initialize() in the calling thread, then lets the thread run; false if initialize() returned false. If the
+     * thread is active already, a non-periodic one executes loop() once more (true) and a periodic one refuses (false).
      */
     bool start() override;
     /**
-     * Blocks until the thread has left loop() or step(), at most the stop timeout, then calls finalize() in the
-     * caller. False if not active, if breakLoop() returned false or if the time is over; the thread stays active then
-     * in the last two cases. Called by the thread itself, it asks breakLoop(), too, if not periodic, and takes effect when the
-     * current loop() or step() returns.
+     * Blocks until the thread has left loop() or step(), at most the stop timeout, then calls finalize() in the calling
+     * thread. False if the thread is not active, if breakLoop() returned false, or if the time is over; in the last two
+     * cases the thread stays active. If the thread itself calls it, it takes effect when the current loop() or step()
+     * returns; a non-periodic thread asks breakLoop() first.
      */
     bool stop() override;
     bool isRunning() const override;
@@ -71,7 +71,7 @@ public:
     int getMaxOverrun() const override;
     void setWaitPeriodPolicy(int policy) override;
     void setStopTimeout(Seconds timeout) override;
-    /** What was set, else 10 periods, else 1 second (see the two functions below). */
+    /** The timeout that was set, or the default: 10 periods, or 1 second without a period (see setLockTimeout…()). */
     Seconds getStopTimeout() const override;
 
     /** Stack of threads that are created from now on, in bytes; 0 selects the default of the system. */
@@ -82,13 +82,14 @@ public:
     static void setLockTimeoutPeriodFactor(double periods);
 
 protected:
-    /** Not periodic. For a sub-class that waits for its period itself: the log names that one, in seconds. */
+    /** Creates a non-periodic thread for a sub-class that waits for its period itself; the log names that period, in
+        seconds. */
     Thread(int scheduler, int priority, unsigned cpuAffinity, const std::string& name, Seconds nominalPeriod);
 
     virtual bool initialize();
-    /** Periodic threads: called once per period. */
+    /** Called once per period in a periodic thread. */
     virtual void step();
-    /** Non-periodic threads: called once per start(). Default: step(). */
+    /** Called once per start() in a non-periodic thread. Default: step(). */
     virtual void loop();
     /** Asks a blocking loop() to return; true if it will. Called by stop(), in the stopping thread. */
     virtual bool breakLoop();
@@ -107,9 +108,10 @@ protected:
     std::uint32_t waitForWake(nsecs deadline) noexcept;
     /** Reasons of sub-classes that arrived while no session was running. Only for session(). */
     std::uint32_t takeEarlyReasons() noexcept;
-    /** The wake-up after `previous`, which came at `now`; counts overruns. 0: too many, the thread was stopped. */
+    /** The wake-up after `previous`, which came at `now`; counts overruns. 0 if there were too many and the thread was
+        stopped. */
     nsecs nextWakeUp(nsecs previous, nsecs now, nsecs period);
-    /** Marks the time in which stop() must ask breakLoop(). */
+    /** Marks the time in which stop() must call breakLoop(). */
     class UserCode {
     public:
         explicit UserCode(Thread& thread) noexcept;
@@ -121,10 +123,10 @@ protected:
         Thread& thread_;
     };
 
-    /** Stops at once, from the thread itself; calls finalize(). */
+    /** Stops at once and calls finalize(); called by the thread itself. */
     void emergencyStop();
-    /** Ends the thread and waits for its end, with an error in the log if that takes longer than the stop timeout. The object
-        cannot be started any more. Not from the thread itself, which could not return to what it executes. */
+    /** Ends the thread and waits for that; logs an error if it takes longer than the stop timeout. The object cannot be
+        started any more. The thread itself must not call it, because it could not return to what it executes. */
     void terminate();
 
 private:

@@ -9,7 +9,7 @@
 namespace RTT {
 namespace os {
 
-/** A thread of the operating system as the runtime sees it. Functions are callable from any thread. */
+/** A thread of the operating system. Its functions may be called from any thread. */
 class RTT_API ThreadInterface {
 public:
     ThreadInterface() = default;
@@ -40,7 +40,7 @@ public:
     virtual int getScheduler() const = 0;
     virtual bool setPriority(int priority) = 0;
     virtual int getPriority() const = 0;
-    /** Bit n allows CPU n; 0 allows every CPU the process started with. */
+    /** Bit n allows CPU n; 0 allows every CPU with which the process started. */
     virtual bool setCpuAffinity(unsigned cpuAffinity) = 0;
     virtual unsigned getCpuAffinity() const = 0;
 
@@ -55,11 +55,11 @@ public:
 
     /** True if the caller is this thread. Real-time safe. */
     virtual bool isSelf() const;
-    /** The number of this thread in os::threads, −1 if it has none. */
+    /** The number of this thread in os::threads; −1 if it has none. */
     int threadNumber() const { return number_; }
 
 protected:
-    /** Enters the thread into os::threads. */
+    /** Adds the thread to os::threads. */
     void enlist(const char* name, unsigned pid);
     void delist();
 

@@ -13,7 +13,7 @@ void Thread::run() {
     while (!state_->exit) {
         if (state_->session & State::kDue)
             runOneSession();
-        else  // start() sets kDue before it wakes, so that it is seen after this
+        else  // start() sets kDue before it wakes the thread, so kDue is visible after this
             state_->earlyReasons |= waitForWake(detail::kForever);
     }
 }
@@ -56,8 +56,9 @@ void Thread::session() {
     }
 }
 
-// Sequentially consistent, as the mark of UserCode is: asked after the mark was set, either stop(), which clears `running`
-// before it looks at the mark, sees the mark and breaks the loop, or this sees that user code must not begin.
+// Sequentially consistent, as the mark of UserCode is. The thread sets the mark and then calls this; stop() clears
+// `running` and then looks at the mark. So either stop() sees the mark and breaks the loop, or this sees that no user
+// code may begin.
 bool Thread::mayRun() const noexcept { return state_->running.load(); }
 
 void Thread::wake(std::uint32_t reasons) noexcept { state_->wakeWord.post(reasons); }
@@ -72,7 +73,8 @@ std::uint32_t Thread::takeEarlyReasons() noexcept {
 
 nsecs Thread::nextWakeUp(nsecs previous, nsecs now, nsecs period) {
     const nsecs next = detail::after(state_->waitPolicy == ORO_WAIT_REL ? now : previous, period);
-    // Late by a whole period. With ORO_WAIT_REL the next wake-up is never in the past, yet periods were missed.
+    // An overrun is being late by a whole period: with ORO_WAIT_REL the next wake-up is never in the past, even if
+    // periods were missed.
     if (detail::after(previous, period) > now) {
         if (state_->overruns > 0) --state_->overruns;
         return next;

@@ -75,7 +75,7 @@ bool Thread::stop() {
     return true;
 }
 
-// What they throw must not leave the thread between two states for ever, nor end a destructor that calls stop().
+// Exceptions must neither leave the thread between two states for ever nor leave a destructor that calls stop().
 bool Thread::mayBreakLoop() {
     try {
         return breakLoop();
@@ -101,23 +101,23 @@ void Thread::finalizeToIdle() {
     state_->life = State::kIdle;
 }
 
-// Not active any more, yet a thread that stopped itself, or that another thread is stopping, may still be executing. Whoever
-// calls stop(), mostly a destructor, does not expect that afterwards.
+// A thread that stopped itself, or that another thread is stopping, is not active any more but may still be executing.
+// The caller of stop(), mostly a destructor, expects that it does not.
 void Thread::waitForOthersStop() const {
     if (isSelf()) return;
     const nsecs deadline = detail::after(rtos_get_time_ns(), Seconds_to_nsecs(getStopTimeout()));
     while (const std::uint32_t busy = state_->session)
-        // The end of the session wakes us; when it is active again somebody has started it.
+        // The end of the session wakes this thread. If the other one is active again, somebody has started it.
         if (state_->life == State::kActive || !detail::futexWait(state_->session, busy, deadline)) return;
 }
 
-// In the thread itself, within its session, which ends when the current step returns because `running` is false.
+// Called by the thread itself within its session, which ends when the current step returns because `running` is false.
 bool Thread::stopSelf() {
     finalizeToIdle();
     return true;
 }
 
-// A stop() that failed. Who destroys the thread sets `exit` first and then clears `running`, so it stays false then.
+// Called if stop() failed. A thread that destroys this one sets `exit` before it clears `running`, so that stays false.
 bool Thread::goOn() {
     state_->running = true;
     if (state_->exit) state_->running = false;
@@ -126,7 +126,7 @@ bool Thread::goOn() {
     return false;
 }
 
-// The same in another thread. The session may have seen `running` false and be about to end: then the new one takes over.
+// The same in another thread. If the session has seen `running` false and is about to end, a new one takes over.
 bool Thread::keepRunning() {
     goOn();
     state_->session.fetch_or(State::kDue);
@@ -143,7 +143,7 @@ bool Thread::waitForSessionEnd(Seconds timeout) const {
 
 void Thread::emergencyStop() {
     state_->running = false;
-    // Not active any more: a stop() in another thread waits for this session and does the rest.
+    // If the thread is not active any more, a stop() in another thread waits for this session and does the rest.
     if (state_->change(State::kActive, State::kStopping)) finalizeToIdle();
 }
 

@@ -5,7 +5,7 @@
 namespace RTT::os {
 
 TimeService* TimeService::Instance() {
-    // Constant-initialised and trivially destroyed: usable from static constructors and destructors.
+    // Constant-initialised and trivially destroyed, so that static constructors and destructors can use it.
     static TimeService instance;
     return &instance;
 }
@@ -16,7 +16,7 @@ bool TimeService::Release() {
 }
 
 TimeService::ticks TimeService::getTicks() const {
-    // Relaxed: the word stands for itself, no other data is published through it.
+    // Relaxed: the word publishes no other data.
     const ticks word = word_.load(std::memory_order_relaxed);
     return offsetOf(word) + (enabledOf(word) ? rtos_get_time_ticks() : 0);
 }
@@ -35,7 +35,7 @@ void TimeService::enableSystemClock(bool yes) {
     ticks changed;
     do {
         if (enabledOf(word) == yes) return;
-        // The time itself does not jump: what the clock contributed goes into the offset, and back.
+        // The offset takes over what the clock contributed, or gives it back, so that the time does not jump.
         const ticks clock = rtos_get_time_ticks();
         changed = pack(offsetOf(word) + (yes ? -clock : clock), yes);
     } while (!word_.compare_exchange_weak(word, changed));

@@ -20,7 +20,8 @@ public:
     }
 
 protected:
-    // Not virtual: this runs while the sub-class is being constructed. Only timeout() is, and a timer must be set for it.
+    // Not a virtual call, because this runs while the sub-class is being constructed. Only timeout() is virtual, and it
+    // is not called before a timer is set.
     bool initialize() override { return claimRunner() && timer_.Timer::initialize(); }
     void step() override { timer_.Timer::step(); }
     void loop() override { timer_.Timer::loop(); }
@@ -81,14 +82,14 @@ void Timer::loop() {
     }
 }
 
-// Once: a stop() that has failed, because timeout() took too long, is followed by another loop().
+// True once only: after a stop() that failed because timeout() took too long, there is another loop().
 bool Timer::leave() {
     const bool leaves = quit_;
     quit_ = false;
     return leaves;
 }
 
-/** Takes the timer that expired first: sets its next expiry and wakes its waiters. Returns 0 if none has expired. */
+/** Finds the timer that expired first, sets its next expiry and wakes its waiters. Returns 0 if none has expired. */
 int Timer::serveExpired(nsecs now, TimerId& expired) {
     MutexLock lock(mutex_);
     Entry* first = nullptr;

@@ -26,11 +26,11 @@ public:
 
     /**
      * @param maxTimers number of timers
-     * @param scheduler of the thread that calls timeout(), which is that of getActivity(); −1: no thread, run this object in
-     *     an activity that is not periodic
+     * @param scheduler for the thread that calls timeout() and belongs to getActivity(); −1 makes no thread: run this
+     *     object in an activity that is not periodic
      */
     explicit Timer(TimerId maxTimers, int scheduler = -1, int priority = 0, const std::string& name = "Timer");
-    /** Ends the thread. A class that overrides timeout() calls stopThread() in its own destructor. */
+    /** Ends the thread. A class that overrides timeout() must call stopThread() in its own destructor. */
     ~Timer() override;
 
     /** Called when timer `id` expires, in the thread of the timer. */
@@ -38,18 +38,18 @@ public:
 
     /** Changes the number of timers; those that no longer exist are killed. */
     void setMaxTimers(TimerId max);
-    /** Expires after `period` seconds and then once per period. False for a bad id or a period that is not positive. */
+    /** Lets the timer expire after each `period` seconds. False for a bad id or a period that is not positive. */
     bool startTimer(TimerId id, Seconds period);
-    /** Expires once, after `delay` seconds. False for a bad id or a negative delay. */
+    /** Lets the timer expire once, after `delay` seconds. False for a bad id or a negative delay. */
     bool arm(TimerId id, Seconds delay);
     bool isArmed(TimerId id) const;
     /** Seconds until the next expiry; 0 if not armed. */
     Seconds timeRemaining(TimerId id) const;
-    /** Disarms; wakes those who wait for it. False for a bad id. */
+    /** Disarms the timer and wakes its waiters. False for a bad id. */
     bool killTimer(TimerId id);
     /** Blocks until the timer expires or is killed. False if it is not armed. */
     bool waitFor(TimerId id);
-    /** The same, at most until the monotonic time (ns); false if that came first. */
+    /** The same, at most until the monotonic time `deadline` (ns); false if that came first. */
     bool waitForUntil(TimerId id, nsecs deadline);
 
     bool initialize() override;
@@ -60,7 +60,7 @@ public:
     void finalize() override;
 
 protected:
-    /** Ends the own thread, if there is one, and waits for its end. */
+    /** Ends the object's own thread, if there is one, and waits for that. */
     void stopThread();
 
 private:

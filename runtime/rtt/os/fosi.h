@@ -5,8 +5,8 @@
 
 /**
  * @file
- * What the runtime asks of GNU/Linux, in C: schedulers, wait policies, time types, the monotonic clock; and mutexes and semaphores
- * from fosi_sync.h.
+ * The C layer over GNU/Linux: schedulers, wait policies, time types and the monotonic clock; fosi_sync.h adds mutexes
+ * and semaphores.
  */
 #include <rtt/rtt-config.h>
 
@@ -23,8 +23,8 @@
 #define ORO_SCHED_OTHER SCHED_OTHER
 
 /**
- * How a periodic thread finds its next wake-up: ABS adds the period to the previous wake-up (late cycles are
- * caught up back to back), REL adds it to the moment the thread really woke up.
+ * How a periodic thread computes its next wake-up: ABS adds the period to the previous wake-up, so that late cycles are
+ * caught up back to back; REL adds it to the moment when the thread really woke up.
  */
 #define ORO_WAIT_ABS 0
 #define ORO_WAIT_REL 1
@@ -40,7 +40,7 @@ typedef long long NANO_TIME;
 typedef long long TICK_TIME;
 typedef struct timespec TIME_SPEC;
 
-/** Identity of one thread of the operating system. */
+/** Identifies a thread of the operating system. */
 typedef struct {
     pthread_t thread; /* valid for threads made by os::Thread only */
     pid_t pid;        /* Linux thread id */
@@ -66,8 +66,8 @@ static inline TIME_SPEC ticks2timespec(TICK_TIME t) {
     return result;
 }
 
-/** Blocks for that long, on the clock above. 0; or -1 if a signal came first, and what is left in `*remaining`, which may be
-    null. */
+/** Blocks for that long on the monotonic clock and returns 0. If a signal comes first, returns -1 and stores the
+    remaining time in `*remaining`, which may be null. */
 static inline int rtos_nanosleep(const TIME_SPEC* duration, TIME_SPEC* remaining) {
     const int error = clock_nanosleep(CLOCK_MONOTONIC, 0, duration, remaining);
     if (error != 0) errno = error;

@@ -5,9 +5,9 @@
 
 /**
  * @file
- * Mutexes, condition variables and semaphores in C, for code that was written against the lowest layer. In C++, os::Mutex,
- * os::Condition and os::Semaphore are easier. All functions but those that try return 0 or an error number of POSIX, those for
- * semaphores -1 with errno. Times are those of rtos_get_time_ns(). Mutexes inherit priorities.
+ * Mutexes, condition variables and semaphores in C, for code that was written against the lowest layer. In C++,
+ * os::Mutex, os::Condition and os::Semaphore are easier. Functions return 0 or a POSIX error number; those for
+ * semaphores return -1 and set errno. Times are those of rtos_get_time_ns(). Mutexes inherit priorities.
  */
 #include <rtt/os/fosi.h>
 
@@ -53,15 +53,15 @@ static inline int oro_mutex_init_as(pthread_mutex_t* m, int type) {
 static inline int rtos_mutex_init(rt_mutex_t* m) { return oro_mutex_init_as(m, PTHREAD_MUTEX_NORMAL); }
 static inline int rtos_mutex_destroy(rt_mutex_t* m) { return pthread_mutex_destroy(m); }
 static inline int rtos_mutex_lock(rt_mutex_t* m) { return pthread_mutex_lock(m); }
-/** 0: locked. */
+/** Returns 0 if it locked the mutex. */
 static inline int rtos_mutex_trylock(rt_mutex_t* m) { return pthread_mutex_trylock(m); }
 static inline int rtos_mutex_unlock(rt_mutex_t* m) { return pthread_mutex_unlock(m); }
-/** ETIMEDOUT: that time has come. */
+/** Returns ETIMEDOUT if that time came first. */
 static inline int rtos_mutex_lock_until(rt_mutex_t* m, NANO_TIME until) {
 #ifdef ORO_MONOTONIC_WAITS
     const TIME_SPEC deadline = ticks2timespec(until);
     const int error = pthread_mutex_clocklock(m, CLOCK_MONOTONIC, &deadline);
-    /* Kernels before 5.14 know only the wall clock for a mutex that inherits priorities. */
+    /* For a mutex that inherits priorities, kernels before 5.14 support only the wall clock. */
     if (error != EINVAL) return error;
 #endif
     const TIME_SPEC wall = oro_wall_time(until);

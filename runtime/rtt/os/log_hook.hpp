@@ -14,12 +14,12 @@ namespace os {
 typedef void (*LogHook)(int level, const char* module, std::string_view text);
 
 /**
- * Tells the os layer, which does not know the Logger, where its messages go. The Logger does it when the library is
- * loaded; until then warnings and worse go to the standard error stream.
+ * Sets where messages of the os layer go, which does not know the Logger. The Logger calls it when the library is
+ * loaded. Until then, warnings and errors go to the standard error stream.
  */
 RTT_API void setLogHook(LogHook hook) noexcept;
 
-/** Called in every new os::Thread that is a real-time thread, before it executes anything. */
+/** Called in each new os::Thread that is a real-time thread, before it executes anything. */
 typedef void (*RealTimeThreadHook)();
 RTT_API void setRealTimeThreadHook(RealTimeThreadHook hook) noexcept;
 

@@ -6,14 +6,14 @@
 /**
  * @file
  * Write `int ORO_main(int argc, char** argv) { … }` instead of main(): the runtime is started before and stopped after
- * it, and exceptions that leave it are reported. Option `--nocatch` lets them through, for a debugger.
+ * it, and exceptions that leave it are reported. Option `--nocatch` lets them pass, for a debugger.
  */
 #include <rtt/os/startstop.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Runs `body` between __os_init() and __os_exit(); returns its result, −1 if it threw, what __os_init() says if that fails. */
+/** Runs `body` between __os_init() and __os_exit(). Returns its result, −1 if it threw, or the error of __os_init(). */
 RTT_API int __os_run_main(int argc, char** argv, int (*body)(int, char**));
 #ifdef __cplusplus
 }

@@ -62,7 +62,7 @@ public:
 private:
     static constexpr bool kOverAligned = alignof(T) > 16;
 
-    /** The word before the objects is the block they lie in. */
+    /** Stores the address of the block in the word before the objects. */
     static void* allocateAligned(std::size_t size) noexcept {
         void* const block = oro_rt_malloc(size + alignof(T));
         if (!block) return nullptr;

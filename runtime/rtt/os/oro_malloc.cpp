@@ -18,7 +18,7 @@ namespace {
 
 PoolRegistry& pools() noexcept { return PoolRegistry::instance(); }
 
-/** The smallest size there was no memory for, until a block of that size could be had again; 0: none. */
+/** The smallest size for which allocation failed, reset when a block of that size is allocated again; 0 if none. */
 std::atomic<std::size_t> refusedSize{0};
 
 /** Real-time safe in real-time threads. */
@@ -31,11 +31,11 @@ void reportExhausted(const MemoryPool& pool, std::size_t size) noexcept {
     try {
         RTT::os::detail::log(RTT::os::detail::LogError, "Memory", {text, static_cast<std::size_t>(length)});
     } catch (const std::exception&) {
-        // Who asked gets a null pointer in any case.
+        // The caller gets a null pointer in any case.
     }
 }
 
-/** Says once that memory is used up, not each time somebody tries in vain. Passes the block on. */
+/** Returns the block. Logs once that memory is used up, not for each failing call. */
 void* noted(const MemoryPool& pool, std::size_t size, void* block) noexcept {
     // Relaxed: threads that fail at the same time may both report.
     std::size_t refused = refusedSize.load(std::memory_order_relaxed);
@@ -60,7 +60,7 @@ void* allocateZeros(MemoryPool* pool, std::size_t count, std::size_t size) noexc
     return block;
 }
 
-/** `pool` gives the first block; a block stays in its own pool. */
+/** `pool` is for a new block; an existing one stays in its own pool. */
 void* resize(MemoryPool* pool, void* block, std::size_t size) noexcept {
     if (!block) return allocate(pool, size);
     if (size == 0) {

@@ -8,7 +8,7 @@
 namespace RTT {
 namespace os {
 
-/** Is the calling thread scheduled as a real-time thread just now? A system call that never waits. */
+/** True if the calling thread is scheduled as a real-time thread now. Makes a system call that never waits. */
 RTT_API bool inRealTimeThread() noexcept;
 
 }  // namespace os

@@ -10,7 +10,7 @@ namespace RTT::os {
 
 namespace {
 
-// By number of thread. Relaxed: nothing else hangs on it.
+// Indexed by thread number. Accessed relaxed, because nothing else depends on it.
 constexpr int kThreads = 4096;
 std::atomic<bool> wantedByNumber[kThreads];
 

@@ -11,14 +11,14 @@ namespace os {
 class ThreadInterface;
 
 /**
- * Is this a real-time thread, or was it asked to be one? Other than getScheduler() that tells, also where the privilege is
- * missing, what an application is meant to be. Any thread.
+ * True if this is a real-time thread, or was meant to be one. Unlike getScheduler(), it gives the intended result even
+ * where the privilege is missing. May be called from any thread.
  */
 RTT_API bool realTimeWanted(const ThreadInterface& thread) noexcept;
 
 namespace detail {
 
-/** For a thread that has its number. Threads beyond the first thousands count by what they got. */
+/** Must be called after the thread got its number. For numbers above some thousands, the actual scheduler counts. */
 void noteRealTimeWanted(const ThreadInterface& thread, bool wanted) noexcept;
 
 }  // namespace detail

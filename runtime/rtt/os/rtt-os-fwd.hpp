@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Forward declarations of what the runtime asks of the operating system.
+// Forward declarations of the operating system layer.
 #ifndef ORO_RTT_OS_FWD_HPP
 #define ORO_RTT_OS_FWD_HPP
 

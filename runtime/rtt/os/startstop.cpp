@@ -16,7 +16,7 @@ int __os_init(int argc, char** argv) {
     mainArgc = argc;
     mainArgv = argv;
     RTT::os::MainThread::Instance();
-    // Set aside now, so that no real-time thread has to.
+    // Reserved now, so that no real-time thread has to.
     RTT::os::detail::PoolRegistry::instance().current();
     return RTT::os::StartStopManager::Instance()->start();
 }

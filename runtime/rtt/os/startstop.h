@@ -10,12 +10,13 @@ extern "C" {
 #endif
 
 /**
- * Starts the runtime: remembers the arguments, registers the main thread, sets real-time memory aside (oro_malloc.h),
- * starts logging and loads plugins. ORO_main calls it. Returns 0, or what a start function reported. Calling it again changes only the remembered arguments.
+ * Starts the runtime: stores the arguments, registers the main thread, reserves real-time memory (oro_malloc.h), starts
+ * logging and loads plugins. ORO_main calls it. Returns 0, or the result of a start function that failed. A second call
+ * changes only the stored arguments.
  */
 RTT_API int __os_init(int argc, char** argv);
 
-/** Stops what __os_init() started. Stop and destroy your components before. */
+/** Stops what __os_init() started. Stop and destroy your components first. */
 RTT_API void __os_exit(void);
 
 /** The arguments given to __os_init(); 0 and null before. The strings are not copied. */

@@ -22,7 +22,7 @@ const int IncreasePriority = 1;
 
 namespace {
 
-// Asks for the capability itself: root in a container need not have it, and others may.
+// Tests the capability itself: root in a container may lack it, and other users may have it.
 bool maySetAnyPriority() {
     __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
     __user_cap_data_struct data[_LINUX_CAPABILITY_U32S_3] = {};
@@ -44,15 +44,15 @@ std::string userName() {
 
 std::string threadOf(const std::string& name) { return name.empty() ? "" : "thread '" + name + "': "; }
 
-// What was said of a scheduler covers the priority that was meant for it: both are checked by one thread, in this order.
+// A warning about a scheduler also covers its priority: one thread checks both, in this order.
 thread_local bool privilegeMissed = false;
-std::atomic<bool> privilegeTold{false};
+std::atomic<bool> privilegeReported{false};
 
-/** With the cure, once; how it is for each thread stands in the log file. */
-void tellMissingPrivilege(int scheduler, const std::string& name) {
+/** Warns once, with the cure; for each further thread there is a line in the log file. */
+void reportMissingPrivilege(int scheduler, const std::string& name) {
     const std::string what = threadOf(name) + detail::schedulerName(scheduler) +
                              " needs the capability CAP_SYS_NICE or an rtprio limit above 0, using ORO_SCHED_OTHER";
-    if (privilegeTold.exchange(true)) return detail::log(detail::LogInfo, "Thread", what);
+    if (privilegeReported.exchange(true)) return detail::log(detail::LogInfo, "Thread", what);
     detail::log(detail::LogWarning, "Thread",
                 what + "; the cure: a file in /etc/security/limits.d with the line '" + userName() +
                     " - rtprio 99', and to log in again (systemd: LimitRTPRIO=99); this is reported once");
@@ -82,7 +82,7 @@ bool detail::checkScheduler(int& scheduler, const std::string& name) {
         return false;
     }
     if (maySetAnyPriority() || priorityLimit() != 0) return true;
-    tellMissingPrivilege(scheduler, name);
+    reportMissingPrivilege(scheduler, name);
     privilegeMissed = true;
     scheduler = ORO_SCHED_OTHER;
     return false;
@@ -93,7 +93,7 @@ bool detail::checkPriority(int& scheduler, int& priority, const std::string& nam
     if (scheduler == ORO_SCHED_OTHER) {
         if (priority == 0) return true;
         if (missed) priority = LowestPriority;
-        // "The lowest" is how callers say that they do not care.
+        // Callers that do not care pass LowestPriority.
         if (priority != LowestPriority) return force(priority, 0, name, "has no meaning for ORO_SCHED_OTHER");
         priority = 0;
         return false;
@@ -113,7 +113,7 @@ struct ThreadList {
     std::vector<threads::Info> entries;
 };
 
-// Never destroyed: threads of static objects leave it when everything else is gone.
+// Never destroyed: threads of static objects end when everything else is gone.
 ThreadList& threadList() {
     static ThreadList& list = *new ThreadList;
     return list;

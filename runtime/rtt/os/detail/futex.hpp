@@ -13,21 +13,23 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/** @file The futex system call on an atomic word. The kernel looks at the word; all ordering comes from the word itself. */
+/**
+ * @file The futex system call on an atomic word. The kernel compares the word; its atomic operations order memory.
+ */
 namespace RTT {
 namespace os {
 namespace detail {
 
 constexpr NANO_TIME kForever = LLONG_MAX;
 
-/** A moment `wait` nanoseconds (≥ 0) after `now`; never, if that is later than the clock can tell. */
+/** The moment `wait` nanoseconds (≥ 0) after `now`; "never" if that overflows. */
 constexpr NANO_TIME after(NANO_TIME now, NANO_TIME wait) noexcept {
     return wait > kForever - now ? kForever : now + wait;
 }
 
 /**
- * Sleeps while `word` holds `expected`, at most until the monotonic time `deadline` (ns). Returns false if that time has
- * come. May also return true without a wake-up: test the word again.
+ * Sleeps while `word` holds `expected`, at most until the monotonic time `deadline` (ns). Returns false if that time
+ * has come. May also return true without a wake-up: test the word again.
  */
 inline bool futexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected, NANO_TIME deadline) noexcept {
     TIME_SPEC until;
@@ -42,7 +44,7 @@ inline bool futexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expe
     return !(result == -1 && errno == ETIMEDOUT);
 }
 
-/** A word to sleep on, and what it holds while there is nothing to wake up for. */
+/** A word to sleep on, and its value while there is no reason to wake up. */
 struct FutexWord {
     const std::atomic<std::uint32_t>* word;
     std::uint32_t expected;
@@ -50,8 +52,9 @@ struct FutexWord {
 constexpr unsigned kMostFutexWords = 8;
 
 /**
- * futexWait() for up to kMostFutexWords words at once: sleeps while each holds what is expected. Where the system cannot do
- * that (Linux before 5.16) it sleeps on the first one, at most a millisecond: whoever calls it looks again anyway.
+ * futexWait() for up to kMostFutexWords words at once: sleeps while each has its expected value. Where the system
+ * cannot do that (Linux before 5.16), sleeps on the first one, at most a millisecond, because callers test all words
+ * again.
  */
 inline bool futexWaitAny(const FutexWord* words, unsigned count, NANO_TIME deadline) noexcept {
 #ifdef SYS_futex_waitv
@@ -85,14 +88,16 @@ inline void futexWakeAll(const std::atomic<std::uint32_t>& word) noexcept {
     syscall(SYS_futex, &word, FUTEX_WAKE | FUTEX_PRIVATE_FLAG, INT_MAX);
 }
 
-/** Linux id of the calling thread, asked from the kernel once per thread. */
+/** The Linux id of the calling thread; one system call per thread. */
 inline pid_t currentTid() noexcept {
     static __thread pid_t tid __attribute__((tls_model("initial-exec")));
     if (__builtin_expect(tid == 0, 0)) tid = static_cast<pid_t>(syscall(SYS_gettid));
     return tid;
 }
 
-/** False if the thread of this process that had this Linux id has ended; another one may have the id by now. A system call. */
+/**
+ * False if the thread of this process with this Linux id has ended; another one may have the id by now. A system call.
+ */
 inline bool threadExists(pid_t tid) noexcept { return syscall(SYS_tgkill, getpid(), tid, 0) == 0 || errno != ESRCH; }
 
 }  // namespace detail

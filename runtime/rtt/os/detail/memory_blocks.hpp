@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How blocks lie in the areas of a MemoryPool. For its own sources only.
+// The layout of blocks in the areas of a MemoryPool. For its own sources only.
 #ifndef RTT_OS_DETAIL_MEMORY_BLOCKS_HPP
 #define RTT_OS_DETAIL_MEMORY_BLOCKS_HPP
 
@@ -13,12 +13,12 @@ namespace detail {
 /** Header of a block. The payload of a free block holds its place in a list. */
 struct MemoryPool::Block {
     static constexpr std::size_t kHeader = 16;
-    static constexpr std::size_t kFree = 1;  // sizes are multiples of 16: the low bits are ours
+    static constexpr std::size_t kFree = 1;  // a flag in the size, which is a multiple of 16
     static constexpr std::size_t kMinimum = 16;
 
     Block* before;  // the block in front of this one in memory; null for the first of an area
     std::size_t word;
-    Block* next;  // these two only while it is free
+    Block* next;  // used, as the next member, only while the block is free
     Block* previous;
 
     std::size_t size() const noexcept { return word & ~kFree; }

@@ -28,13 +28,13 @@ std::size_t roundedUp(std::size_t size) noexcept {
     return (size + MemoryPool::kAlignment - 1) & ~(MemoryPool::kAlignment - 1);
 }
 
-/** The size a block must have; 0 if there is none so large. */
+/** The block size for a payload of `size` bytes; 0 if that is too large. */
 std::size_t blockSize(std::size_t size) noexcept {
     if (size > SizeClass::kLargest) return 0;
     return size == 0 ? SizeClass::kStep : roundedUp(size);
 }
 
-// The heap of libc ends the process as well: going on would hand out memory twice.
+// Ends the process, as the heap of libc does: going on would hand out memory twice.
 [[noreturn]] void die(const char* what) noexcept {
     const auto ignored = write(STDERR_FILENO, what, std::strlen(what));
     (void)ignored;
@@ -134,7 +134,7 @@ MemoryPool::Block* MemoryPool::find(std::size_t size) const noexcept {
     return lists_[at.power][static_cast<unsigned>(__builtin_ctz(parts))];
 }
 
-/** Puts a block that is in no list into one, together with its free neighbours. */
+/** Joins a block that is in no list with its free neighbours and puts the result into a list. */
 void MemoryPool::join(Block* block) noexcept {
     Block* after = block->after();
     if (after->isFree()) {
@@ -151,7 +151,7 @@ void MemoryPool::join(Block* block) noexcept {
     insert(block);
 }
 
-/** Frees what a used block has beyond `size`, if it is enough for a block. */
+/** Frees the rest of a used block beyond `size`, if that is enough for a block. */
 void MemoryPool::splitOff(Block* block, std::size_t size) noexcept {
     const std::size_t rest = block->size() - size;
     if (rest < Block::kHeader + Block::kMinimum) return;
@@ -163,7 +163,7 @@ void MemoryPool::splitOff(Block* block, std::size_t size) noexcept {
     join(remainder);
 }
 
-/** Makes a block that is in no list a used one of this size. */
+/** Turns a block that is in no list into a used one of this size. */
 void MemoryPool::take(Block* block, std::size_t size) noexcept {
     splitOff(block, size);
     usage_.used += Block::kHeader + block->size();

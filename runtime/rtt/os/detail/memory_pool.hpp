@@ -19,44 +19,44 @@ namespace detail {
  * Ripoll, Crespo and Real, "TLSF: a new dynamic memory allocator for real-time systems", ECRTS 2004).
  *
  *   area    [ header | payload ][ header | payload ] … [ end marker ]
- *   lists   free blocks by size class, and two bit maps that tell which lists are not empty
+ *   lists   free blocks by size class, and two bit maps of the lists that are not empty
  *
- * Two free blocks never stand side by side; freeing joins them. The object itself lives at the start of the memory it
- * manages and asks the system for nothing.
+ * Two free blocks are never neighbours, because freeing joins them. The object itself is at the start of the memory
+ * that it manages, and it makes no system call for memory.
  *
- * Any thread. A mutex that inherits priority is held for a bounded number of instructions: a thread of high priority
- * waits at most for one such section of each thread that came before it.
+ * Any thread may use it. Functions hold a mutex that inherits priority for a bounded number of instructions: a thread
+ * of high priority waits at most for one such section of each thread that came before it.
  */
 class RTT_API MemoryPool {
 public:
     static constexpr std::size_t kAlignment = SizeClass::kStep;
 
-    /** Makes a pool of this memory; null if it is too small for the pool and one block. Needs no alignment. */
+    /** Makes a pool of this memory, aligned or not; null if it is too small for the pool and one block. */
     static MemoryPool* create(void* memory, std::size_t size) noexcept;
     ~MemoryPool();
     MemoryPool(const MemoryPool&) = delete;
     MemoryPool& operator=(const MemoryPool&) = delete;
 
-    /** More memory, anywhere. Returns how much of it can be allocated, 0 if it is too small. */
+    /** Adds memory at any address. Returns how many bytes of it can be allocated; 0 if it is too small. */
     std::size_t addArea(void* memory, std::size_t size) noexcept;
 
-    /** At least `size` bytes, aligned to 16; null if there is no block so large. Zero bytes count as one. */
+    /** Allocates at least `size` bytes, aligned to 16; null if no block is large enough. Zero bytes count as one. */
     void* allocate(std::size_t size) noexcept;
-    /** Null does nothing. What was not allocated here, or is free already, ends the process. */
+    /** Null does nothing. Memory that was not allocated here, or is free already, ends the process. */
     void release(void* payload) noexcept;
     /**
-     * Another size for what allocate() gave. Stays in place if it can. Otherwise copies, without holding the mutex;
-     * null, and the old block is untouched, if there is no room.
+     * Changes the size of an allocated block, in place if possible. Otherwise copies it, without holding the mutex. If
+     * there is no room, returns null and leaves the block as it is.
      */
     void* resize(void* payload, std::size_t size) noexcept;
 
-    /** Bytes: of all areas; not usable for payload in an empty pool; in use, with the latter; most ever in use. */
+    /** Bytes of all areas; overhead of an empty pool; in use, with that overhead; the most that was ever in use. */
     struct Usage {
         std::size_t total, overhead, used, maxUsed;
     };
     Usage usage() const noexcept;
 
-    /** Walks all blocks and lists. Returns what is wrong, or nothing. For tests: holds the mutex for as long as it takes. */
+    /** For tests: checks all blocks and lists, and returns what is wrong, or nothing. Holds the mutex all the time. */
     std::string findFault() const;
 
 private:

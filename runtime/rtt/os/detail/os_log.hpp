@@ -3,10 +3,10 @@
 #ifndef RTT_OS_DETAIL_OS_LOG_HPP
 #define RTT_OS_DETAIL_OS_LOG_HPP
 
-#include <string>  // who logs composes text
+#include <string>  // for callers, which compose text
 #include <string_view>
 
-/** @file How this layer writes to the log; os/log_hook.hpp says where that goes. */
+/** @file Logging for this layer; os/log_hook.hpp says where it goes. */
 namespace RTT {
 namespace os {
 namespace detail {
@@ -15,7 +15,7 @@ namespace detail {
 enum LogLevel { LogCritical = 2, LogError = 3, LogWarning = 4, LogInfo = 5, LogDebug = 6 };
 
 void log(LogLevel level, const char* module, std::string_view text);
-/** To be called in a new thread. */
+/** Must be called in each new real-time thread. */
 void beginRealTimeThread();
 
 }  // namespace detail

@@ -16,8 +16,8 @@ namespace os {
 namespace detail {
 
 /**
- * open(), with O_CLOEXEC and mode 0666, that follows no symbolic link of another user than this one or root: whoever plants one
- * in a folder would choose the file that is written over. Such a link gives −1 and ELOOP.
+ * open() with O_CLOEXEC and mode 0666 that follows only symbolic links of this user or root: with one planted in a
+ * folder, another user could choose which file is overwritten. Such a link gives −1 and ELOOP.
  */
 inline int openOwnFile(const char* name, int flags) noexcept {
     const int file = ::open(name, flags | O_CLOEXEC | O_NOFOLLOW, 0666);

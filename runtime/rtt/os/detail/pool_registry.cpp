@@ -30,10 +30,10 @@ PoolRegistry& PoolRegistry::instance() noexcept {
     return registry;
 }
 
-// Memory orders. An entry is written, then published by count_ (release) or, when it is used again, by its pool
-// (release); a pool is published by current_ (release). Readers acquire, so whoever finds a pool sees it made. The
-// thread that frees a block has got it from the thread that allocated it, which had found the pool: the entry happened
-// before, and no stale count_ can hide it.
+// Memory orders. An entry is written, then published by count_ (release) or, if it is reused, by its pool (release); a
+// pool is published by current_ (release). Readers acquire, so a thread that finds a pool sees it complete. A thread
+// that frees a block got it from the thread that allocated it, which had found the pool: the entry happened before, and
+// no stale count_ can hide it.
 
 MemoryPool* PoolRegistry::current() noexcept {
     MemoryPool* const pool = current_.load(std::memory_order_acquire);
@@ -44,7 +44,7 @@ MemoryPool* PoolRegistry::makeDefault() noexcept {
     Locked lock(changes_);
     if (MemoryPool* made = current_.load(std::memory_order_relaxed)) return made;
     if (!default_ && hasRoom(nullptr)) {
-        // Populated: the first use of a page would be a fault, in a real-time thread.
+        // Populated, because otherwise the first use of a page would be a page fault in a real-time thread.
         void* memory =
             mmap(nullptr, kDefaultSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
         if (memory == MAP_FAILED) return nullptr;
@@ -68,7 +68,7 @@ MemoryPool* PoolRegistry::madeOf(const void* memory) const noexcept {
 
 MemoryPool* PoolRegistry::ownerOf(const void* block) const noexcept {
     const auto* address = static_cast<const char*>(block);
-    // The latest first: memory of a destroyed pool may have become another one's.
+    // The latest first, because another pool may have been made of the memory of a destroyed one.
     bool known = false;
     for (unsigned i = count_.load(std::memory_order_acquire); i-- != 0;) {
         MemoryPool* pool = areas_[i].pool.load(std::memory_order_acquire);
@@ -90,7 +90,7 @@ void PoolRegistry::release(void* block) noexcept {
     if (MemoryPool* pool = ownerOf(block)) pool->release(block);
 }
 
-/** Can another area be entered? One that begins where a destroyed one did takes its place. */
+/** True if another area can be entered. One that begins where a destroyed one did takes its place. */
 bool PoolRegistry::hasRoom(const void* memory) const noexcept {
     const unsigned count = count_.load(std::memory_order_relaxed);
     for (unsigned i = 0; i != count; ++i)
@@ -134,7 +134,7 @@ std::size_t PoolRegistry::extend(void* memory, void* area, std::size_t size) noe
     Locked lock(changes_);
     MemoryPool* pool = madeOf(memory);
     if (!pool || !area || !hasRoom(area)) return 0;
-    // Entered first: others allocate from the area as soon as the pool has it.
+    // Entered before the pool gets it, because then other threads allocate from it.
     enter(pool, area, size, false);
     const std::size_t usable = pool->addArea(area, size);
     if (usable == 0) {

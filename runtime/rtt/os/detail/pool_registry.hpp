@@ -12,15 +12,15 @@ namespace os {
 namespace detail {
 
 /**
- * The pools of the process: which one memory is taken from, and to which one a block belongs. Looking up neither
- * locks nor blocks; the number of areas is bounded. A constant-initialised static, never destroyed: static strings may
+ * The pools of the process: from which one to allocate, and to which one a block belongs. A look-up does not block; the
+ * number of areas is bounded. It is a constant-initialised static that is never destroyed, because static strings may
  * allocate before main() and free after it.
  */
 class PoolRegistry {
 public:
     static PoolRegistry& instance() noexcept;
 
-    /** The pool that memory is taken from; made of kDefaultSize bytes if there is none. Null if that is impossible. */
+    /** The pool from which to allocate; made of kDefaultSize bytes if there is none. Null if that is impossible. */
     MemoryPool* current() noexcept;
     /** The pool that was made of this memory, or null. */
     MemoryPool* madeOf(const void* memory) const noexcept;
@@ -47,7 +47,7 @@ private:
     void enter(MemoryPool* pool, const void* memory, std::size_t size, bool first) noexcept;
     MemoryPool* makeDefault() noexcept;
 
-    pthread_mutex_t changes_ = PTHREAD_MUTEX_INITIALIZER;  // who changes anything
+    pthread_mutex_t changes_ = PTHREAD_MUTEX_INITIALIZER;  // held for changes
     std::atomic<MemoryPool*> current_{nullptr};
     MemoryPool* default_ = nullptr;
     std::atomic<unsigned> count_{0};

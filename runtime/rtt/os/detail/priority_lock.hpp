@@ -17,8 +17,8 @@ namespace os {
 namespace detail {
 
 /**
- * Holds a lock for some microseconds, which makes a system call only if another thread has it. The holder inherits the priority
- * of those who wait. Not recursive. The word is 0 at first.
+ * Holds a lock, which should take microseconds. It makes a system call only if another thread has the lock. The holder
+ * inherits the priority of the waiters. Not recursive. The word is 0 at first.
  */
 class PriorityLock {
 public:
@@ -27,13 +27,13 @@ public:
         while (!word_.compare_exchange_strong(nobody, self(), std::memory_order_acquire)) {
             if (syscall(SYS_futex, &word_, FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0) == 0) return;
             const TIME_SPEC moment{0, 20000};
-            nanosleep(&moment, nullptr);  // the holder is just ending, or this system has no such futexes
+            nanosleep(&moment, nullptr);  // the holder is ending, or this system has no such futexes
             nobody = 0;
         }
     }
     ~PriorityLock() {
         std::uint32_t mine = self();
-        // Otherwise the kernel has noted that somebody waits, and hands it over.
+        // If that fails, the kernel has marked the word because a thread waits, and hands the lock over.
         if (!word_.compare_exchange_strong(mine, 0, std::memory_order_release))
             syscall(SYS_futex, &word_, FUTEX_UNLOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0);
     }

@@ -23,7 +23,7 @@ namespace detail {
 
 namespace {
 
-// Taken once: later the main thread may be bound to one CPU, and new threads would inherit the binding of their maker.
+// Read once: later the main thread may be bound to one CPU, and new threads would inherit that from their maker.
 const cpu_set_t& processAffinity() {
     static const cpu_set_t all = [] {
         cpu_set_t set;
@@ -97,7 +97,8 @@ int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stac
     const auto attempt = [&] {
         sched_param parameters{};
         parameters.sched_priority = priority;
-        // A thread made by a real-time thread would inherit that. Explicit, the new thread waits for its maker once more.
+        // A thread made by a real-time thread would inherit real-time scheduling. Otherwise inheriting saves a wait for
+        // the maker.
         const bool inherits = scheduler == SCHED_OTHER && sched_getscheduler(0) == SCHED_OTHER;
         pthread_attr_setinheritsched(&attributes, inherits ? PTHREAD_INHERIT_SCHED : PTHREAD_EXPLICIT_SCHED);
         pthread_attr_setschedpolicy(&attributes, scheduler);
@@ -105,7 +106,7 @@ int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stac
         return pthread_create(&thread, &attributes, entry, argument);
     };
     int error = attempt();
-    // Also root may be refused: in a container, or under CONFIG_RT_GROUP_SCHED without a budget.
+    // Even root may be refused: in a container, or under CONFIG_RT_GROUP_SCHED without a budget.
     if (error == EPERM && scheduler != ORO_SCHED_OTHER) {
         warn(name, "cannot have " + describe(scheduler, priority) + ", using ORO_SCHED_OTHER", error);
         scheduler = ORO_SCHED_OTHER;

@@ -11,7 +11,7 @@ namespace detail {
 
 /**
  * Sorts sizes (multiples of 16 bytes) into lists of free blocks, on two levels: a power of two, divided into 32 equal
- * parts. The parts of level 0 are the multiples of 16 below 512. What a list wastes is at most 1/32 of a size.
+ * parts. The parts of level 0 are the multiples of 16 below 512. At most 1/32 of a size is wasted.
  */
 struct SizeClass {
     unsigned power;  // first level
@@ -33,8 +33,8 @@ struct SizeClass {
     }
 
     /**
-     * The first list of which every block is at least this large. A search there takes its first block and never has
-     * to look at a second one; that is what makes it constant in time.
+     * The first list in which every block is at least this large. A search takes its first block and never looks at a
+     * second one, so it takes constant time.
      */
     static SizeClass atLeast(std::size_t size) noexcept {
         if (size < kLinear) return of(size);

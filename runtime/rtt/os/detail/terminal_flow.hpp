@@ -19,7 +19,7 @@ namespace RTT {
 namespace os {
 namespace detail {
 
-/** Makes a write to a terminal, in whatever thread, begin again: SIGWINCH has a handler wherever there is a console. */
+/** Restarts writes to a terminal in all threads, by SIGWINCH, for which a program with a console has a handler. */
 inline void interruptThreads() noexcept {
     const int folder = open("/proc/self/task", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return;
@@ -38,14 +38,14 @@ inline void interruptThreads() noexcept {
 }
 
 /**
- * Nobody waits for a terminal any more, perhaps with a mutex that others want: one that was stopped by Ctrl-S writes again, and
- * what goes to one that takes nothing all the same, since nobody reads at its other end, is thrown away from now on. For
- * handlers of signals that end the process.
+ * Ends all waiting for terminals, because a thread that waits may hold a mutex that others need. A terminal stopped by
+ * Ctrl-S goes on. Output to one that still takes nothing, because nobody reads at its other end, is dropped from now
+ * on. For handlers of signals that end the process.
  */
 inline void letTerminalsWrite() noexcept {
     constexpr int kPatience = 200;  // milliseconds, for a terminal that is only slow
     const int error = errno;
-    // Whoever asks from the background would be stopped.
+    // A process in the background would be stopped for this call.
     sigset_t only, masked;
     sigemptyset(&only);
     sigaddset(&only, SIGTTOU);
@@ -53,7 +53,7 @@ inline void letTerminalsWrite() noexcept {
     bool stuck = false;
     for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
         if (isatty(descriptor) == 0) continue;
-        // Linux starts what Ctrl-S has stopped only if it was stopped in this way as well.
+        // Linux restarts a terminal stopped by Ctrl-S only if this call stopped it, too.
         (void)tcflow(descriptor, TCOOFF);
         (void)tcflow(descriptor, TCOON);
         pollfd writable = {descriptor, POLLOUT, 0};

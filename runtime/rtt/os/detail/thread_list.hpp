@@ -7,7 +7,7 @@ namespace RTT {
 namespace os {
 namespace detail {
 
-/** Enters a thread into os::threads; returns the smallest free number. */
+/** Adds a thread to os::threads; returns the smallest free number. */
 int addThread(const char* name, unsigned pid);
 void removeThread(int number);
 

@@ -13,15 +13,15 @@ namespace RTT {
 namespace os {
 
 /**
- * What a Thread keeps. Two small machines work together:
+ * The state of a Thread. Two small state machines work together:
  *
- *  life      Idle → Starting → Active → Stopping → Idle. Whoever makes a transition by compare-exchange owns the next
- *            one, so concurrent start() and stop() need no lock and cannot wait for each other.
- *  session   what the thread has to do and does: kDue (start() asked for a session) and kRunning. 0 means that
+ *  life      Idle → Starting → Active → Stopping → Idle. A thread that makes a transition by compare-exchange owns the
+ *            next one, so concurrent start() and stop() need no lock and cannot wait for each other.
+ *  session   what the thread must do and does: kDue (start() asked for a session) and kRunning. 0 means that
  *            the thread executes nothing and will not until the next start(); stop() waits for that.
  *
- * All of these use the default (sequentially consistent) order: they change when something starts or stops, not
- * in a cycle. The cycle reads `running` in that order too: see Thread::mayRun(), which pairs it with inUserCode.
+ * All use the default (sequentially consistent) order, because they change when something starts or stops, not in a
+ * cycle. The cycle reads `running` in that order too: see Thread::mayRun(), which pairs it with inUserCode.
  */
 struct Thread::State {
     enum Life : int { kIdle, kStarting, kActive, kStopping };

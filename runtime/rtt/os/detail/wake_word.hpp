@@ -10,21 +10,21 @@ namespace os {
 namespace detail {
 
 /**
- * The reasons why one thread must wake up, and whether it sleeps, in one word. Any thread posts, one thread waits.
+ * One word with the reasons why a thread must wake up and the flag that it sleeps. Any thread posts, one thread waits.
  *
- * The word goes  0 → kSleeping → kSleeping|reasons → 0  when the thread had to sleep, or
+ * The word goes 0 → kSleeping → kSleeping|reasons → 0 when the thread had to sleep, or
  *                0 → reasons → 0                        when it was awake.
  *
  * No wake-up is lost: every change of the word is an atomic read-modify-write, so all of them are in one order. A post
- * comes before the owner's exchange in wait(), which returns its reasons, or after it; then it is found by the
- * next wait(), whose compare-exchange from 0 fails. A post between that compare-exchange and the system call changes the
+ * comes before the owner's exchange in wait(), which returns its reasons, or after it; then it is found by the next
+ * wait(), whose compare-exchange from 0 fails. A post between that compare-exchange and the system call changes the
  * word, and FUTEX_WAIT returns at once because it no longer holds kSleeping.
  *
- * At most one system call per sleep: only the post that finds exactly kSleeping wakes. The thread cannot sleep
- * again before it has taken the reasons, so later posts know that it has been or is being woken.
+ * At most one system call per sleep: only the post that finds exactly kSleeping wakes. The thread cannot sleep again
+ * before it has taken the reasons, so later posts know that it has been or is being woken.
  *
- * A post must not be left out because the reason seems to be set already: the owner may have taken it in the meantime,
- * before it could see what the poster has to tell.
+ * A post must not be left out because the reason seems to be set already: the owner may have taken that reason before
+ * it could see what the poster wrote.
  */
 class WakeWord {
 public:
@@ -39,7 +39,9 @@ public:
         if (word_.fetch_or(reasons, std::memory_order_release) == kSleeping) futexWakeOne(word_);
     }
 
-    /** Sleeps until there is a reason or the monotonic time has come; takes and returns the reasons, 0 for the latter. */
+    /**
+     * Sleeps until there is a reason or the monotonic time has come; takes and returns the reasons, 0 for the latter.
+     */
     std::uint32_t wait(NANO_TIME deadline) noexcept {
         std::uint32_t nothing = 0;
         // Relaxed: success publishes nothing, failure is followed by the acquiring exchange.
