@@ -12,15 +12,17 @@ namespace RTT {
 namespace marsh {
 
 namespace detail {
-/** The element of a property file for a property; empty, and an error in the log, if it has no such form. */
+/**
+ * The element of a property file for a property. Logs an error and returns an empty text if the type has no such form.
+ */
 RTT_API std::string cpfElement(base::PropertyBase& property);
-/** A property file of these elements. */
+/** The text of a property file with these elements. */
 RTT_API std::string cpfDocument(const std::string& elements);
 }  // namespace detail
 
 /**
- * Writes the form of property files to a stream: flush() writes one whole file of what was serialized since the last
- * one. PropertyMarshaller writes files. Not thread safe, not real-time safe.
+ * Writes property files to a stream: flush() writes a whole file of what was serialized since the last flush. To write
+ * a file on disk, use PropertyMarshaller. Not thread safe, not real-time safe.
  */
 template <typename o_stream>
 class CPFMarshaller : public MarshallInterface, public StreamProcessor<o_stream> {

@@ -11,7 +11,7 @@ namespace marsh {
 /** Writes properties in some format. Not thread safe, not real-time safe. */
 class RTT_API MarshallInterface {
 public:
-    // Defined here: who derives from these needs nothing of the marshalling plugin.
+    // Defined here, so that derived classes need not link the marshalling plugin.
     virtual ~MarshallInterface() = default;
     virtual void serialize(base::PropertyBase* property) = 0;
     virtual void serialize(const PropertyBag& bag) = 0;
@@ -23,7 +23,7 @@ public:
 class RTT_API DemarshallInterface {
 public:
     virtual ~DemarshallInterface() = default;
-    /** Adds the properties read; the bag owns them. False if nothing, or only a part, could be read. */
+    /** Adds the properties that it reads; the bag owns them. False unless all could be read. */
     virtual bool deserialize(PropertyBag& bag) = 0;
 };
 

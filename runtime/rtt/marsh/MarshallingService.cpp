@@ -107,8 +107,8 @@ std::string described(Service& service) {
     return isMain ? component : "service '" + service.getName() + "' of " + component;
 }
 
-/** Calls `use` with a loader of that service and returns its result. The loader logs errors of the file. If `use` fails, the
-    calling script gets the reason: "could not", then `todo`, the name of the service and `file`. */
+/** Calls `use` with a loader for that service and returns its result. The loader logs the errors of the file. If `use`
+    fails, the calling script gets the reason: "could not", then `todo`, the name of the service and `file`. */
 template <class Use>
 bool used(Service* service, const std::string& todo, const std::string& file, Use use) {
     return service && internal::toldOr("could not " + todo + " of " + described(*service) + file,

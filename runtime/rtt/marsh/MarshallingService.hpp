@@ -11,10 +11,9 @@ namespace RTT {
 namespace marsh {
 
 /**
- * The service "marshalling": the functions of PropertyLoader as operations of a component, for the properties of the
- * service it was loaded into (normally the component itself) and of that service's sub-services. All run in the
- * caller's thread and return false, with the reasons in the log, if nothing was changed; for a calling
- * script the log names the place of the call as well.
+ * The service "marshalling" offers the functions of PropertyLoader as operations. They work on the properties of the
+ * service into which it was loaded (normally the component itself) and of its sub-services. All run in the caller's
+ * thread. If nothing was changed they return false and log the reasons; if a script calls, also the place of the call.
  */
 class RTT_API MarshallingService : public Service {
 public:
@@ -42,9 +41,9 @@ public:
     bool updateServiceFile(const std::string& filename, const std::string& servicename);
 
 private:
-    /** Those of the service that owns this one. */
+    /** The service that owns this one. */
     Service* target();
-    /** Those of a sub-service; null, and told, if there is none of that name. */
+    /** A sub-service. Logs an error and returns null if there is none of that name. */
     Service* target(const std::string& servicename);
     void addWholeOperations();
     void addServiceOperations();

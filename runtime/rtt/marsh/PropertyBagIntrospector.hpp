@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where older code looks for this visitor.
+// Older code includes the visitor from here.
 #ifndef ORO_MARSH_PROPERTY_BAG_INTROSPECTOR_HPP
 #define ORO_MARSH_PROPERTY_BAG_INTROSPECTOR_HPP
 

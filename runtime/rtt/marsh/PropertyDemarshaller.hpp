@@ -9,7 +9,7 @@
 namespace RTT {
 namespace marsh {
 
-/** Reads a property file. All errors go to the log with their places. */
+/** Reads a property file and logs all errors with their places. */
 class RTT_API PropertyDemarshaller : public DemarshallInterface {
 public:
     explicit PropertyDemarshaller(const std::string& filename);

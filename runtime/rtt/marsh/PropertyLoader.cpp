@@ -12,7 +12,7 @@ namespace RTT::marsh {
 
 namespace {
 
-/** Runs `action(sink)` and writes what the sink got to the log, or `done`. */
+/** Runs `action(sink)`, logs the errors, and logs `done` if it succeeds. */
 template <class Action>
 bool logged(const std::string& done, Action action) {
     diag::Sink sink;

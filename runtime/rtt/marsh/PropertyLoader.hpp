@@ -15,29 +15,29 @@ class TaskContext;
 namespace marsh {
 
 /**
- * Moves the properties of a component or service between memory and property files. If a function returns false, no
- * value was changed and all errors are in the log, with their places in the file. Not real-time safe; the caller sees
- * to it that the component does not use its properties meanwhile.
+ * Moves the properties of a component or service between memory and property files. If a function returns false, it
+ * changed no value and logged all errors with their places in the file. Not real-time safe. The caller must ensure that
+ * the component does not use its properties meanwhile.
  */
 class RTT_API PropertyLoader {
 public:
     explicit PropertyLoader(TaskContext* target);
     explicit PropertyLoader(Service* target);
 
-    /** Takes over what the file has, creating properties where there is none of that name. */
+    /** Sets the properties that the file names, and creates those that do not exist. */
     bool load(const std::string& file) const;
-    /** Takes over what both have; with `strict` every property must be in the file. */
+    /** Sets the properties that the file names and that exist; with `strict` the file must have every property. */
     bool configure(const std::string& file, bool strict = true) const;
-    /** Takes over one property by its path. */
+    /** Sets one property, given its path. */
     bool configure(const std::string& file, const std::string& name) const;
-    // A literal would rather become the bool than a string.
+    // Without this overload, a literal would convert to the bool `strict`.
     bool configure(const std::string& file, const char* name) const { return configure(file, std::string(name)); }
 
-    /** Makes the file anew from all properties. */
+    /** Writes the file anew from all properties. */
     bool store(const std::string& file) const;
-    /** Changes what the file has; with `all` also adds what it lacks. A missing file is made. */
+    /** Updates the properties that the file has; with `all`, also adds the others. Creates a missing file. */
     bool save(const std::string& file, bool all) const;
-    /** Changes or adds one property by its path. */
+    /** Updates or adds one property, given its path. */
     bool save(const std::string& file, const std::string& name) const;
     bool save(const std::string& file, const char* name) const { return save(file, std::string(name)); }
 

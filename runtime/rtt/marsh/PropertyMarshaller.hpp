@@ -9,7 +9,7 @@
 namespace RTT {
 namespace marsh {
 
-/** Writes a property file: each flush(), and the destructor, replaces the file by all that was serialized. */
+/** Writes a property file: each flush(), and the destructor, replaces the file with all that was serialized. */
 class RTT_API PropertyMarshaller : public MarshallInterface {
 public:
     explicit PropertyMarshaller(const std::string& filename);

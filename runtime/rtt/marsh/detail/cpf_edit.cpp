@@ -29,7 +29,7 @@ typedef std::vector<const xml::Element*> Elements;
 
 bool isBag(const xml::Element& element) { return element.name == "struct" || element.name == "sequence"; }
 
-/** The properties in `parent`, also those in elements that the reader looks through. */
+/** Collects the properties in `parent`, also those inside elements that mean nothing to the reader. */
 void findProperties(const xml::Element& parent, Elements& found) {
     for (const auto& child : parent.children) {
         if (child.name == "simple" || isBag(child))
@@ -41,13 +41,13 @@ void findProperties(const xml::Element& parent, Elements& found) {
 
 bool isPlain(const std::string& type) { return type.empty() || type == "PropertyBag" || type == "type_less"; }
 
-/** True for the elements of a sequence or array: their order counts, not their names. */
+/** True for the elements of a sequence or array, of which the order counts and the names do not. */
 bool areElements(const PropertyBag& bag) {
     if (isPlain(bag.getType())) return false;
     return isSequenceType(bag.getType()) || (!bag.empty() && bag.getItem(0)->getName() == "Element0");
 }
 
-/** True for the number of elements that old files put in front of them. */
+/** True for the count that old files write before the elements of a sequence. */
 bool isSize(const xml::Element& element) {
     static constexpr const char* kWholeNumbers[] = {"long",  "ulong",  "int",   "uint",
                                                     "short", "ushort", "llong", "ullong"};
@@ -56,7 +56,7 @@ bool isSize(const xml::Element& element) {
     return std::find(std::begin(kWholeNumbers), std::end(kWholeNumbers), type) != std::end(kWholeNumbers);
 }
 
-/** True if elements and items have the same names in the same order, as far as there are both. */
+/** True if elements and items have the same names in the same order, up to the end of the shorter list. */
 bool namesAgree(const Elements& elements, const PropertyBag& bag) {
     const std::size_t common = std::min(elements.size(), bag.size());
     for (std::size_t i = 0; i != common; ++i)
@@ -64,7 +64,7 @@ bool namesAgree(const Elements& elements, const PropertyBag& bag) {
     return true;
 }
 
-/** True if the file only has another order of the same members, and the type finds its members by name. */
+/** True if the file has the same members in another order, and the type finds its members by name. */
 bool isReordered(const Elements& elements, const PropertyBag& bag) {
     const types::TypeInfo* type = types::Types()->type(bag.getType());
     if (!type || elements.size() != bag.size()) return false;
@@ -102,10 +102,10 @@ public:
     std::string result() const { return edit_.result(); }
 
 private:
-    /** The reader would take no notice of an element in its place. */
+    /** Removes the count: the reader would ignore an element in its place. */
     void dropSize(Elements& elements, const PropertyBag& bag) {
         if (elements.empty() || !isSize(*elements.front())) return;
-        if (!bag.empty() && bag.getItem(0)->getName() == "Size") return;  // the type itself wants it
+        if (!bag.empty() && bag.getItem(0)->getName() == "Size") return;  // the type has such a member
         remove(*elements.front());
         elements.erase(elements.begin());
     }
@@ -121,7 +121,7 @@ private:
         appendFrom(elements.size(), parent, elements, bag, indent);
     }
 
-    /** For members that are not those of the file: types that users compose may need all of them, in their order. */
+    /** Writes all members anew: a type composed by users may need all of them, in their order. */
     void refill(const xml::Element& parent, const Elements& elements, const PropertyBag& bag, std::size_t indent) {
         for (const auto* element : elements) remove(*element);
         appendFrom(0, parent, elements, bag, indent);
@@ -143,7 +143,7 @@ private:
         append(parent, elements, missing, indent);
     }
 
-    /** `parentIndent` is that of the element around it. */
+    /** `parentIndent` is the indentation of the parent element. */
     void editItem(const xml::Element& element, PropertyBase& mine, std::size_t parentIndent) {
         const std::size_t indent = edit_.indentAt(element.extent.begin, parentIndent + 3);
         const PropertyBag* bag = bagOf(mine);
@@ -157,7 +157,7 @@ private:
         valueDepth_ -= isValue;
     }
 
-    /** The element becomes another kind of element. */
+    /** Replaces the element by one of another kind. */
     void replaceItem(const xml::Element& element, PropertyBase& mine, std::size_t indent) {
         std::string text = cpfItem(mine, indent);
         if (text.empty()) return;
@@ -167,7 +167,7 @@ private:
 
     void editType(const xml::Element& element, const std::string& mine) {
         const xml::Attribute* type = element.attribute("type");
-        // The reader takes no notice of the type of a <sequence> if that is none of sequences.
+        // The reader ignores the type of a <sequence> unless it is the type of a sequence.
         if (!type || (element.name == "sequence" && !isSequenceType(type->value))) return;
         if (!isPlain(mine) && !sameType(type->value, mine))
             edit_.replace(type->valueBegin, type->valueEnd, xml::escapeExactly(mine, true));
@@ -186,7 +186,7 @@ private:
         const xml::Attribute* typeName = element.attribute("type");
         const xml::Element* value = element.child("value");
         if (!typeName || !value || !writeSimple(mine, myType, myText)) return;
-        // Both in the form in which they would be written, because there are several for the same value.
+        // A value can be written in several ways, so both are compared in the form that the writer uses.
         const std::unique_ptr<PropertyBase> read(readSimple(typeName->value, "", "", value->text).property);
         const bool known = read && writeSimple(*read, type, text);
         if (!known || type != myType) edit_.replace(typeName->valueBegin, typeName->valueEnd, myType);
@@ -207,7 +207,7 @@ private:
         append(parent, siblings, items, indent);
     }
 
-    /** Puts the items behind all that is in `parent`. */
+    /** Adds the items at the end of `parent`. */
     void append(const xml::Element& parent, const Elements& siblings, const std::vector<PropertyBase*>& items,
                 std::size_t parentIndent) {
         const bool isRoot = parent.name == "properties";
@@ -231,8 +231,7 @@ private:
 
     TextEdit edit_;
     bool addNew_;
-    int valueDepth_ =
-        0;  // how many values of structs and sequences we are in, whose members have no descriptions of use
+    int valueDepth_ = 0;  // depth in structs and sequences, whose members need no descriptions
 };
 
 }  // namespace

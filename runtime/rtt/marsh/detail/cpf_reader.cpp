@@ -16,7 +16,7 @@ namespace {
 
 std::atomic<bool> lenientProcess{false};
 
-/** One whose fraction is 0, which says the same without it. */
+/** True for a number whose fraction is 0, such as 3.0: it has the same value without it. */
 bool isWholeNumber(const std::string& text) {
     const std::size_t point = text.find_first_not_of("+-0123456789");
     return point != std::string::npos && point != 0 && text[point] == '.' &&
@@ -92,7 +92,7 @@ private:
         readChildren(element, bag->value());
     }
 
-    /** Files give all kinds of types here; only one that really is a sequence counts. */
+    /** The type that the file gives, if it is the type of a sequence: files write all kinds of types here. */
     static std::string sequenceType(const xml::Element& element) {
         const std::string name = element.attributeOr("type", "");
         return isSequenceType(name) ? name : "Sequence";
@@ -108,7 +108,7 @@ private:
     Places* places_;
 };
 
-/** Only values and descriptions have text, of the elements that are known. */
+/** Of the elements that are known, only values and descriptions may have text. */
 void checkTexts(const xml::Element& element, diag::Sink& sink) {
     if (element.name == "value" || element.name == "description") return;
     const bool isBag = element.name == "properties" || element.name == "struct" || element.name == "sequence";

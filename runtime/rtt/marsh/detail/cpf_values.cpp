@@ -34,7 +34,7 @@ void readChar(SimpleValue& result, const Text& text) {
     result.expected = "one character";
     const std::string& letter = text.value;
     if (letter.size() <= 1) make<C>(result, text, letter.empty() ? C() : static_cast<C>(letter[0]));
-    // A byte beyond ASCII is written as the letter that it is in Latin-1.
+    // A char beyond ASCII is written as the letter with that code in Latin-1.
     const bool isLatin = letter.size() == 2 && (letter[0] == '\xC2' || letter[0] == '\xC3');
     if (isLatin)
         make<C>(result, text, static_cast<C>((letter[0] == '\xC3' ? 0x40 : 0) | static_cast<unsigned char>(letter[1])));
@@ -42,7 +42,7 @@ void readChar(SimpleValue& result, const Text& text) {
 
 void readString(SimpleValue& result, const Text& text) { make(result, text, text.value); }
 
-/** A number that is too small for T is the nearest that T has. */
+/** Reads a number; one too small for T becomes the nearest that T has. */
 template <class T>
 bool roundsToNothing(const char* begin, const char* end, T& value) {
     long double wide = 0;
@@ -51,7 +51,7 @@ bool roundsToNothing(const char* begin, const char* end, T& value) {
     return true;
 }
 
-/** Also hexadecimal, as the C library reads numbers. `begin` is behind the sign of a positive number. */
+/** Reads what the C library reads, hexadecimal included. `begin` is after a leading '+'. */
 template <class T>
 std::from_chars_result parseReal(const char* begin, const char* end, T& value) {
     const bool negative = begin != end && *begin == '-';
@@ -66,7 +66,7 @@ std::from_chars_result parseReal(const char* begin, const char* end, T& value) {
     return read;
 }
 
-/** Independent of the locale. */
+/** Does not depend on the locale. */
 template <class T>
 void readNumber(SimpleValue& result, const Text& text) {
     constexpr bool isReal = std::is_floating_point<T>::value;
@@ -91,7 +91,7 @@ struct SimpleType {
     void (*read)(SimpleValue& result, const Text& text);
 };
 
-/** The names of the format, then those of scripts, which files of many projects use as well. */
+/** The names of the format, then those of scripts, which many projects use in their files. */
 constexpr SimpleType simpleTypes[] = {
     {"boolean", &readBool},
     {"char", &readChar<char>},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The <simple> values of property files: text to property, and back.
+// Converts the <simple> values of property files to properties and back.
 #ifndef ORO_CPF_VALUES_HPP
 #define ORO_CPF_VALUES_HPP
 
@@ -10,23 +10,23 @@
 namespace RTT {
 namespace marsh {
 
-/** What reading one value came to. */
+/** The result of reading one value. */
 struct SimpleValue {
-    base::PropertyBase* property = nullptr;  ///< new; null if the text is not such a value
+    base::PropertyBase* property = nullptr;  ///< owned by the caller; null if the text is not such a value
     bool knownType = true;
-    bool trailingText = false;  ///< a number was followed by something else
-    bool outOfRange = false;    ///< it is a number that the type does not have
-    const char* expected = "";  ///< what such a value looks like
+    bool trailingText = false;  ///< the number is followed by other text
+    bool outOfRange = false;    ///< the number does not fit into the type
+    const char* expected = "";  ///< what the message expects instead
 };
 
-/** A new property of the type that `type` names in property files. */
+/** Makes a property of the type that property files call `type`. */
 SimpleValue readSimple(const std::string& type, const std::string& name, const std::string& description,
                        const std::string& text);
 
-/** Sets `type` and `text` to what stands for the value in a property file; false if its type has no such form. */
+/** Sets `type` and `text` as a property file writes them; false if the type of the value has no such form. */
 bool writeSimple(const base::PropertyBase& property, std::string& type, std::string& text);
 
-/** True if `name` is a type whose values are sequences of any length. */
+/** True if `name` is the type of a sequence of any length. */
 bool isSequenceType(const std::string& name);
 
 }  // namespace marsh

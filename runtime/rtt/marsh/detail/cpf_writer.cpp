@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    /** Types such as enums whose simpler form is a single value. */
+    /** Writes a value, such as an enum, that can be taken apart into a single simple value. */
     bool writeAsSimpler(const base::PropertyBase& property, std::size_t indent) {
         const auto source = property.getDataSource();
         const auto simpler = source->getTypeInfo()->decomposeType(source);

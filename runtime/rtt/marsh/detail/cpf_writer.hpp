@@ -12,13 +12,13 @@ namespace marsh {
 /** The text of a property file. Values of types that cannot be taken apart are left out, with an error in the log. */
 RTT_API std::string cpfText(const PropertyBag& bag);
 
-/** What makes items a property file. */
+/** Puts the head and the root element of a property file around the items. */
 RTT_API std::string cpfFrame(const std::string& items);
 
-/** The element for one property with a line end behind it, indented; empty if it is left out. */
+/** The element for one property, indented and with a line end; empty if the property is left out. */
 RTT_API std::string cpfItem(base::PropertyBase& property, std::size_t indent);
 
-/** Replaces the file as a whole or not at all; false, and an error in the log, if it cannot be written. */
+/** Replaces the file as a whole or not at all. Logs an error and returns false if it cannot be written. */
 RTT_API bool writeFile(const std::string& file, const std::string& text);
 
 }  // namespace marsh

@@ -35,7 +35,7 @@ void copyDeep(const PropertyBag& from, PropertyBag& to) {
     }
 }
 
-/** Puts the values back and removes what was added, which stands behind what was there. */
+/** Restores the saved values and removes the properties that were added after them. */
 void restore(PropertyBag& bag, const PropertyBag& saved) {
     while (bag.size() > saved.size()) bag.removeProperty(bag.getItem(bag.size() - 1));
     for (std::size_t i = 0; i != bag.size(); ++i) {
@@ -70,7 +70,7 @@ bool write(const std::string& file, const std::string& text, diag::Sink& sink) {
     return !failed;
 }
 
-/** Puts the values of `simple` into a file that exists. */
+/** Updates an existing file with the values of `simple`. */
 bool edit(const std::string& file, const PropertyBag& simple, bool addNew, diag::Sink& sink) {
     PropertyBag read;
     const auto text = xml::readText(file, sink);

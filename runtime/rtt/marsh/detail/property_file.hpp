@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Between a bag in memory and a property file: which side gives what.
+// Moves values between a bag in memory and a property file.
 #ifndef ORO_PROPERTY_FILE_HPP
 #define ORO_PROPERTY_FILE_HPP
 
@@ -10,23 +10,23 @@ namespace RTT {
 namespace marsh {
 
 enum class LoadMode {
-    refresh,        ///< what both have
-    strictRefresh,  ///< every property of the bag must be in the file
-    load,           ///< what both have, and the bag gets what it lacks
+    refresh,        ///< set what both have
+    strictRefresh,  ///< the same, and the file must have every property of the bag
+    load,           ///< set what both have, and add to the bag what only the file has
 };
 
-/** On error all values of the bag are as before. Errors name their places in the file. */
+/** On an error no value of the bag changes. Errors have places in the file. */
 RTT_API bool loadFromFile(PropertyBag& bag, const std::string& file, LoadMode mode, diag::Sink& sink);
-/** One property by its path; it must be in both. */
+/** Sets one property, given its path; bag and file must both have it. */
 RTT_API bool loadOneFromFile(PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink);
 
 enum class SaveMode {
-    store,   ///< the file holds exactly the bag afterwards
-    merge,   ///< what the file had besides stays
-    update,  ///< only what the file has already is changed; a missing file is stored
+    store,   ///< the file then has exactly the properties of the bag
+    merge,   ///< what only the file has stays
+    update,  ///< only properties that the file has change; a missing file is stored
 };
 
-/** A file that exists but cannot be read stays as it is, and that is an error. */
+/** A file that exists but cannot be read is an error and stays as it is. */
 RTT_API bool saveToFile(const PropertyBag& bag, const std::string& file, SaveMode mode, diag::Sink& sink);
 RTT_API bool saveOneToFile(const PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink);
 

@@ -18,7 +18,7 @@ namespace {
 
 std::error_code lastError() { return {errno, std::generic_category()}; }
 
-/** What a symbolic link leads to, whether or not that exists. */
+/** The target of a symbolic link, whether or not it exists. */
 fs::path followed(fs::path path) {
     std::error_code failed;
     for (int links = 0; links != 40 && fs::is_symlink(path, failed); ++links) {
@@ -29,7 +29,8 @@ fs::path followed(fs::path path) {
     return path;
 }
 
-/** True if a file that may be written to can give that when another is put beside it or in its place. */
+/** True if this error, of creating a file beside the target or of renaming it, may come of a target that can be
+    overwritten. */
 bool mayOverwriteAfter(const std::error_code& failed) {
     switch (failed.value()) {
         case EACCES:

@@ -11,11 +11,12 @@ namespace RTT {
 namespace marsh {
 
 /**
- * Replaces the content of the file as a whole or not at all, whether the process crashes or the machine: the text is
- * written beside it first, and the disk is waited for. What earlier processes left there is removed. The file keeps its
- * permissions, and its owner and group as far as this process may set them; a symbolic link stays one and its target is
- * replaced. Devices and pipes are written to. So are files beside which none can be added and those that cannot be
- * replaced, such as mount points; only these may be left half-written. Refuses read-only files.
+ * Replaces the content of the file as a whole or not at all, even if the process or the machine crashes: it writes the
+ * text to a temporary file beside it, syncs that to disk, and renames it. It removes temporary files that earlier
+ * processes left. The file keeps its permissions, and its owner and group if this process may set them; a symbolic link
+ * stays, and its target is replaced. Devices and pipes are written in place. So are files in a folder where none can be
+ * created and files that cannot be replaced, such as mount points; only these may be left half-written. Read-only files
+ * are refused.
  */
 RTT_API std::error_code replaceFile(const std::string& file, const std::string& text);
 

@@ -5,11 +5,11 @@
 namespace RTT::marsh {
 
 namespace {
-constexpr std::size_t kTab = 3;  // as far as the writer indents what is within another
+constexpr std::size_t kTab = 3;  // as wide as one indentation of the writer
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/** The first line that is indented tells. */
+/** Looks at the first indented line. */
 bool isIndentedByTabs(const std::string& text) {
     const std::size_t tab = text.find("\n\t");
     return tab != std::string::npos && tab < text.find("\n ");

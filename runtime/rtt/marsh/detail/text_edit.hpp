@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Changes at several places of a text, collected while its parts are still where they were.
+// Collects changes at several places of a text and then applies them; places refer to the unchanged text.
 #ifndef ORO_TEXT_EDIT_HPP
 #define ORO_TEXT_EDIT_HPP
 
@@ -15,21 +15,20 @@ public:
     /** `text` must live until result(). */
     explicit TextEdit(const std::string& text);
 
-    /** The bytes from `begin` up to `end` become `by`; ranges must come in order and not overlap. */
+    /** Replaces the bytes from `begin` up to `end` with `by`; ranges must come in order and not overlap. */
     void replace(std::size_t begin, std::size_t end, std::string by);
     void insert(std::size_t at, std::string what) { replace(at, at, std::move(what)); }
-    /** With the blanks before it, up to and including the end of the line before. */
+    /** Removes the bytes, the blanks before them and the preceding line end. */
     void removeWithIndent(std::size_t begin, std::size_t end);
 
-    /** `at`, or the place behind the last letter before it, but not before `lowest`. */
+    /** The first of the blanks that end at `at`, but not before `lowest`. */
     std::size_t beforeBlanks(std::size_t at, std::size_t lowest) const;
-    /** How wide the blanks are that the line begins with in which `at` is, a tab being 3; `otherwise` if there are letters
-        before `at`. */
+    /** The indentation of the line at `at`, where a tab counts 3; `otherwise` if the line has letters before `at`. */
     std::size_t indentAt(std::size_t at, std::size_t otherwise) const;
 
     bool hasLineEnd(std::size_t begin, std::size_t end) const;
 
-    /** What is inserted gets the line ends of the text, and is indented by tabs if the text is. */
+    /** The changed text. Insertions get the line ends of the text, and tabs if it is indented by tabs. */
     std::string result() const;
 
 private:
