@@ -9,7 +9,7 @@
 namespace RTT {
 namespace types {
 
-/** Generator for bool, whose text is "true" or "false"; 1 and 0 are read, too. */
+/** Generator for bool: writes "true" or "false", and also reads 1 and 0. */
 struct BoolTypeInfo : TemplateTypeInfo<bool, true> {
     explicit BoolTypeInfo(const std::string& name = "bool") : TemplateTypeInfo<bool, true>(name) {}
 

@@ -8,7 +8,7 @@
 namespace RTT {
 namespace types {
 
-/** Generator for strings: printed as they are, members size, capacity and the characters by index, resizable. */
+/** Generator for strings: they are printed as they are, can be resized, and have members size, capacity and [index]. */
 template <class T>
 class StdBasicStringTypeInfo : public TemplateTypeInfo<T, true>, public SequenceTypeInfoBase<T> {
 public:
@@ -18,8 +18,8 @@ public:
         const auto self = boost::dynamic_pointer_cast<StdBasicStringTypeInfo>(this->getSharedPtr());
         TemplateTypeInfo<T, true>::installTypeInfoObject(info);
         info->setMemberFactory(self);
-        // A string is not made of its characters in files: it has no composition factory of a sequence.
-        // Reading takes the whole text, blanks included.
+        // Files store a string as one text, not as a sequence, so it needs no composition factory. Reading takes the
+        // whole text, blanks included.
         info->setStreamFactory(boost::shared_ptr<StreamFactory>(new WholeText()));
         return false;
     }

@@ -10,7 +10,7 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** The properties in a bag are its members; which there are depends on the bag. */
+/** The members of a bag are its properties, so each bag has its own. */
 class BagInfo : public TemplateTypeInfo<PropertyBag, true>, public MemberFactory {
 public:
     BagInfo() : TemplateTypeInfo<PropertyBag, true>("PropertyBag") {}

@@ -22,13 +22,13 @@ bool convertNumber(const void*, const void* const* arguments, void* result) {
     return true;
 }
 
-/** Silent. */
+/** A conversion without a warning. */
 template <class To, class From>
 constexpr Conversion silent() {
     return {&typeRef<To>, &typeRef<From>, true, &convertNumber<To, From>};
 }
 
-/** With a warning. */
+/** A conversion that scripts may use, with a warning. */
 template <class To, class From>
 constexpr Conversion warned() {
     return {&typeRef<To>, &typeRef<From>, false, &convertNumber<To, From>};

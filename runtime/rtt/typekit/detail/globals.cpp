@@ -13,7 +13,7 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** Names that exist already, added by a user, stay what they are. */
+/** Adds a name, unless a user has added it already. */
 template <class T>
 void add(const char* name, T value) {
     const auto globals = GlobalsRepository::Instance();

@@ -53,7 +53,7 @@ constexpr Conversion conversions[] = {
     silent<ullong, int>(),
     silent<ullong, unsigned>(),
     silent<ullong, llong>(),
-    // From the small integers to those that hold all their values.
+    // From a small integer to each type that has all its values.
     silent<int, signed char>(),
     silent<int, unsigned char>(),
     silent<int, short>(),
@@ -66,7 +66,7 @@ constexpr Conversion conversions[] = {
     silent<double, unsigned long>(),
 };
 
-/** To the small integers: refused, when evaluated, if the number does not fit. */
+/** To a small integer: evaluation fails if the number does not fit. */
 template <class To, class From>
 bool narrow(const void*, const void* const* arguments, void* result) {
     const From from = *static_cast<const From*>(arguments[0]);

@@ -47,7 +47,7 @@ struct Same {
     }
 };
 
-/** Division and remainder by zero have no result: it becomes 0, and evaluating the expression fails. */
+/** Division or remainder by zero yields 0, and evaluation of the expression fails. */
 template <class T, bool remainder>
 bool divide(const void*, const void* const* arguments, void* result) {
     const T a = *static_cast<const T*>(arguments[0]);

@@ -13,14 +13,14 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** bool from a status: is it the one of success? */
+/** Converts a status to bool by comparing it with `wanted`. */
 template <class Status, Status wanted, bool equal>
 bool isStatus(const void*, const void* const* arguments, void* result) {
     *static_cast<bool*>(result) = (*static_cast<const Status*>(arguments[0]) == wanted) == equal;
     return true;
 }
 
-/** Does it, unless there is no memory for it; that of real-time strings is limited. */
+/** False if the assignment runs out of memory: that of real-time strings is limited. */
 template <class F>
 bool ifMemorySuffices(F assign) {
     try {
@@ -38,7 +38,7 @@ bool textOfSize(const void*, const void* const* arguments, void* result) {
     return ifMemorySuffices([&] { static_cast<Text*>(result)->assign(static_cast<std::size_t>(size), '\0'); });
 }
 
-/** Between strings of the heap and of real-time memory. */
+/** Copies between strings of the heap and of real-time memory. */
 template <class To, class From>
 bool copyText(const void*, const void* const* arguments, void* result) {
     const From& from = *static_cast<const From*>(arguments[0]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The remaining integers of C++, under the names that message types of ROS give them. Printed and stored as numbers.
+// The other integers of C++, with the names that ROS messages use. They are printed and stored as numbers.
 #include "builtin_parts.hpp"
 
 #include <rtt/types/CompositionFactory.hpp>
@@ -11,7 +11,7 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** `Wide` is the number type that shows, reads and stores values of T. */
+/** Values of T are shown, read and stored as `Wide`. */
 template <class T, class Wide>
 class SmallNumberInfo : public TemplateTypeInfo<T, true>, public CompositionFactory {
 public:

@@ -15,7 +15,7 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** Text and the text form of a value. Allocates. */
+/** Appends the text of a value to a text. Allocates. */
 struct Append {
     template <class T>
     std::string operator()(const std::string& text, const T& value) const {
@@ -35,7 +35,7 @@ constexpr OperatorRow appends[] = {
     append<float>(),       append<bool>(), append<char>(),
 };
 
-/** The same of real-time strings, without the heap: the text form of a number is made on the stack. */
+/** The same for real-time strings: the text of a number is made on the stack, not the heap. */
 struct Print {
     static void append(rt_string& to, const rt_string& text) { to += text; }
     static void append(rt_string& to, const std::string& text) { to.append(text.data(), text.size()); }
@@ -53,7 +53,7 @@ private:
     }
 };
 
-/** False if the memory is used up; the result is what fitted. */
+/** False if real-time memory is used up; the result then has what fitted. */
 template <class T>
 bool appendInPool(const void*, const void* const* arguments, void* result) {
     auto& text = *static_cast<rt_string*>(result);

@@ -13,7 +13,7 @@ namespace RTT::types::builtin {
 
 namespace {
 
-/** In files a text of real-time memory is a string. */
+/** Files store a real-time string as a string. */
 struct TextForm : CompositionFactory {
     base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {
         const void* const text = types::detail::valueOfType(source, typeid(rt_string));
@@ -29,7 +29,7 @@ struct TextForm : CompositionFactory {
             const std::string& given = *static_cast<const std::string*>(text);
             static_cast<rt_string*>(storage)->assign(given.data(), given.size());
         } catch (const std::bad_alloc&) {
-            return false;  // that memory is limited
+            return false;  // real-time memory is used up
         }
         target->updated();
         return true;
