@@ -18,7 +18,7 @@ namespace {
 const char* directoryOf(Kind kind) { return kind == Kind::Typekit ? "types" : "plugins"; }
 
 PluginLoader::shared_ptr& instance() {
-    // Never destroyed: static objects of the program may end the runtime later.
+    // Never destroyed: a static object of the program may end the runtime in its destructor.
     static auto* loader = new PluginLoader::shared_ptr;
     return *loader;
 }
@@ -88,7 +88,7 @@ struct PluginLoader::Impl {
         return loaded;
     }
 
-    /** The library of that name; empty if there is none. */
+    /** The path of the library with that name; empty if there is none. */
     static std::string fileNamed(const std::string& name, const std::string& pathList, Kind kind) {
         if (isFile(name)) return name;
         for (const std::string& path : splitPathList(pathList))
@@ -103,7 +103,7 @@ struct PluginLoader::Impl {
         for (Kind kind : {Kind::Typekit, Kind::Plugin}) scan(directory + "/" + directoryOf(kind), kind, sum);
     }
 
-    /** The library of that name, and all of the package of that name. */
+    /** Loads the library of that name, and everything in the package of that name. */
     bool loadNamed(const std::string& name, const std::string& pathList, Kind kind) {
         const Logger::In in("PluginLoader");
         bool found = table.contains(name), good = true;

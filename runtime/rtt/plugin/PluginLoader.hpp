@@ -19,10 +19,10 @@ namespace plugin {
 /**
  * Loads service, typekit and transport plugins into the process and into components.
  *
- * A path list holds directories separated by ':' or ';'. Below each directory p, plugins lie in `p/plugins` and
- * `p/<target>/plugins`, typekits and transports in `p/types` and `p/<target>/types`. When two libraries have the same
- * file name, plugin name or short name (file name without `lib`, target and suffix), the first found stays and the
- * second is skipped, which counts as success: the first path wins.
+ * A path list holds directories separated by ':' or ';'. Below each directory p, plugins are in `p/plugins` and
+ * `p/<target>/plugins`, typekits and transports in `p/types` and `p/<target>/types`. If two libraries have the same
+ * file name, plugin name or short name (file name without `lib`, target and suffix), the first path wins: the second
+ * library is skipped, which counts as success.
  *
  * Libraries are opened with RTLD_NOW | RTLD_GLOBAL and stay loaded until the process ends, because types and services
  * made from them may live as long. No function here is real-time: all read the file system and may block; all may be
@@ -32,7 +32,9 @@ class RTT_API PluginLoader {
 public:
     typedef boost::shared_ptr<PluginLoader> shared_ptr;
 
-    /** What a directory scan met: how many libraries, and "file: reason" for each that could not be loaded. */
+    /**
+     * The result of a directory scan: the number of libraries, and "file: reason" for each that could not be loaded.
+     */
     struct Scan {
         unsigned found = 0;
         std::vector<std::string> errors;
@@ -50,34 +52,34 @@ public:
     /** Loads all typekits and transports below each directory. True if there were any and all could be loaded. */
     bool loadTypekits(const std::string& path_list);
     /**
-     * Loads one typekit by name ("robot-typekit" for `librobot-typekit-<target>.so`), and, if the name is that of a package,
-     * everything in `p/name/{types,plugins}` and `p/<target>/name/{types,plugins}`, for each p of the list. Empty list:
-     * getPluginPath(). False if there is neither, or something cannot be loaded.
+     * Loads one typekit by name ("robot-typekit" for `librobot-typekit-<target>.so`), and, if the name is that of a
+     * package, everything in `p/name/{types,plugins}` and `p/<target>/name/{types,plugins}`, for each p of the list.
+     * Empty list: getPluginPath(). False if there is neither, or something cannot be loaded.
      */
     bool loadTypekit(const std::string& name, const std::string& path_list = std::string());
     /** Loads all plugins below each directory. True if there were any and all could be loaded. */
     bool loadPlugins(const std::string& path_list);
-    /** The same for a plugin. */
+    /** Loads one plugin by name, as loadTypekit() does. */
     bool loadPlugin(const std::string& name, const std::string& path_list = std::string());
     /** Loads one library file; its directory must be named `types` or `plugins`. */
     bool loadLibrary(const std::string& path);
-    /** As above; the reason of a failure is stored in `error` instead of being logged. */
+    /** As above, but stores the reason of a failure in `error` instead of logging it. */
     bool loadLibrary(const std::string& path, std::string& error);
-    /** Loads `directory/types` and `directory/plugins`; used to import packages. Logs no errors but returns them. */
+    /** Loads `directory/types` and `directory/plugins`, to import a package. Returns errors instead of logging them. */
     Scan importDirectory(const std::string& directory);
 
     /**
-     * Adds the service or plugin to a component, or to GlobalService if the component is null.
-     * False if there is none of that name, or it refuses or throws.
+     * Adds the service or plugin to a component, or to GlobalService if the component is null. False if there is none
+     * of that name, or if it refuses or throws.
      */
     bool loadService(const std::string& servicename, TaskContext* tc);
 
-    /** True if a library of that file name, plugin name or short name is loaded; directories are ignored. */
+    /** True if a library with that file name, plugin name or short name is loaded; directories are ignored. */
     bool isLoaded(const std::string& file) const;
 
     /** Names of the loaded plugins that provide a service. */
     std::vector<std::string> listServices() const;
-    /** Names of all loaded plugins that are no typekits, services included. */
+    /** Names of all loaded plugins other than typekits; services included. */
     std::vector<std::string> listPlugins() const;
     /** Names of all loaded typekits and transports. */
     std::vector<std::string> listTypekits() const;

@@ -6,8 +6,8 @@
  *     ORO_SERVICE_NAMED_PLUGIN(MyService, "myservice")         // a service that components load
  *     ORO_GLOBAL_SERVICE_NAMED_PLUGIN(MyService, "myservice")  // one instance in GlobalService, made at load
  *
- * The class derives from RTT::Service and is constructed from an RTT::TaskContext* (null for a global service).
- * It must be named with its namespace; the forms without a name use that text as the service's name.
+ * The class derives from RTT::Service and is constructed from an RTT::TaskContext* (null for a global service). Write
+ * it with its namespace; the macros without NAMED use that text as the name of the service.
  */
 #ifndef ORO_SERVICE_PLUGIN_HPP
 #define ORO_SERVICE_PLUGIN_HPP
@@ -34,7 +34,7 @@
     ORO_SERVICE_PLUGIN_COMMON_(SERVICE, NAME)                                                       \
     ORO_PLUGIN_C_LINKAGE_END_
 
-/** As ORO_SERVICE_NAMED_PLUGIN, named after the class. */
+/** As ORO_SERVICE_NAMED_PLUGIN; the service is named after the class. */
 #define ORO_SERVICE_PLUGIN(SERVICE) ORO_SERVICE_NAMED_PLUGIN(SERVICE, #SERVICE)
 
 /** A service of which one instance is added to GlobalService when the library is loaded; components cannot load it. */
@@ -49,7 +49,7 @@
     ORO_SERVICE_PLUGIN_COMMON_(SERVICE, NAME)                                                                  \
     ORO_PLUGIN_C_LINKAGE_END_
 
-/** As ORO_GLOBAL_SERVICE_NAMED_PLUGIN, named after the class. */
+/** As ORO_GLOBAL_SERVICE_NAMED_PLUGIN; the service is named after the class. */
 #define ORO_GLOBAL_SERVICE_PLUGIN(SERVICE) ORO_GLOBAL_SERVICE_NAMED_PLUGIN(SERVICE, #SERVICE)
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Brackets around the C symbols of plugins that return C++ types. Both sides are C++ of the same ABI, so Clang's
-// warning about it says nothing here.
+// Brackets for C symbols of plugins that return C++ types. Caller and plugin are C++ of one ABI, so Clang's warning
+// about such functions does not apply.
 #ifndef ORO_PLUGIN_C_LINKAGE_HPP
 #define ORO_PLUGIN_C_LINKAGE_HPP
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Tells the loaders what a component library or plugin was compiled for. Every source file that includes the headers of
-// the macros defines the function, the linker keeps one of a library. Libraries without it are loaded unchecked.
+// A function by which a component library or plugin tells the loaders what it was compiled for. Each source file that
+// includes the headers of the macros defines it; the linker keeps one per library. Libraries without it are not
+// checked.
 #ifndef ORO_PLUGIN_VERSION_GUARD_HPP
 #define ORO_PLUGIN_VERSION_GUARD_HPP
 
@@ -9,14 +10,14 @@
 
 #include <string>
 
-// The layout of the classes may change with the minor version; that of std::string is the compiler's choice.
+// The layout of classes may change with the minor version; that of std::string depends on compiler options.
 #if defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
 #define ORO_PLUGIN_STRINGS_ " with the old std::string"
 #else
 #define ORO_PLUGIN_STRINGS_ ""
 #endif
 
-/** What this source file is compiled for, as the loaders compare and show it. */
+/** What this source file is compiled for; the loaders compare and show it. */
 #define ORO_BUILT_FOR "RTT " ORO_STRINGIFY(RTT_VERSION_MAJOR) "." ORO_STRINGIFY(RTT_VERSION_MINOR) ORO_PLUGIN_STRINGS_
 
 extern "C" {

@@ -30,7 +30,7 @@ std::string inPackage(const std::string& folder, const std::string& library) {
     return {};
 }
 
-/** The first in the order of the search path; empty if there is none. */
+/** The first file of that name in the order of the search path; empty if there is none. */
 std::string fileOfLibrary(const std::string& library, const std::string& pathList) {
     for (const std::string& path : splitPathList(pathList)) {
         for (const std::string& base : withTargetDirectory(path)) {
@@ -38,14 +38,14 @@ std::string fileOfLibrary(const std::string& library, const std::string& pathLis
             for (const std::string& package : foldersIn(base))
                 if (std::string file = inPackage(package, library); !file.empty()) return file;
         }
-        // Packages are in lib/orocos of a prefix, the libraries that they share in its lib.
+        // A prefix has packages in lib/orocos, and libraries that they share in lib.
         const std::string beside = parentPath(path) + "/" + library;
         if (fileName(path) == "orocos" && isFile(beside)) return beside;
     }
     return {};
 }
 
-/** Typekits and plugins are named after their package, other libraries as it likes. */
+/** The package that has the library: typekits and plugins are named after theirs, other libraries need not be. */
 std::string packageWith(const std::string& library) {
     const std::string name = shortName(library);
     for (const std::string end : {"-typekit", "-plugin"})
@@ -66,7 +66,7 @@ bool load(const std::string& file, std::string& error) {
 }  // namespace
 
 std::string notFoundLibrary(const std::string& linkerText, const std::string& file) {
-    // "libarm.so.1: cannot open shared object file: …", the words behind the name in the language of the user.
+    // "libarm.so.1: cannot open shared object file: …"; the words after the name are in the language of the user.
     const std::string name = linkerText.substr(0, linkerText.find(": "));
     const bool isLibrary = name.size() < linkerText.size() && name.find(".so") != std::string::npos;
     return isLibrary && name.find('/') == std::string::npos && name != fileName(file) ? name : std::string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One library: skip if there → open → has the symbols → same version → name not taken → same target → accepts the process.
+// To load a library: skip if loaded → open → find symbols → same version → name not taken → same target → start it.
 #include "plugin_table.hpp"
 
 #include <rtt/Logger.hpp>
@@ -70,8 +70,8 @@ bool PluginTable::open(Attempts::iterator attempt, std::string& error) {
     if (const std::string version = library.otherVersion(); !version.empty())
         return refuse(error, misfit(plugin, version, ORO_BUILT_FOR));
 
-    // From here on code of the plugin runs: what it throws or makes, types and services, needs the library to stay, even if
-    // it refuses in the end.
+    // From here on, code of the plugin runs. Its exceptions, types and services need the library, so it stays loaded
+    // even if it refuses in the end.
     auto* name = library.function<std::string()>("getRTTPluginName");
     auto* target = library.function<std::string()>("getRTTTargetName");
     library.keep();
@@ -90,11 +90,11 @@ bool PluginTable::open(Attempts::iterator attempt, std::string& error) {
     return true;
 }
 
-/** True if the attempt does not end before the thread goes on: it is the thread's own, or waits for one that is. */
+/** True if the attempt belongs to the thread, or waits for one that does: it cannot end before the thread goes on. */
 bool PluginTable::isHeldUpBy(const Attempt& attempt, std::thread::id thread) const {
     const Attempt* next = &attempt;
     while (next && next->thread != thread) {
-        // A thread waits in the last of its attempts, for they are nested.
+        // Attempts of a thread are nested, so a thread waits in its last one.
         const auto isOfSameThread = [&](const Attempt& other) { return other.thread == next->thread; };
         next = std::find_if(attempts_.rbegin(), attempts_.rend(), isOfSameThread)->awaited;
     }
@@ -102,8 +102,8 @@ bool PluginTable::isHeldUpBy(const Attempt& attempt, std::thread::id thread) con
 }
 
 /**
- * False if a plugin of its name is loaded, or just being loaded by this very thread or by one that waits for it. Waits
- * for other threads.
+ * False if a plugin of its name is loaded, or is being loaded by this thread or by one that waits for it. Waits for
+ * attempts of other threads.
  */
 bool PluginTable::isFirst(Attempts::iterator attempt) {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -122,7 +122,7 @@ bool PluginTable::isFirst(Attempts::iterator attempt) {
     if (!known) return true;
     const std::string first = known->file;
     lock.unlock();
-    // The same file again is routine; another one that is hidden by the first deserves to be seen.
+    // Loading a file again is routine, but users should see that the first file hides another one.
     log(first == plugin.file ? Debug : Info) << "not loading plugin " << plugin.file << ": '" << plugin.name
                                              << "' is already loaded from " << first << endlog();
     return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The plugins loaded into this process and the steps that load one.
+// Loads plugins and knows those that are loaded into this process.
 #ifndef OROFORGE_PLUGIN_TABLE_HPP
 #define OROFORGE_PLUGIN_TABLE_HPP
 
@@ -20,7 +20,7 @@ enum class Kind { Plugin, Typekit };
 
 struct LoadedPlugin {
     std::string file;  // canonical path
-    std::string name;  // what getRTTPluginName says, else the short name
+    std::string name;  // what getRTTPluginName returns; the short name if there is no such function
     Kind kind;
     bool (*load)(TaskContext*);
     Service::shared_ptr (*createService)();  // null: not a service
@@ -29,15 +29,15 @@ struct LoadedPlugin {
 class PluginTable {
 public:
     /**
-     * Loads one library into the process. True if it is loaded now, also when another of its name was there before;
-     * else `error` says why not. Waits for threads that are loading a plugin of the same name; a plugin that in its own
-     * start-up code asks for itself gets true. So does one of two plugins that ask for each other in two threads.
+     * Loads one library into the process. True if it, or another of its name, is loaded now; otherwise `error` says why
+     * not. Waits for threads that are loading a plugin of the same name. A plugin whose start-up code loads the plugin
+     * itself gets true, and so does one of two plugins that load each other in two threads.
      */
     bool load(const std::string& file, Kind kind, std::string& error);
 
-    /** True if it is loaded, or this thread is just starting it. */
+    /** True if it is loaded, or this thread is in its start-up code. */
     bool contains(const std::string& fileOrName) const;
-    /** The plugin of that name; false if there is none. Services go before others of the same name. */
+    /** Finds the plugin of that name; false if there is none. Services are preferred to other plugins. */
     bool find(const std::string& name, LoadedPlugin& plugin) const;
     std::vector<LoadedPlugin> all() const;
 
@@ -45,7 +45,7 @@ private:
     struct Attempt {
         LoadedPlugin plugin;
         std::thread::id thread;
-        const Attempt* awaited = nullptr;  // the one whose end this one waits for
+        const Attempt* awaited = nullptr;  // this one waits for it to end
     };
     typedef std::list<Attempt> Attempts;
 
@@ -56,7 +56,7 @@ private:
 
     mutable std::mutex mutex_;  // guards all below; never held while code of a plugin runs
     std::vector<LoadedPlugin> plugins_;
-    Attempts attempts_;  // in order of their beginning; one waits only for those before it
+    Attempts attempts_;  // in the order in which they began; each waits only for earlier ones
     std::condition_variable ended_;
 };
 

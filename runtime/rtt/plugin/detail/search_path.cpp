@@ -44,7 +44,7 @@ std::vector<std::string> splitPathList(const std::string& list) {
 std::string defaultSearchPath() {
     std::string list;
     if (const char* environment = std::getenv("RTT_COMPONENT_PATH")) list = environment;
-    // Found at run time, so that a moved installation keeps working.
+    // Looked up at run time, so that an installation can be moved.
     Dl_info self;
     if (dladdr(reinterpret_cast<const void*>(&defaultSearchPath), &self) && self.dli_fname)
         list += ":" + parentPath(canonicalPath(self.dli_fname)) + "/orocos";

@@ -21,7 +21,7 @@
 namespace RTT::plugin {
 namespace {
 
-/** The files of all libraries in the process, in order of loading; the program itself has none. */
+/** The files of all libraries in the process, in the order of loading; the program itself is left out. */
 std::vector<std::string> loadedFiles() {
     std::vector<std::string> files;
     const auto add = [](dl_phdr_info* info, std::size_t, void* to) {
@@ -32,16 +32,20 @@ std::vector<std::string> loadedFiles() {
     return files;
 }
 
-/** Null if unknown. Other than dladdr(), this does not read all symbols of the library. */
+/**
+ * The library that has the address; null if unknown. Unlike dladdr(), this does not read all symbols of the library.
+ */
 const link_map* ownerOf(const void* address) {
     dl_find_object found;
     return _dl_find_object(const_cast<void*>(address), &found) == 0 ? found.dlfo_link_map : nullptr;
 }
 
-/** How many there were when this library was initialised: the program's own. */
+/** The number of libraries when this one was initialised: those that were loaded with the program. */
 const std::size_t loadedWithProgram = loadedFiles().size();
 
-/** How long the open file must be, as its headers say; 0 if they do not say so, then the linker refuses it. */
+/**
+ * The size that the headers of the open file claim; 0 if they are malformed, in which case the linker refuses the file.
+ */
 std::uint64_t expectedSize(int file) {
     ElfW(Ehdr) head;
     if (pread(file, &head, sizeof head, 0) != sizeof head || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 ||
@@ -64,7 +68,9 @@ bool isArchive(int file) {
     return pread(file, begin, sizeof begin, 0) == sizeof begin && std::memcmp(begin, magic, sizeof magic) == 0;
 }
 
-/** Why the file is not given to the linker: it would end the process, touching what is not there, or speak of headers. */
+/**
+ * Why the linker must not open the file: a truncated library would crash it, and on an archive its message is obscure.
+ */
 std::string whyUnusable(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return std::string();  // the linker says why
@@ -89,7 +95,7 @@ SharedLibrary::SharedLibrary(const std::string& file, Scope scope, std::string& 
     std::string lastNeeded;
     while (!tryOpen(path, scope, error)) {
         const std::string needed = notFoundLibrary(error, path);
-        // One that was loaded and is not found all the same has another name within.
+        // If it was loaded and is still not found, its soname is not its file name.
         if (needed.empty() || needed == lastNeeded || !loadNeeded(needed, error)) return;
         lastNeeded = needed;
     }
@@ -99,7 +105,7 @@ bool SharedLibrary::tryOpen(const std::string& path, Scope scope, std::string& e
     handle_ = dlopen(path.c_str(), RTLD_NOW | (scope == Global ? RTLD_GLOBAL : RTLD_LOCAL));
     const char* text = handle_ ? "" : dlerror();
     error = text ? text : "unknown reason";
-    // The message that this becomes part of names the file anyway.
+    // The caller's message names the file.
     if (error.compare(0, path.size() + 2, path + ": ") == 0) error.erase(0, path.size() + 2);
     return handle_ != nullptr;
 }
@@ -139,7 +145,7 @@ bool SharedLibrary::isLoaded(const std::string& file) {
 
 std::string SharedLibrary::fileWith(const void* address) {
     if (const link_map* const owner = ownerOf(address); owner && *owner->l_name) return owner->l_name;
-    Dl_info info;  // knows how the program was called
+    Dl_info info;  // also has the name with which the program was called
     return dladdr(address, &info) && info.dli_fname ? info.dli_fname : std::string();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One loaded shared library, closed again unless kept.
+// A loaded shared library, which is closed again unless kept.
 #ifndef OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
 #define OROFORGE_PLUGIN_SHARED_LIBRARY_HPP
 
@@ -16,8 +16,8 @@ public:
 
     SharedLibrary() = default;
     /**
-     * Opens the file and resolves all symbols. What it is linked with and the linker does not find is loaded before (loadNeeded()).
-     * On failure the object is false and `error` says why.
+     * Opens the file and resolves all symbols. First loads needed libraries that the linker does not find
+     * (loadNeeded()). On failure the object is false and `error` says why.
      */
     SharedLibrary(const std::string& file, Scope scope, std::string& error);
     SharedLibrary(SharedLibrary&& other) noexcept;
@@ -27,28 +27,30 @@ public:
     explicit operator bool() const { return handle_ != nullptr; }
 
     /**
-     * A function that this very library defines, null if it has none of that name. The linker's own look-up would go
-     * on in the libraries it depends on, and a component library that links another would pass for it.
+     * A function that this library itself defines; null if it has none of that name. The linker's look-up would also
+     * search the libraries on which it depends, so a library that links a component library would be taken for it.
      */
     template <class Function>
     Function* function(const char* name) const {
         return reinterpret_cast<Function*>(ownSymbol(name));
     }
 
-    /** The function or object at this address belongs to this very library. */
+    /** True if the function or object at this address belongs to this library itself. */
     bool holds(const void* address) const;
 
-    /** What the library says it was compiled for, if that is not what this program was compiled for; else empty. */
+    /** What the library was compiled for, if the program was compiled for something else; otherwise empty. */
     std::string otherVersion() const;
 
     /** Leaves the library loaded for the rest of the process. */
     void keep() { handle_ = nullptr; }
 
-    /** True if the process has the file loaded, whoever asked for it. */
+    /** True if the file is loaded into the process, by this loader or another. */
     static bool isLoaded(const std::string& file);
-    /** The file that the function or object at this address was loaded from, as its opener named it; empty if unknown. */
+    /**
+     * The file from which the function or object at this address was loaded, as named when opened; empty if unknown.
+     */
     static std::string fileWith(const void* address);
-    /** The files of libraries that the program is linked with, so that they were loaded with it, and define a symbol. */
+    /** The files of libraries that are linked with the program and define one of these symbols. */
     static std::vector<std::string> linkedThatDefine(std::initializer_list<const char*> symbols);
 
 private:

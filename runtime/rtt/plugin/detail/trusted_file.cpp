@@ -17,7 +17,7 @@ namespace RTT::plugin {
 namespace {
 
 constexpr const char* kOwners = "ORO_TRUSTED_OWNERS";
-constexpr std::size_t kEntrySize = 16384;  // of the user database, with the members of a group
+constexpr std::size_t kEntrySize = 16384;  // of the user database; a group's has all its members
 
 std::string nameOf(uid_t user) {
     passwd entry, *found = nullptr;
@@ -39,7 +39,7 @@ bool isNamed(uid_t user) {
     return false;
 }
 
-/** Root by `sudo`: whoever typed that is trusted. */
+/** True if this is the user who called `sudo`: a process of root trusts that user. */
 bool isOfSudo(uid_t user) {
     const char* const caller = std::getenv("SUDO_UID");
     return geteuid() == 0 && caller && std::to_string(user) == caller;
@@ -47,7 +47,7 @@ bool isOfSudo(uid_t user) {
 
 bool isTrusted(uid_t user) { return user == 0 || user == geteuid() || isOfSudo(user) || isNamed(user); }
 
-/** Nobody but the owner is in the group, as where each user has one of the same name. */
+/** True if only the owner is in the group, as where each user has a group of the same name. */
 bool isPrivate(gid_t group, uid_t owner) {
     if (group == 0) return true;
     struct group entry, *found = nullptr;
@@ -60,7 +60,7 @@ bool isPrivate(gid_t group, uid_t owner) {
     return true;
 }
 
-/** Others than its owner. */
+/** True if anybody but the owner may write. */
 bool othersWrite(const struct stat& status) {
     return (status.st_mode & S_IWOTH) != 0 ||
            ((status.st_mode & S_IWGRP) != 0 && !isPrivate(status.st_gid, status.st_uid));
@@ -70,7 +70,9 @@ std::string advice(uid_t owner) {
     return "; if that is as it should be, set " + std::string(kOwners) + "=" + nameOf(owner);
 }
 
-/** The folders above the one of the file: in those with the sticky bit, others cannot move what is not theirs. */
+/**
+ * Checks the folders above that of the file. In a folder with the sticky bit, others cannot move what is not theirs.
+ */
 std::string whyFoldersAbove(const std::string& folder) {
     std::string below = folder;
     for (std::string above = parentPath(below); below != "/"; below = above, above = parentPath(above)) {
@@ -104,7 +106,7 @@ std::string whyNotTrusted(const std::string& path) {
     else if (othersWrite(status))
         why = "other users can write to it (chmod o-w, or g-w)";
     if (why.empty()) why = whyFolder(parentPath(real));
-    // Whoever may put a link there chooses what is loaded.
+    // A user who may put a link there chooses what is loaded.
     if (why.empty() && given != real) why = whyFolder(parentPath(given));
     return why.empty() ? why : "it is not trusted: " + why;
 }
