@@ -21,7 +21,7 @@ namespace {
 constexpr Seconds kPatience = 2.0;
 
 ComponentLoader::shared_ptr& instance() {
-    // Never destroyed: static objects of the program may end the runtime later.
+    // Never destroyed: a static object of the program may end the runtime in its destructor.
     static auto* loader = new ComponentLoader::shared_ptr;
     return *loader;
 }
@@ -31,7 +31,7 @@ std::mutex& instanceMutex() {
     return mutex;
 }
 
-/** Runs the user's constructor; its exceptions end here, as text. */
+/** Runs the user's constructor and turns its exceptions into text. */
 TaskContext* construct(ComponentLoaderSignature create, const std::string& name, const std::string& type,
                        std::string& error) {
     const internal::HookInProgress here(name.c_str(), "its constructor");
@@ -53,8 +53,8 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 /**
- * Logs what an import could not do; throws if libraries were found that cannot be loaded. `nothingFound` is how bad it is
- * that there were none.
+ * Logs the errors of an import and throws if libraries were found that cannot be loaded. If none were found, logs that
+ * at level `nothingFound`.
  */
 bool finish(const plugin::PackageImport& import, const std::string& what, LoggerLevel nothingFound) {
     for (const std::string& error : import.errors())
@@ -65,7 +65,7 @@ bool finish(const plugin::PackageImport& import, const std::string& what, Logger
     return import.errors().empty();
 }
 
-/** Logs why a component library could not be loaded or unloaded, if it could not. */
+/** Returns true if there is no error; otherwise logs why a component library could not be loaded or unloaded. */
 bool succeeded(const char* what, const std::string& file, const std::string& error) {
     if (!error.empty())
         log(Error) << "could not " << what << " component library '" << file << "': " << error << endlog();
@@ -169,7 +169,7 @@ bool ComponentLoader::unloadComponent(TaskContext* tc) {
     }
     const std::string name = tc->getName();
     const internal::HookInProgress here(name.c_str(), "its destructor");
-    // A destructor may be what ends an operation that blocks.
+    // The result does not matter: only the destructor may be able to end an operation that blocks.
     (void)tc->stopForGood(kPatience);
     try {
         delete tc;

@@ -17,7 +17,7 @@ std::mutex& factoriesMutex() {
     return mutex;
 }
 
-/** The library of each function, found when it was added: later that would wait for threads that open libraries. */
+/** The library of each function, looked up when it is added: later, that would wait for threads that open libraries. */
 std::map<ComponentLoaderSignature, std::string>& libraries() {
     static auto* const files = new std::map<ComponentLoaderSignature, std::string>;  // lives as long as the types
     return *files;
@@ -40,7 +40,7 @@ plugin::ComponentTypes plugin::registeredTypes() {
 }
 
 FactoryMap& ComponentFactories::Instance() {
-    // Never destroyed: static objects of any library leave it at the very end.
+    // Never destroyed: static objects of libraries remove themselves from it when the process ends.
     static FactoryMap* const types = new FactoryMap;
     return *types;
 }

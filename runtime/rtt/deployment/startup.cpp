@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Loads the toolchain's own plugins and typekits when the runtime starts and lets go of the loaders when it ends.
+// Loads the toolchain's own plugins and typekits when the runtime starts, and releases the loaders when it ends.
 #include "ComponentLoader.hpp"
 
 #include <rtt/internal/ServiceLoader.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 int loadInstalledPlugins() {
     const PluginLoader::shared_ptr loader = PluginLoader::Instance();
-    // A broken plugin is reported by the loader; the program starts without it.
+    // The loader reports a broken plugin; the program starts without it.
     loader->loadPlugins(loader->getPluginPath());
     loader->loadTypekits(loader->getPluginPath());
     return 0;
@@ -27,7 +27,9 @@ bool loadService(const std::string& service, TaskContext* component) {
     return PluginLoader::Instance()->loadService(service, component);
 }
 
-/** Components may ask for services before the runtime starts, or in programs that never start it. */
+/**
+ * Installed by a static object, because components may ask for services in programs that have not started the runtime.
+ */
 const struct ServiceLoading {
     ServiceLoading() { internal::setServiceLoader(&loadService); }
     ~ServiceLoading() { internal::setServiceLoader(nullptr); }

@@ -9,7 +9,7 @@
 namespace RTT::plugin {
 namespace {
 
-/** Adds what the library exports; false if it exports neither form. */
+/** Adds the types that the library exports in one of two forms; false if it exports neither. */
 bool collectExported(ComponentLibrary& result) {
     auto* typesOf = result.library.function<FactoryMap*()>("getComponentFactoryMap");
     if (typesOf)
@@ -20,7 +20,7 @@ bool collectExported(ComponentLibrary& result) {
     return typesOf || (create && typeName);
 }
 
-/** Adds what its static objects registered, as those do that were compiled without RTT_COMPONENT. */
+/** Adds the types that its static objects registered, as in libraries compiled without RTT_COMPONENT. */
 void collectRegistered(ComponentLibrary& result) {
     for (const auto& type : ComponentFactories::all())
         if (result.library.holds(reinterpret_cast<const void*>(type.second))) result.types.insert(type);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One opened component library and the types it says it has.
+// Opens a component library and asks it for its component types.
 #ifndef OROFORGE_COMPONENT_LIBRARY_HPP
 #define OROFORGE_COMPONENT_LIBRARY_HPP
 
@@ -20,7 +20,7 @@ struct ComponentLibrary {
 enum class LibraryState {
     Opened,
     NotLoadable,   // the linker refused; `error` says why
-    NoComponents,  // a library, but not one of components
+    NoComponents,  // it is some other library
 };
 
 /** Opens a file and asks it for its component types. */

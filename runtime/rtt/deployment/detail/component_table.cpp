@@ -26,7 +26,7 @@ ComponentTable::~ComponentTable() {
     for (ComponentLibrary& library : libraries_) library.library.keep();
 }
 
-/** While it lives, a library is being opened or closed. */
+/** Marks a library as being opened or closed while this exists. */
 class ComponentTable::Busy {
 public:
     Busy(ComponentTable& table, const std::string& path) : table_(table) {
@@ -61,7 +61,7 @@ ComponentTable::LoadResult ComponentTable::loadLibrary(const std::string& file) 
         return result;
     }
     const std::lock_guard<std::mutex> lock(mutex_);
-    // Another thread may have been as far with the same file; the linker counts, so dropping ours is enough.
+    // Another thread may have loaded the same file meanwhile. The linker counts references, so this one may be dropped.
     if (std::none_of(libraries_.begin(), libraries_.end(), isSame)) {
         registerTypes(library);
         libraries_.push_back(std::move(library));
@@ -106,7 +106,7 @@ std::string ComponentTable::close(const std::string& path) {
         closing = std::move(*known);
         libraries_.erase(known);
     }
-    // Connections of its components may wait for their destruction, by code of the library.
+    // Connections of its components may still wait to be destroyed by code of the library.
     internal::Reclaimer::synchronize();
     internal::Reclaimer::collect();
     return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What the component loader knows: libraries, component types, packages and the components that exist.
+// The state of the component loader: libraries, component types, packages and existing components.
 #ifndef OROFORGE_COMPONENT_TABLE_HPP
 #define OROFORGE_COMPONENT_TABLE_HPP
 
@@ -19,11 +19,11 @@ class ComponentTable {
 public:
     struct LoadResult {
         std::string error;          // empty: the library is loaded
-        bool noComponents = false;  // the reason is that it is some other library
+        bool noComponents = false;  // because it is some other library
     };
 
     ComponentTable() = default;
-    /** Leaves all libraries loaded: components and what they connected may live on. */
+    /** Leaves all libraries loaded: components and their connections may outlive the table. */
     ~ComponentTable();
 
     LoadResult loadLibrary(const std::string& file);
@@ -38,17 +38,20 @@ public:
 
     bool isImported(const std::string& name) const;
     FactoryMap factories() const;
-    /** As factories(), kept as long as this table. */
+    /** As factories(), but valid as long as this table. */
     const FactoryMap& keptFactories();
     std::vector<std::string> components() const;
     /** The types that come from this library file. */
     std::vector<std::string> typesOf(const std::string& library) const;
 
-    /** How to create the type, the name now taken; null with the reason if one of both cannot be had. */
+    /**
+     * Reserves the name and returns the function that creates the type; null with the reason if either is unavailable.
+     */
     ComponentLoaderSignature reserve(const std::string& name, const std::string& type, std::string& error);
-    /** Ends what reserve began; a null component gives the name back. */
+    /** Completes reserve() with the component; null gives the name back. */
     void settle(const std::string& name, TaskContext* component);
-    /** Whoever gets true deletes the component and calls forget() then. False for a component that is not ours. */
+    /** True for the one caller that must delete the component and then call forget(). False for a component not in this
+        table. */
     bool claim(const TaskContext* component);
     void forget(const TaskContext* component);
 
@@ -70,9 +73,9 @@ private:
     void forgetPackagesWith(const std::string& path);
     // These are called with the lock held.
     void registerTypes(ComponentLibrary& library);
-    /** The type, be it of a library or registered by a static object; a null function if unknown. */
+    /** The type, from a library or registered by a static object; a null function if unknown. */
     ComponentType findType(const std::string& type) const;
-    /** All of them, but for those that only static objects of busy libraries registered: these may vanish any moment. */
+    /** All types except those registered only by static objects of busy libraries, which may vanish at any moment. */
     ComponentTypes allTypes() const;
 
     // Guards all below; never held while libraries are opened or components constructed.

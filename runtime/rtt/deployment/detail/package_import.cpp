@@ -18,7 +18,7 @@ namespace {
 
 bool isAbsolute(const std::string& path) { return !path.empty() && path[0] == '/'; }
 
-/** Directories a package may be in below one search directory, those that exist. */
+/** The existing directories of a package below one search directory. */
 std::vector<std::string> packageDirectories(const std::string& path, const std::string& name) {
     std::vector<std::string> found;
     for (const std::string& directory : {path + "/" + name, path + "/" OROCOS_TARGET_NAME "/" + name})
@@ -41,7 +41,7 @@ std::vector<std::string> packagesIn(const std::vector<std::string>& paths) {
     std::vector<std::string> names;
     for (const std::string& path : paths)
         for (const std::string& parent : {path, path + "/" OROCOS_TARGET_NAME}) {
-            std::error_code ignored;  // of a directory that is not there, or not ours to read
+            std::error_code ignored;  // of a directory that does not exist or cannot be read
             std::filesystem::directory_iterator entry(parent, ignored);
             for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
                 const std::string name = entry->path().filename();
@@ -72,7 +72,8 @@ void PackageImport::package(const std::string& name, const std::string& pathList
         log(Info) << "component package '" << name << "' is already imported" << endlog();
         return;
     }
-    // A folder here goes first, unless it holds no libraries: that is the source of the package, in a workspace.
+    // A folder of that name in the current one goes first, unless it has no libraries: then it may be the package's
+    // source.
     const std::vector<std::string> here = withTargetDirectory("./" + name);
     if (holdLibraries(here)) return importAll(name, here);
     fromSearchPath(name, splitPathList(pathList), true);
@@ -97,7 +98,7 @@ void PackageImport::libraryFile(const std::string& file) {
     if (!result.error.empty()) errors_.push_back(file + ": " + result.error);
 }
 
-/** `here`: the current folder comes last. */
+/** With `here`, also searches the current folder, after the others. */
 void PackageImport::fromSearchPath(const std::string& name, const std::vector<std::string>& given, bool here) {
     std::vector<std::string> paths = given;
     if (here && std::find(paths.begin(), paths.end(), ".") == paths.end()) paths.push_back(".");
@@ -112,7 +113,7 @@ void PackageImport::fromSearchPath(const std::string& name, const std::vector<st
             sources = "; " + directories.front() + " has no components, typekits or plugins";
             continue;
         }
-        // An overlay: the first path that has it hides the rest.
+        // Paths are overlays: the first one that has it hides the others.
         if (first.empty())
             first = directories;
         else
@@ -134,7 +135,7 @@ bool PackageImport::fromRos(const std::string& name) {
         std::vector<std::string> directories = withTargetDirectory(libraries);
         for (const std::string& directory : packageDirectories(libraries, package.name))
             directories.push_back(directory);
-        // What a package depends on may have nothing to do with components; the package itself may be no more than a list.
+        // Packages on which it depends may have no components, and the package itself may only name others.
         if (holdLibraries(directories))
             importAll(package.name, directories);
         else if (packages.size() == 1)
@@ -151,7 +152,7 @@ void PackageImport::importAll(const std::string& what, const std::vector<std::st
         text += (text.empty() ? "" : ", ") + directory;
     }
     if (found && !broken_)
-        table_.addPackage(what, libraries_);  // not when broken: a second attempt shall show the errors again
+        table_.addPackage(what, libraries_);  // unless it is broken, so that a second attempt shows the errors again
     else if (!found && !broken_)
         errors_.push_back("no components, typekits or plugins in " + text + others_);
 }
@@ -165,7 +166,7 @@ bool PackageImport::importDirectory(const std::string& directory) {
             found = true;
             libraries_.push_back(canonicalPath(file));
         } else if (result.noComponents) {
-            // Libraries that components depend on often lie beside them.
+            // Libraries on which components depend are often in the same folder.
             log(Info) << "'" << file << "' holds no components: " << result.error << endlog();
             others_ += "; " + file + ": " + result.error;
         } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Finds what `import` names and loads the libraries in it.
+// Finds what an import names, and loads its libraries.
 #ifndef OROFORGE_PACKAGE_IMPORT_HPP
 #define OROFORGE_PACKAGE_IMPORT_HPP
 
@@ -16,14 +16,15 @@ class PackageImport {
 public:
     explicit PackageImport(ComponentTable& table) : table_(table) {}
 
-    /** A library file, an absolute directory, a package that is imported already, one on the search path, or of ROS. */
+    /** Imports a library file, an absolute directory, or a package on the search path or of ROS, unless imported
+        already. */
     void package(const std::string& name, const std::string& pathList);
-    /** A package that is imported already, or one on the search path; what lies in the current folder is not looked at. */
+    /** Imports a package on the search path, but not from the current folder, unless imported already. */
     void installed(const std::string& name, const std::string& pathList);
-    /** Each directory and its target sub-directory. */
+    /** Imports each directory and its target sub-directory. */
     void directories(const std::vector<std::string>& directories);
 
-    /** What went wrong; empty if all was imported. */
+    /** The errors; empty if everything was imported. */
     const std::vector<std::string>& errors() const { return errors_; }
     /** True if libraries were found that cannot be loaded. */
     bool hasBrokenLibraries() const { return broken_; }
@@ -31,15 +32,15 @@ public:
 private:
     void libraryFile(const std::string& file);
     void fromSearchPath(const std::string& name, const std::vector<std::string>& given, bool here);
-    /** A ROS package, with those it depends on; false if there is none of the name. */
+    /** Imports a ROS package after those on which it depends; false if there is none of that name. */
     bool fromRos(const std::string& name);
     void importAll(const std::string& what, const std::vector<std::string>& directories);
     bool importDirectory(const std::string& directory);
 
     ComponentTable& table_;
     std::vector<std::string> errors_;
-    std::vector<std::string> libraries_;  // of components, that are loaded now
-    std::string others_;                  // libraries that hold none, and why
+    std::vector<std::string> libraries_;  // component libraries that are loaded now
+    std::string others_;                  // libraries without components, and why
     bool broken_ = false;
 };
 

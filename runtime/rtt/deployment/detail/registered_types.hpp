@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Component types and the libraries they come from.
+// Component types that are registered, and their libraries.
 #ifndef OROFORGE_REGISTERED_TYPES_HPP
 #define OROFORGE_REGISTERED_TYPES_HPP
 
@@ -13,7 +13,7 @@ namespace RTT::plugin {
 
 struct ComponentType {
     ComponentLoaderSignature create;
-    std::string library;  // canonical path of what was loaded, be it the program; empty if unknown
+    std::string library;  // canonical path of the library or program; empty if unknown
 };
 typedef std::map<std::string, ComponentType> ComponentTypes;
 

@@ -27,7 +27,7 @@ struct Found {
 };
 typedef std::map<std::string, Found> Packages;
 
-/** What package.xml (catkin, ament) calls things a package needs when it runs. */
+/** Elements of package.xml (catkin, ament) that name what a package needs at run time. */
 const char* const kRunTimeElements[] = {"depend", "run_depend", "exec_depend", "build_export_depend"};
 
 std::string trimmed(const std::string& text) {
@@ -36,7 +36,7 @@ std::string trimmed(const std::string& text) {
     return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/** The root of the file; none, with a line in the log, if it cannot be read. */
+/** The document in the file. Logs and returns nothing if it cannot be read. */
 std::optional<xml::Document> documentOf(const fs::path& file) {
     oroforge::diag::Sink sink;
     auto document = xml::Document::parseFile(file.string(), sink);
@@ -44,7 +44,7 @@ std::optional<xml::Document> documentOf(const fs::path& file) {
     return document;
 }
 
-/** Of the newer kind, with its name in the file. */
+/** Reads the newer format, in which the file has the name of the package. */
 void readPackageXml(const fs::path& directory, Packages& packages) {
     const auto document = documentOf(directory / "package.xml");
     const xml::Element* const name = document ? document->root().child("name") : nullptr;
@@ -56,7 +56,7 @@ void readPackageXml(const fs::path& directory, Packages& packages) {
     packages.emplace(trimmed(name->text), std::move(found));
 }
 
-/** Of the older kind, called after its directory. */
+/** Reads the older format, in which the package is named after its directory. */
 void readManifestXml(const fs::path& directory, Packages& packages) {
     const auto document = documentOf(directory / "manifest.xml");
     if (!document) return;
@@ -66,7 +66,7 @@ void readManifestXml(const fs::path& directory, Packages& packages) {
     packages.emplace(directory.filename().string(), std::move(found));
 }
 
-/** A package has no packages inside. */
+/** Collects the packages below a directory; a package has none inside. */
 void collect(const fs::path& directory, Packages& packages) {
     std::error_code error;
     const auto has = [&](const char* file) { return fs::exists(directory / file, error); };
@@ -86,7 +86,7 @@ void collect(const fs::path& directory, Packages& packages) {
 }
 
 Packages allPackages() {
-    Packages packages;  // the first of a name is kept
+    Packages packages;  // if there are two of a name, the first is kept
     const char* const path = std::getenv("ROS_PACKAGE_PATH");
     for (const std::string& directory : splitPathList(path ? path : ""))
         if (isDirectory(directory)) collect(directory, packages);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Packages below the directories of ROS_PACKAGE_PATH, as ROS lays them out. ROS itself is not needed.
+// Finds packages below the directories of ROS_PACKAGE_PATH, in the layout of ROS. ROS itself is not needed.
 #ifndef OROFORGE_ROS_PACKAGES_HPP
 #define OROFORGE_ROS_PACKAGES_HPP
 
@@ -14,8 +14,8 @@ struct RosPackage {
     std::string directory;
 };
 
-/** The package and those it needs at run time, directly or not; each after those it needs. Only packages that are found, so
-    nothing if `name` is not. Reads the file system. */
+/** The package and all that it needs at run time, each after those that it needs itself. Packages that are not found
+    are left out; without `name`, the list is empty. Reads the file system. */
 std::vector<RosPackage> rosPackagesFor(const std::string& name);
 
 }  // namespace RTT::plugin
