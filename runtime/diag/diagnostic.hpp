@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What is said about user input: where, how bad, in which words.
+/// A diagnostic about user input: place, severity, message, notes and fixes.
 #ifndef OROFORGE_DIAG_DIAGNOSTIC_HPP
 #define OROFORGE_DIAG_DIAGNOSTIC_HPP
 
@@ -12,11 +12,11 @@
 
 namespace oroforge::diag {
 
-/// Every place in a file refers to the same name.
+/// All places in a file share its name.
 using FileName = SharedText;
 
 /// A place in a text. Lines and columns count from 1, columns in bytes; 0 means unknown.
-/// `file` may also name a program, for complaints about its command line.
+/// `file` may also name a program, for errors in its command line.
 struct Location {
     FileName file;
     unsigned line = 0;
@@ -26,13 +26,13 @@ struct Location {
 bool operator==(const Location& a, const Location& b);
 inline bool operator!=(const Location& a, const Location& b) { return !(a == b); }
 
-/// Order of reading: by file, line, column.
+/// By file, line, column.
 bool operator<(const Location& a, const Location& b);
 
 enum class Severity { Error, Warning, Note };
 
-/// One change of a text: what stands from `begin` up to, but not including, `end` becomes `replacement`. Both lie in the
-/// file of `begin`; where they are equal, the replacement is inserted.
+/// One change of a text: `replacement` takes the place of the bytes from `begin` up to, but not including, `end`, in
+/// the file of `begin`. If both are equal, it is inserted.
 struct Fix {
     Location begin;
     Location end;
@@ -45,7 +45,7 @@ bool operator==(const Fix& a, const Fix& b);
 struct Note {
     Location where;
     std::string message;
-    std::vector<Fix> fixes = {};  ///< a way out that the user may take, or not
+    std::vector<Fix> fixes = {};  ///< a possible repair, which the user may choose
 };
 
 struct Diagnostic {
@@ -54,7 +54,7 @@ struct Diagnostic {
     Location where;
     std::string message;  ///< lower case, no final full stop
     std::vector<Note> notes = {};
-    std::vector<Fix> fixes = {};  ///< all of them together repair it, and nothing else is meant
+    std::vector<Fix> fixes = {};  ///< together, the one repair that the user can have meant
 
     /// Adds a note and returns *this, so that notes can be chained.
     Diagnostic& note(Location at, std::string text) {

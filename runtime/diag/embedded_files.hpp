@@ -10,7 +10,7 @@
 namespace oroforge::diag {
 
 struct EmbeddedFile {
-    std::string_view name;  ///< below the folder that was embedded, without ".txt" or ".mustache": "component/base.hpp"
+    std::string_view name;  ///< relative to the embedded folder, without ".txt" or ".mustache": "component/base.hpp"
     std::string_view text;
 };
 using EmbeddedFiles = std::vector<EmbeddedFile>;

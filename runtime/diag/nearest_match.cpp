@@ -38,7 +38,7 @@ std::optional<std::string> nearestMatch(const std::string& name, const std::vect
     std::size_t limit = std::max<std::size_t>(1, (name.size() + 1) / 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = editDistance(name, candidate);
-        // Everything replaced is no resemblance, however short the words.
+        // Words of which every letter differs are not similar, however short.
         if (distance >= limit || distance >= std::max(name.size(), candidate.size())) continue;
         limit = distance;
         best = candidate;

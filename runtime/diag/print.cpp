@@ -27,8 +27,7 @@ std::string prefixed(const Location& where, const std::string& rest) {
 
 bool isInnerByte(char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; }
 
-/// White space as wide as the first `bytes` bytes of `line`: tabs stay tabs, and the
-/// continuation bytes of UTF-8 take no room.
+/// White space as wide as the first `bytes` bytes of `line`: tabs stay tabs, continuation bytes of UTF-8 have no width.
 std::string padding(const std::string& line, std::size_t bytes) {
     std::string result;
     for (std::size_t i = 0; i < bytes && i < line.size(); ++i) {
@@ -42,10 +41,10 @@ std::string withoutLineEnd(std::string text) {
     return text;
 }
 
-/// What the fixes put into this line, each below its place, as far as they do not run into each other.
+/// What the fixes put into this line, each below its place; a fix that would overlap the previous one is left out.
 std::string belowLine(const std::string& line, const Location& where, const std::vector<Fix>& fixes) {
     std::string below;
-    std::size_t end = 0;  // column in `line` up to which something is written already
+    std::size_t end = 0;  // column in `line` up to which it is written
     std::vector<Fix> here;
     for (const Fix& fix : fixes) {
         const bool inLine = fix.begin.file == where.file && fix.begin.line == where.line && fix.begin.column != 0;
@@ -62,9 +61,10 @@ std::string belowLine(const std::string& line, const Location& where, const std:
 }
 
 constexpr std::size_t kWidest = 300;  // bytes of a line that are shown
-constexpr std::size_t kBefore = 100;  // of them in front of the caret, if the line is longer
+constexpr std::size_t kBefore = 100;  // those before the caret, if the line is longer
 
-/// Control characters in words, so that no text of a user looks like a line of this program or speaks to the terminal.
+/// Spells control characters out, so that text of a user cannot pass for a line of this program or control the
+/// terminal.
 std::string printable(const std::string& text) {
     static constexpr char digits[] = "0123456789abcdef";
     std::string result;
@@ -82,14 +82,15 @@ std::string printable(const std::string& text) {
     return result;
 }
 
-/// The same for a line of source, whose columns stay.
+/// The same for a line of source, without moving its columns.
 std::string printableLine(std::string line) {
     for (char& c : line)
         if ((static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7f') c = '?';
     return line;
 }
 
-/// The part of a very long line that is shown, "..." where something is left out; `shift` is what goes in front.
+/// The shown part of a very long line, with "..." where something is left out; `shift` is the number of bytes left out
+/// before it.
 std::string shownPart(const std::string& line, std::size_t column, std::size_t& shift) {
     shift = 0;
     if (line.size() <= kWidest) return line;
@@ -114,7 +115,7 @@ void printSource(std::ostream& out, const Location& where, const std::vector<Fix
     if (!below.empty()) out << below << '\n';
 }
 
-/// What stands there now, if it is within one line that can be read.
+/// The text that the fix replaces, if that is within one line that can be read.
 std::string replacedText(const Fix& fix, SourceCache& sources) {
     if (fix.begin.line != fix.end.line || fix.begin.column == 0 || fix.end.column < fix.begin.column) return {};
     const std::string* const line = sources.line(fix.begin.file, fix.begin.line);
@@ -179,7 +180,7 @@ bool arrived(std::ostream& out, std::ostream& err, const std::string& program, c
     if (out.flush()) return true;
     int reason = errno;
     if (reason == 0) {
-        // It failed earlier, and nobody kept the reason: that of another try is the same.
+        // It failed earlier and the reason was not kept: another try fails for the same one.
         out.clear();
         out.put('\n').flush();
         reason = errno;

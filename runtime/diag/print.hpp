@@ -7,11 +7,11 @@
 ///                    ^
 ///     tank.xml:6:20: note: first used here
 ///
-/// What a fix puts into the line stands below the caret, and each fix is told as a line of its own:
+/// The replacement of a fix is below the caret, and each fix has a line of its own:
 ///
 ///     types.hpp:4:5: fix-it: replace 'const char*' with 'std::string'
 ///
-/// What is unknown (file, line, column, code) is left out.
+/// Unknown parts (file, line, column, code) are left out.
 #ifndef OROFORGE_DIAG_PRINT_HPP
 #define OROFORGE_DIAG_PRINT_HPP
 
@@ -25,7 +25,7 @@ namespace oroforge::diag {
 
 void print(std::ostream& out, const Diagnostic& diagnostic, SourceCache& sources);
 
-/// All of them, ordered by place and without repeats.
+/// Prints all diagnostics, ordered by place and without repeats.
 void print(std::ostream& out, const Sink& sink, SourceCache& sources);
 void print(std::ostream& out, const Sink& sink);
 
@@ -35,8 +35,8 @@ std::string toString(const Location& where);
 /// One line, "error: [CODE] message" with its place in front, for logs.
 std::string toString(const Diagnostic& diagnostic);
 
-/// True if all that was written to `out` has arrived; otherwise a diagnostic of `program` on `err` says why not. To be
-/// called at the end of a program: nothing before it notices a disk that is full.
+/// Flushes `out`. If something could not be written, prints a diagnostic of `program` to `err` and returns false. Call
+/// it at the end of a program; nothing before it notices a full disk.
 bool arrived(std::ostream& out, std::ostream& err, const std::string& program, const std::string& code = {});
 
 }  // namespace oroforge::diag

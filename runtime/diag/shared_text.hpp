@@ -14,7 +14,7 @@
 
 namespace oroforge::diag {
 
-/// An immutable text; copies refer to the same one, from any thread.
+/// An immutable text that all copies share, in any thread.
 class SharedText {
 public:
     SharedText() = default;
@@ -33,7 +33,7 @@ public:
         return a.shared_ != b.shared_ && a.str() < b.str();
     }
 
-    // Without these, a text to compare with would be copied first.
+    // Without these, comparing would copy the other text first.
     friend bool operator==(const SharedText& a, const std::string& b) { return a.str() == b; }
     friend bool operator!=(const SharedText& a, const std::string& b) { return a.str() != b; }
     friend bool operator==(const SharedText& a, const char* b) { return a.str() == b; }

@@ -54,7 +54,7 @@ std::vector<Diagnostic> Sink::sorted() const {
     std::stable_sort(all.begin(), all.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.where < b.where; });
     std::vector<Diagnostic> result;
-    std::size_t samePlace = 0;  // where the reports on the present place begin, which are all that may be repeats
+    std::size_t samePlace = 0;  // where the reports on the present place begin; only they can be repeats
     for (Diagnostic& candidate : all) {
         if (!result.empty() && result.back().where != candidate.where) samePlace = result.size();
         const bool known = std::any_of(result.begin() + static_cast<std::ptrdiff_t>(samePlace), result.end(),

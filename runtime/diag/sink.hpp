@@ -12,8 +12,8 @@
 
 namespace oroforge::diag {
 
-/// Not thread-safe: one sink belongs to one run in one thread. The first kMost errors and warnings are kept; the others are
-/// counted only, because nobody reads them and a broken file may have millions.
+/// Not thread-safe: one sink belongs to one run in one thread. The first kMost errors and warnings are kept. The others
+/// are only counted, because a broken file may have millions.
 class Sink {
 public:
     static constexpr std::size_t kMost = 1000;
@@ -29,10 +29,11 @@ public:
     std::size_t warningCount() const { return warnings_; }
     bool empty() const { return all_.empty(); }
 
-    /// What is kept, in the order of reporting, repeats included.
+    /// The kept diagnostics, in the order of reporting, repeats included.
     const std::vector<Diagnostic>& all() const { return all_; }
 
-    /// Ordered by place (those without a place first) and without repeats. A note at the end tells how many were not kept.
+    /// The kept diagnostics, ordered by place (those without one first) and without repeats. A note at the end says how
+    /// many were not kept.
     std::vector<Diagnostic> sorted() const;
 
 private:

@@ -12,11 +12,11 @@ namespace oroforge::diag {
 
 class SourceCache {
 public:
-    /// Makes `text` the content of `name`, for texts that are not files on disk.
+    /// Makes `text` the content of the file `name`, which need not be on disk.
     void add(const std::string& name, const std::string& text);
 
-    /// Line `number` (from 1) without its end-of-line; null if there is no such file or line. It lives as long as the cache, or
-    /// until the file is added anew.
+    /// Line `number` (from 1) without its line end; null if there is no such file or line. Valid as long as the cache,
+    /// or until the file is added anew.
     const std::string* line(const std::string& file, unsigned number);
 
 private:

@@ -17,7 +17,7 @@ inline bool isInNamespace(const std::string& inner, const std::string& name) {
     return inner.size() > end.size() && inner.compare(inner.size() - end.size(), end.size(), end) == 0;
 }
 
-/// As didYouMean(), but first of all a candidate that has the name in a namespace, or is without that of the name.
+/// As didYouMean(), but prefers a candidate that is the name in a namespace, or the name without its namespace.
 inline std::string didYouMeanType(const std::string& name, const std::vector<std::string>& candidates) {
     for (const std::string& candidate : candidates)
         if (isInNamespace(candidate, name) || isInNamespace(name, candidate))

@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    /// Rules are listed in the order in which results first need them.
+    /// The index of the rule for a code; rules are listed in the order in which results first need them.
     std::size_t ruleIndex(const std::string& code) {
         const auto known =
             std::find_if(rules_.begin(), rules_.end(), [&](const Json& rule) { return rule["id"] == code; });

@@ -13,31 +13,31 @@
 
 namespace oroforge::xml {
 
-/// What becomes of spaces, tabs and line ends in character data. Those at both ends are always cut off, unless they
-/// are written as character references or in CDATA.
+/// What happens to spaces, tabs and line ends in character data. Those at both ends are always removed, unless they are
+/// written as character references or in CDATA.
 enum class Blanks {
-    kept,       ///< between words they stay
-    condensed,  ///< between words they become one space, as in property files
+    kept,       ///< they stay between words
+    condensed,  ///< they become one space between words, as in property files
 };
 
-/// The whole file; an error (XML001), and nothing, if it cannot be read.
+/// Returns the whole file. Reports XML001 and returns nothing if it cannot be read.
 std::optional<std::string> readText(const std::string& path, diag::Sink& sink);
 
-/// Takes one child of the root after the other, so that they need not be in memory all at once. The root that it sees has its
-/// name and attributes only.
+/// Takes the children of the root one after another, so that they need not be in memory all at once. The root that it
+/// sees has only its name and attributes.
 using ChildConsumer = std::function<void(const Element& root, Element&& child)>;
 
-/// A well-formed document with exactly one root element. A plain value: copyable, no hidden state.
+/// A well-formed document with exactly one root element. It is a plain value that can be copied.
 class Document {
 public:
-    /// Malformed or unreadable input gives one located error (codes XML…) and no document.
+    /// Reports one error with a place (codes XML…) and returns nothing if the file is malformed or unreadable.
     static std::optional<Document> parseFile(const std::string& path, diag::Sink& sink, Blanks blanks = Blanks::kept);
 
-    /// `name` stands for the file name in diagnostics.
+    /// The same for a text, which diagnostics call `name`.
     static std::optional<Document> parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                              Blanks blanks = Blanks::kept);
 
-    /// The same, but `take` gets the children of the root, which has none afterwards; nothing is taken of malformed input.
+    /// The same, but passes the children of the root to `take` instead of keeping them; none if the input is malformed.
     static std::optional<Document> parseText(const std::string& text, const std::string& name, diag::Sink& sink,
                                              Blanks blanks, const ChildConsumer& take);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// A parsed XML element with the places it came from.
+/// A parsed XML element with its places in the source.
 #ifndef OROFORGE_XML_ELEMENT_HPP
 #define OROFORGE_XML_ELEMENT_HPP
 
@@ -12,7 +12,7 @@
 
 namespace oroforge::xml {
 
-/// Of a byte in the source, which is shorter than 4 GiB.
+/// The offset of a byte in the source, which is shorter than 4 GiB.
 using Offset = std::uint32_t;
 
 struct Attribute {
@@ -23,7 +23,7 @@ struct Attribute {
     Offset valueBegin = 0, valueEnd = 0;  ///< bytes of the source between the quotes
 };
 
-/// Which bytes of the source an element takes. One without an end tag ("<a/>") has its content, of length 0, at its end.
+/// The bytes of an element in the source. The content of one without an end tag ("<a/>") is empty and at its end.
 struct Extent {
     Offset begin = 0, contentBegin = 0, contentEnd = 0, end = 0;
 
@@ -41,7 +41,7 @@ struct Element {
 
     const diag::Location& location() const { return where; }
 
-    /// Null if there is none.
+    /// The attribute of that name; null if there is none.
     const Attribute* attribute(const std::string& name) const;
     bool hasAttribute(const std::string& name) const { return attribute(name) != nullptr; }
     std::string attributeOr(const std::string& name, const std::string& fallback) const;

@@ -8,7 +8,7 @@ namespace oroforge::xml {
 
 namespace {
 
-/// Drops control characters other than blanks.
+/// Appends a char, escaped where necessary; drops control characters other than blanks.
 void appendEscaped(char c, bool inAttribute, std::string& to) {
     switch (c) {
         case '&': to += "&amp;"; break;
@@ -27,7 +27,7 @@ std::string reference(char c) { return "&#" + std::to_string(static_cast<int>(st
 
 bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80U; }
 
-/// Copies a letter beyond ASCII and returns how many bytes it has. A byte that is no UTF-8 becomes what it is in Latin-1.
+/// Copies a letter beyond ASCII and returns how many bytes it has. A byte that is not UTF-8 is read as Latin-1.
 std::size_t appendLetter(const std::string& text, std::size_t at, std::string& to) {
     const std::size_t length = detail::letterAt(text, at);
     if (length == 0) to += reference(text[at]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Text that is written into XML.
+/// Escapes text for XML.
 #ifndef OROFORGE_XML_ESCAPE_HPP
 #define OROFORGE_XML_ESCAPE_HPP
 
@@ -8,15 +8,15 @@
 
 namespace oroforge::xml {
 
-// Bytes that are no UTF-8 become the letters that they are in Latin-1, so that what is written is UTF-8.
+// Bytes that are not UTF-8 are read as Latin-1, so that the result is always UTF-8.
 
-/// That alone, for text that is written elsewhere.
+/// The text in UTF-8, without escaping, to be written elsewhere.
 std::string asUtf8(const std::string& text);
 
-/// For character data: & < > escaped; control characters XML cannot carry are dropped.
+/// For character data: escapes & < > and drops control characters that XML cannot have.
 std::string escapeText(const std::string& text);
 
-/// For a value between double quotes: also the quotes, tabs and line ends, so that they survive reading.
+/// For a value between double quotes: also escapes the quotes, tabs and line ends, so that they survive reading.
 std::string escapeAttribute(const std::string& text);
 
 /// For character data, or a value between double quotes, that must be read back exactly: blanks that reading would cut

@@ -31,7 +31,7 @@ bool isControl(char c) {
     return (u < 0x20U && c != '\t' && c != '\n' && c != '\r') || u == 0x7FU;
 }
 
-/// The encoding that the declaration at the beginning names, and where.
+/// The encoding that the XML declaration names, and its place.
 struct Declared {
     std::string name;
     std::size_t at = kNone;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Refuses what is no text in UTF-8.
+/// Checks that a text is UTF-8.
 #ifndef OROFORGE_XML_DETAIL_ENCODING_HPP
 #define OROFORGE_XML_DETAIL_ENCODING_HPP
 
@@ -10,11 +10,12 @@
 
 namespace oroforge::xml::detail {
 
-/// How many bytes the letter at `at` takes in UTF-8; 0 if there is none.
+/// The number of bytes of the UTF-8 letter at `at`; 0 if there is no valid one.
 std::size_t letterAt(const std::string& text, std::size_t at);
 
-/// True for UTF-8 without control characters other than tabs and line ends, whose declaration, if there is one, does not name
-/// another encoding; else one error at its place. A declared encoding whose first half is ASCII is no error if the text has no more.
+/// True for UTF-8 without control characters other than tabs and line ends, unless the declaration names another
+/// encoding; otherwise reports one error at its place. Another encoding that extends ASCII is no error if the text is
+/// plain ASCII.
 bool checkEncoding(const std::string& text, const std::string& name, diag::Sink& sink);
 
 }  // namespace oroforge::xml::detail

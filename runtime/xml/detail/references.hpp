@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Entities and character references, and the character data they stand in.
+/// Resolves entities and character references, and collects character data.
 #ifndef OROFORGE_XML_DETAIL_REFERENCES_HPP
 #define OROFORGE_XML_DETAIL_REFERENCES_HPP
 
@@ -9,29 +9,31 @@
 
 namespace oroforge::xml::detail {
 
-/// Appends what the reference at the '&' stands for, and returns its length; 0 if there is none that is known.
+/// Appends the value of the reference at the '&' and returns its length in the source; 0 if it is not a known
+/// reference.
 std::size_t appendReference(const char* at, std::string& to);
 
-/// An attribute's value as it stands in the source, references resolved.
+/// The value of an attribute from its source text, with references resolved.
 std::string resolved(const char* raw);
 
-/// The character data of one element, piece by piece. Blanks written as references or in CDATA count as letters.
+/// Collects the character data of one element, piece by piece. Blanks written as references or in CDATA count as
+/// letters.
 class TextCollector {
 public:
-    /// `condense`: blanks between words become one space.
+    /// With `condense`, blanks between words become one space.
     explicit TextCollector(bool condense) : condense_(condense) {}
 
     void addText(const char* raw);
     void addCdata(const char* text);
-    /// Without the blanks at both ends.
+    /// The collected text without the blanks at both ends.
     std::string finish();
 
 private:
-    /// Call before a letter is appended.
+    /// Must be called before a letter is appended.
     void beginLetter();
 
     std::string text_;
-    std::size_t kept_ = 0;  // how much of text_ ends with a letter
+    std::size_t kept_ = 0;  // length of text_ up to its last letter
     bool condense_;
     bool started_ = false;
     bool blank_ = false;  // condensed blanks wait for a letter

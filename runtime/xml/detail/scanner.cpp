@@ -24,7 +24,7 @@ bool isNameStart(char c) {
 
 bool isNameLetter(char c) { return isNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
 
-/// The line ends of other systems become ours.
+/// Replaces the line ends of other systems by '\n'.
 std::string withPlainLineEnds(std::string_view raw) {
     std::string text(raw);
     if (text.find('\r') == std::string::npos) return text;
@@ -99,7 +99,7 @@ private:
         return std::string_view(text_).substr(begin, position_ - begin);
     }
 
-    /// Most elements of a file have one of a few names; those of a file with many names are not kept.
+    /// Shares equal names, for most files have few. If a file has many, only the first ones are shared.
     diag::SharedText shared(std::string_view name) {
         const auto known = names_.find(name);
         if (known != names_.end()) return known->second;
@@ -146,7 +146,7 @@ private:
         return skipPast(2, ">", "declaration");
     }
 
-    /// It may have declarations between brackets; these, quoted text and comments may have ends like its own.
+    /// Skips <!DOCTYPE …>. Its declarations in brackets, quoted texts and comments may contain a '>'.
     bool documentType() {
         bool inner = false;
         for (std::size_t at = position_ + 2; at < text_.size(); ++at) {
@@ -164,7 +164,7 @@ private:
         return fail(here(), "XML003", "declaration is never closed; expected '>'");
     }
 
-    /// `begin` is the length of what opens it.
+    /// Skips a construct that ends with `end`; `begin` is the length of its opening.
     bool skipPast(std::size_t begin, std::string_view end, const char* what) {
         const std::size_t found = text_.find(end, position_ + begin);
         if (found == std::string::npos) {
@@ -284,7 +284,7 @@ private:
     }
 
     const std::string& text_;
-    const diag::FileName file_;  // one text for all places
+    const diag::FileName file_;  // shared by all places
     diag::Sink& sink_;
     const Building& building_;
     std::unordered_map<std::string_view, diag::SharedText> names_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// From an XML text to its elements, or to its first syntax error.
+/// Parses an XML text into elements, up to the first syntax error.
 #ifndef OROFORGE_XML_DETAIL_SCANNER_HPP
 #define OROFORGE_XML_DETAIL_SCANNER_HPP
 
@@ -14,21 +14,21 @@
 
 namespace oroforge::xml::detail {
 
-/// What becomes of elements that are complete.
+/// What happens to complete elements.
 struct Building {
     Blanks blanks = Blanks::kept;
-    bool keep = true;      ///< false: in no case; only syntax counts
-    ChildConsumer take{};  ///< if there is one, children of the root go there
+    bool keep = true;      ///< false: elements are dropped; only the syntax is checked
+    ChildConsumer take{};  ///< if set, gets the children of the root
 };
 
-/// How deep elements may be nested, so that those who walk the tree have room on their stacks.
+/// How deep elements may be nested, so that code that walks the tree has enough stack.
 constexpr std::size_t maxDepth = 98;
-/// How many attributes a tag may have: each is compared with all before it.
+/// How many attributes a tag may have. The limit exists because each is compared with all before it.
 constexpr std::size_t maxAttributes = 1000;
-/// How many names of elements and attributes are shared.
+/// How many names of elements and attributes are kept to be shared.
 constexpr std::size_t maxSharedNames = 1000;
 
-/// Stops at the first syntax error, reports it and returns nothing; else the root.
+/// Returns the root. Stops at the first syntax error, reports it and returns nothing.
 std::optional<Element> scan(const std::string& text, const std::string& file, diag::Sink& sink,
                             const Building& building);
 
