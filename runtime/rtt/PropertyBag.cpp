@@ -124,7 +124,7 @@ std::ostream& operator<<(std::ostream& os, const PropertyBag& bag) {
 namespace internal::detail {
 bool composeFromBag(const PropertyBag& bag, base::DataSourceBase::shared_ptr target) {
     const base::DataSourceBase::shared_ptr source(new ConstReferenceDataSource<PropertyBag>(bag));
-    return types::detail::updateByAnyMeans(target, source);
+    return types::detail::updateWithConversion(target, source);
 }
 }  // namespace internal::detail
 

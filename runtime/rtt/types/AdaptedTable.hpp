@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The tables of classes that an adapter describes: generated code says how their parts are reached.
+// Tables for classes that an adapter describes; generated code provides the access to their parts.
 #ifndef ORO_ADAPTED_TABLE_HPP
 #define ORO_ADAPTED_TABLE_HPP
 
@@ -15,7 +15,7 @@
 namespace RTT {
 namespace types {
 
-/** Like memberAccess(), of a member that a function returns a reference to. */
+/** Like memberAccess(), for a member to which a function returns a reference. */
 constexpr SequenceOps memberAt(void* (*at)(void* object, std::size_t),
                                void (*load)(const void* object, std::size_t, void* field),
                                void (*store)(void* object, std::size_t, const void* field)) {
@@ -26,7 +26,7 @@ constexpr SequenceOps memberAt(void* (*at)(void* object, std::size_t),
 
 namespace detail {
 
-/** `A` is generated: Object, Element, size(), load(), store(), and as far as they are there at() and resize(). */
+/** `A` is generated and has Object, Element, size(), load(), store(), and perhaps at() and resize(). */
 template <class A>
 struct AdaptedSequence {
     using Object = typename A::Object;
@@ -36,7 +36,7 @@ struct AdaptedSequence {
     static const Object& of(const void* c) { return *static_cast<const Object*>(c); }
 
     static std::size_t size(const void* c) { return static_cast<std::size_t>(A::size(of(c))); }
-    /** Many classes forget their elements when they are resized, and leave new ones undefined. */
+    /** Keeps the elements, because many classes drop them in a resize and leave new ones undefined. */
     static bool resize(void* c, std::size_t n) {
         const std::size_t old = size(c);
         if (n == old) return true;
@@ -95,7 +95,7 @@ struct AdaptedMatrix {
         const std::size_t oldRows = rows(&object), oldColumns = columns(&object);
         if (newRows == oldRows && newColumns == oldColumns) return true;
         if constexpr (A::canResize) {
-            // A class must not be asked to change what it cannot.
+            // The class must not be asked to change a fixed dimension.
             if ((A::fixedRows && newRows != oldRows) || (A::fixedColumns && newColumns != oldColumns)) return false;
             const Object before = object;
             A::resize(object, newRows, newColumns);
@@ -127,7 +127,7 @@ struct AdaptedMatrix {
             row[j] = element;
         }
     }
-    /** The first row decides how many columns there are. */
+    /** The first row determines the number of columns. */
     static void store(void* c, std::size_t i, const void* from) {
         const Row& row = *static_cast<const Row*>(from);
         if (row.size() != columns(c) && (i != 0 || !resizeTo(of(c), rows(c), row.size())))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How values become property bags and back, as generators and factories override it.
+// Conversion of values to property bags and back, to be overridden by generators and factories.
 #ifndef ORO_COMPOSITION_HOOKS_HPP
 #define ORO_COMPOSITION_HOOKS_HPP
 
@@ -14,8 +14,8 @@ namespace RTT {
 namespace types {
 
 /**
- * What the generators of values offer to override. Not a CompositionFactory, so that a generator may derive from one
- * besides: what it overrides then counts for both.
+ * The functions that generators of values may override. This is not a CompositionFactory, so that a generator may also
+ * derive from one; an override then counts for both.
  */
 class RTT_API CompositionHooks {
 public:
@@ -26,7 +26,7 @@ public:
     virtual bool composeType(base::DataSourceBase::shared_ptr source,
                              base::DataSourceBase::shared_ptr target) const = 0;
 
-    /** What the type had before these hooks: counts for what they do not override. Null if it had nothing. */
+    /** The factory that the type had before these hooks, used for what they do not override; or null. */
     const CompositionFactoryPtr& formerComposition() const { return former_; }
     void setFormerComposition(CompositionFactoryPtr former) { former_ = std::move(former); }
 
@@ -36,18 +36,18 @@ private:
 
 namespace detail {
 /**
- * Sets the value at `value`, of C++ type `id`: as `former` does if it can, else the members from the items of those
- * names, where others keep their value, or the elements of a type that has elements and no text form.
+ * Sets the value at `value`, of C++ type `id`: by `former` if it can. Otherwise sets members by the items of their
+ * names, while other members keep their values, or the elements of a type that has elements and no text form.
  */
 RTT_API bool composeMembers(const PropertyBag& source, const std::type_info& id, void* value,
                             const CompositionFactoryPtr& former);
-/** Lets the bag own all that is in it, and in the bags in it. */
+/** Makes the bag, and the bags in it, own all their items. */
 RTT_API void ownAll(PropertyBag& bag);
-/** Lets `type` use the hooks, and the factory it has for what they do not override. */
+/** Makes `type` use the hooks, and its present factory for what they do not override. */
 RTT_API void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks);
 }  // namespace detail
 
-/** Both functions of `Base` (CompositionHooks or CompositionFactory) by two that know the type T. */
+/** Implements both functions of `Base` (CompositionHooks or CompositionFactory) by two that know the type T. */
 template <class T, class Base>
 class CompositionByBag : public Base {
 public:
@@ -78,8 +78,8 @@ public:
         else
             return detail::composeMembers(source, typeid(T), std::addressof(result), nullptr);
     }
-    /** Adds the members of `source` to `target`, which must not refer to it: new properties, which the bag will own even
-        if they are only add()ed. Default: false, there is no special form. */
+    /** Adds the members of `source` to `target` as new properties, which must not refer to it and which the bag will
+        own even if they are only add()ed. Default: false, there is no special form. */
     virtual bool decomposeTypeImpl(param_t, PropertyBag&) const { return false; }
 };
 

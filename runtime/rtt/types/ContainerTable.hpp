@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The tables of standard containers other than std::vector: all of them are sequences to scripts and property files.
+// Tables of standard containers other than std::vector, which are sequences in scripts and property files.
 #ifndef ORO_CONTAINER_TABLE_HPP
 #define ORO_CONTAINER_TABLE_HPP
 
@@ -16,7 +16,7 @@ namespace types {
 
 namespace detail {
 
-/** std::list and std::forward_list: elements have addresses, but are counted from the first one. */
+/** std::list and std::forward_list: elements have addresses, but are found by counting from the first one. */
 template <class C>
 struct LinkedSequence {
     using Element = typename C::value_type;
@@ -72,7 +72,7 @@ struct KeyedElement<C, true> {
     static constexpr bool hasValue = true;
 };
 
-/** Sets and maps. Those that hash are shown in the order of their keys, so that files do not depend on the library. */
+/** Sets and maps. Hashing ones are shown in the order of their keys, so that files do not depend on the library. */
 template <class C>
 struct Keyed {
     using Rules = KeyedElement<C>;
@@ -111,7 +111,7 @@ struct Keyed {
     static void load(const void* c, std::size_t i, void* to) {
         *static_cast<Element*>(to) = Rules::of(*placeOf(of(c), i));
     }
-    /** With another key the element moves, as in the container itself. */
+    /** An element with another key moves, as in the container itself. */
     static void store(void* c, std::size_t i, const void* from) {
         C& all = of(c);
         all.erase(placeOf(all, i));
@@ -135,7 +135,7 @@ struct Keyed {
     }
 };
 
-/** std::optional: a sequence of none or one. */
+/** std::optional: a sequence with no element or one. */
 template <class C>
 struct Optional {
     using Element = typename C::value_type;
@@ -167,7 +167,7 @@ const SequenceOps& linkedOps() {
     return table;
 }
 
-/** For sets, and for maps, whose elements are KeyValue: a type of its own. */
+/** For sets, and for maps, whose elements are KeyValue, a separate type. */
 template <class C>
 const SequenceOps& keyedOps() {
     using S = detail::Keyed<C>;

@@ -19,7 +19,8 @@ RTT_API bool readNumber(const std::string& text, int& number);
 
 /**
  * Generator for an enum. Derive from it and fill `to_string` in the constructor: that text is what is printed, read,
- * and written to property files; for a value without text it is the number, as an int. Converts silently from and to int.
+ * and written to property files; for a value without text it is the number, as an int. Converts silently from and to
+ * int.
  */
 template <class T>
 class EnumTypeInfo : public TemplateTypeInfo<T, false>,
@@ -60,7 +61,7 @@ public:
         for (const auto& known : to_string) names.push_back(known.second);
         return names;
     }
-    /** The map may lack values. */
+    /** True for all numbers, because the map may be incomplete. */
     bool takesNumber(long long) const override { return true; }
 
     std::ostream& write(std::ostream& os, base::DataSourceBase::shared_ptr source) const override {

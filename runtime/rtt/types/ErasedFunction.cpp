@@ -68,7 +68,7 @@ DataSourceBase::shared_ptr ErasedFunction::apply(const std::vector<DataSourceBas
     const TypeInfo* type = Types()->getTypeById(result());
     const TypeThunks* thunks = type ? type->getThunks() : nullptr;
     if (!thunks || !thunks->variable || !thunks->actionAlias) return nullptr;
-    // A variable as made for programs: copies of the expression get a result of their own.
+    // A variable as in programs, so that copies of the expression have their own results.
     const std::unique_ptr<base::AttributeBase> holder(thunks->variable("", 0));
     const DataSourceBase::shared_ptr storage = holder->getDataSource();
     auto action = std::make_unique<ComputeAction>(*this, given, storage);

@@ -13,10 +13,10 @@
 namespace RTT {
 namespace types {
 
-/** Computes `result` (an existing value) from the arguments; false if there is no result, as for 1 / 0. */
+/** Computes `result` (an existing value) from the arguments; false if there is no result, for example of 1 / 0. */
 using ComputeFunction = bool (*)(const void* context, const void* const* arguments, void* result);
 
-/** A function of values whose types are known by name only. */
+/** A function of values whose types are known only by name. */
 struct ErasedFunction {
     static constexpr std::size_t maxArity = 12;
 
@@ -66,7 +66,7 @@ ErasedFunction eraseAs(F f, Signature<R(A...)>) {
 
 }  // namespace detail
 
-/** From a function pointer or a function object whose signature can be told. */
+/** From a function pointer, or a function object with a known signature. */
 template <class F>
 ErasedFunction eraseFunction(F f) {
     return detail::eraseAs(std::move(f), typename detail::SignatureOf<F>::type());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Tells the signature of the function objects that typekits pass to newConstructor(), newBinaryOperator() and others.
+// Finds the signature of function objects that typekits pass to newConstructor(), newBinaryOperator() and others.
 #ifndef ORO_FUNCTION_SIGNATURE_HPP
 #define ORO_FUNCTION_SIGNATURE_HPP
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What generated typekits are made of: constant tables that describe types, and the functions that turn a table
-// into a generator for TypeInfoRepository::addType(). All tables must have static storage.
+// Used by generated typekits: constant tables that describe types, and functions that turn a table into a generator for
+// TypeInfoRepository::addType(). All tables must have static storage.
 #ifndef ORO_GENERATED_TYPEKIT_HPP
 #define ORO_GENERATED_TYPEKIT_HPP
 
@@ -14,9 +14,9 @@
 namespace RTT {
 namespace types {
 
-/** Adds a type to the registry and takes ownership of the generator. False, with an error logged, if it cannot be added. */
+/** Adds a type to the registry and takes ownership of the generator. Logs an error and returns false if that fails. */
 RTT_API bool addType(TypeInfoGenerator* generator);
-/** Another name for the type that is called `of`; false if there is no such type. */
+/** Adds another name for the type `of`; false if there is no such type. */
 RTT_API bool aliasType(const char* alias, const char* of);
 
 /** A struct with the given members: live access by name, property bags, and the text form "{a = 1, b = 2}". */
@@ -25,7 +25,7 @@ TypeInfoGenerator* makeStructType(const char* name, const Member* members, std::
     return detail::newStructGenerator(name, members, count, doc, typeOps<T>(), typeThunks<T>());
 }
 
-/** An enum: its text form is the enumerator's name, the first of that value; any of the names is read. */
+/** An enum: its text form is the first name of the value; all names can be read. */
 template <class E>
 TypeInfoGenerator* makeEnumType(const char* name, const Enumerator* values, std::size_t count, const char* doc = "") {
     return detail::newEnumGenerator(name, values, count, doc, typeOps<E>(), typeThunks<E>(), enumOps<E>(), &typeRef<E>);
@@ -43,7 +43,7 @@ TypeInfoGenerator* makeArrayType(const char* name) {
     return detail::newArrayGenerator(name, arrayOps<E>(), typeOps<carray<E>>(), typeThunks<carray<E>>());
 }
 
-// The runtime has those of the fundamental types, so that not each typekit with such a member makes them again.
+// The runtime instantiates them for fundamental types, so that typekits with such members need not.
 #define ORO_FUNDAMENTAL_TYPES(USE) \
     USE(bool)                      \
     USE(char)                      \

@@ -5,7 +5,7 @@
 namespace RTT::types {
 
 GlobalsRepository::shared_ptr GlobalsRepository::Instance() {
-    // Never destroyed: plugins may hold references to what is in it.
+    // Never destroyed: plugins may refer to its contents.
     static auto* instance = new shared_ptr(new GlobalsRepository());
     return *instance;
 }

@@ -14,7 +14,7 @@ class RTT_API GlobalsRepository : public ConfigurationInterface {
 public:
     typedef boost::shared_ptr<GlobalsRepository> shared_ptr;
     static shared_ptr Instance();
-    /** For programs that end with it: nothing happens, the globals are kept until the process ends. */
+    /** Does nothing, because the globals are kept until the process ends. For programs that call it at their end. */
     static void Release() {}
 
 private:

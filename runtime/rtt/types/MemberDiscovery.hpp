@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Finds the members of a struct by running its boost::serialization function on an archive that only takes notes.
-// The one header that includes boost::serialization.
+// Finds the members of a struct by running its boost::serialization function on an archive that only records them. This
+// is the only header that includes boost::serialization.
 #ifndef ORO_MEMBER_DISCOVERY_HPP
 #define ORO_MEMBER_DISCOVERY_HPP
 
@@ -23,7 +23,7 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** A table of members that was made at run time; kept until the process ends, as tables in generated code are. */
+/** A table of members that is made at run time and kept until the process ends, like tables in generated code. */
 class DiscoveredMembers {
 public:
     explicit DiscoveredMembers(std::size_t objectSize) : objectSize_(objectSize) {}
@@ -70,7 +70,7 @@ public:
     NotingArchive& operator<<(const boost::serialization::nvp<T>& pair) {
         return *this & pair;
     }
-    /** A value without a name cannot be a member; of a base class the members are those of the object. */
+    /** A value without a name cannot be a member; members of a base class are members of the object. */
     template <class T>
     NotingArchive& operator&(const T& value) {
         if constexpr (std::is_base_of_v<T, Object> && !std::is_same_v<T, Object>)

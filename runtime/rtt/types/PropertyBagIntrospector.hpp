@@ -12,8 +12,8 @@ namespace RTT {
 namespace types {
 
 /**
- * A visitor that collects in a bag what it is given: `bag.identify(&introspector)`. Values with members become bags, and so
- * do those within; what it adds refers to the values visited. Not real-time safe, for one thread at a time.
+ * A visitor that collects properties in a bag: `bag.identify(&introspector)`. Values with members become bags, and so
+ * do their members; the properties refer to the visited values. Not real-time safe, for one thread at a time.
  */
 class PropertyBagIntrospector : public base::PropertyIntrospection {
 public:

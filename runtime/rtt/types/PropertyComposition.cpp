@@ -15,18 +15,19 @@ using base::PropertyBase;
 
 namespace {
 
-/** `source`, or a copy if it cannot be changed: parts of that can, so that they are told from what is computed. */
+/** `source`, or a copy if it cannot be changed, because parts of a copy can, which distinguishes them from computed
+    members. */
 DataSourceBase::shared_ptr assignable(const DataSourceBase::shared_ptr& source) {
     const auto copy = source->isAssignable() ? nullptr : source->getTypeInfo()->buildValue();
     return copy && copy->update(source.get()) ? copy : source;
 }
 
-/** The members of a value as a bag: what its type makes of it, else one property per member. Null if it has none. */
+/** The members of a value as a bag, by its type or with one property per member; null if it has none. */
 DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
     const TypeInfo* type = source->getTypeInfo();
     if (auto decomposed = type->decomposeType(source)) return decomposed;
     const auto names = type->getMemberNames();
-    // The letters of a string are no parts of it.
+    // The letters of a string are not members.
     if (names.empty() || detail::isText(source)) return nullptr;
     boost::intrusive_ptr<internal::ValueDataSource<PropertyBag>> result(new internal::ValueDataSource<PropertyBag>());
     PropertyBag& bag = result->set();
@@ -37,18 +38,18 @@ DataSourceBase::shared_ptr membersOf(const DataSourceBase::shared_ptr& source) {
     const auto whole = assignable(source);
     for (const auto& name : names) {
         const auto member = whole->getMember(name);
-        // What is computed, such as the size of a container, is no part of the value.
+        // Computed members, such as the size of a container, are not part of the value.
         if (member && member->isAssignable()) add(name, "Part", member);
     }
     const int count = bag.empty() ? detail::elementCount(whole) : 0;
-    // All that it has is computed: the text alone tells the value.
+    // All members are computed, so only the text has the value.
     if (count < 0 && type->isStreamable()) return nullptr;
     for (int i = 0; i < count; ++i)
         if (!add("Element" + std::to_string(i), "Sequence Element", detail::elementOf(whole, i))) return nullptr;
     return result;
 }
 
-/** False, and errors in the log, if the target has properties of the names of `source`. */
+/** Logs errors and returns false if the target has properties with names of `source`. */
 bool hasRoomFor(const PropertyBag& source, const PropertyBag& target) {
     bool free = true;
     for (const PropertyBase* item : source) {
@@ -64,7 +65,8 @@ const PropertyBag* bagIn(const DataSourceBase::shared_ptr& source) {
     return static_cast<const PropertyBag*>(source->getRawConstPointer());
 }
 
-/** Puts a property for `item` into `target`: its members if it has any, else a property on the same value. */
+/** Adds a property for `item` to `target`: a bag of its members if it has any, otherwise a property of the same value.
+     */
 bool addDecomposed(PropertyBase& item, PropertyBag& target, bool recurse) {
     const auto value = item.getDataSource();
     const auto simpler = recurse && !internal::detail::bagOf(item) ? membersOf(value) : nullptr;

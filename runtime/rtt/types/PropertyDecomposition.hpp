@@ -9,19 +9,19 @@ namespace RTT {
 namespace types {
 
 /**
- * Adds the members of a value to `target`, as properties that refer to the value where it can be changed, and sets
- * the target's type. Members that have members become bags themselves if `recurse`. False if the value has no members.
+ * Adds the members of a value to `target` and sets the target's type. The properties refer to the value if it can be
+ * changed. With `recurse`, members with members become bags. False if the value has no members.
  */
 RTT_API bool typeDecomposition(base::DataSourceBase::shared_ptr source, PropertyBag& target, bool recurse = true);
 /** The same for the value of a property. */
 RTT_API bool propertyDecomposition(base::PropertyBase* source, PropertyBag& target, bool recurse = false);
-/** The same for each item of a bag: what has members becomes a bag, the others are copied. False, and nothing is added, if
-    `target` has a property of one of these names. */
+/** The same for each item of a bag: what has members becomes a bag, the others are copied. False, and nothing is added,
+    if `target` has a property of one of these names. */
 RTT_API bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target);
 
 }  // namespace types
 }  // namespace RTT
 
-#include <rtt/types/PropertyComposition.hpp>  // users take both from here
+#include <rtt/types/PropertyComposition.hpp>  // users get both from here
 
 #endif

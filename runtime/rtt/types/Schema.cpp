@@ -62,7 +62,7 @@ private:
             if (other && other->place != one.place)
                 return both(what + "is", std::to_string(one.place), std::to_string(other->place));
             if (other) continue;
-            // New ones may come and old ones go, but a number must not get another meaning.
+            // Enumerators may be added and removed, but a number must not change its meaning.
             for (std::size_t k = 0; k < b.count; ++k)
                 if (b.fields[k].place == one.place && !find(a, b.fields[k].name))
                     return both(what + "(" + std::to_string(one.place) + ") is called",

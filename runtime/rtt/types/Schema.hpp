@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How the plugin that is being compiled sees a C++ type: what ports compare when they are connected.
+// A C++ type as the plugin being compiled knows it, which ports compare when they are connected.
 #ifndef ORO_TYPES_SCHEMA_HPP
 #define ORO_TYPES_SCHEMA_HPP
 
@@ -19,17 +19,17 @@ struct Schema;
 /** One field of a struct, alternative of a variant, or enumerator. */
 struct SchemaField {
     const char* name;
-    const char* type;       ///< C++ type with array bounds, and with the width of a bit-field; "" of an enumerator
-    long long place;        ///< in bits from the start of the struct, -1 if it has none; of an enumerator: its value
-    const char* unit;       ///< "" if none was given
-    const Schema& (*of)();  ///< of user types, or types made of them, else null
+    const char* type;       ///< C++ type with array bounds, and with the width of a bit-field; "" for an enumerator
+    long long place;        ///< in bits from the start of the struct, -1 if it has none; the value of an enumerator
+    const char* unit;       ///< "" if unknown
+    const Schema& (*of)();  ///< for user types and types made of them; otherwise null
 };
 
-/** A type as one plugin sees it. Constant, of static storage in that plugin. */
+/** A type as one plugin knows it. A constant with static storage in that plugin. */
 struct Schema {
-    const char* name;           ///< C++ name; "" if nothing but the size is known
+    const char* name;           ///< C++ name; "" if only the size is known
     std::size_t size, align;    ///< bytes
-    const SchemaField* fields;  ///< of a container without a name: its element
+    const SchemaField* fields;  ///< for a container without a name: its element
     std::size_t count;
     bool isEnum;
 };
@@ -72,7 +72,7 @@ struct RTT_HIDE ElementField<
 
 }  // namespace detail
 
-/** For types of which no generated header tells more: the size, and what the elements of a container are. */
+/** For types without a generated header: the size, and the elements of a container. */
 template <class T>
 RTT_HIDE const Schema& describeType(TypeTag<T>) {
     static constexpr Schema schema = {
@@ -80,22 +80,25 @@ RTT_HIDE const Schema& describeType(TypeTag<T>) {
     return schema;
 }
 
-/** What this plugin knows of T. Hidden, so that each plugin has its own. Which generated headers were included before does
-    not matter, only that they are in the translation unit. Thread-safe, real-time safe. */
+/** What this plugin knows of T. Hidden, so that each plugin has its own. Generated headers may be included anywhere in
+    the translation unit. Thread-safe, real-time safe. */
 template <class T>
 const Schema& schemaOf() {
     return describeType(TypeTag<T>());
 }
 
-/** Empty if samples can pass between plugins that see a type so, else the first thing that differs, as a sentence that calls
-    the two `here` and `there`: "field 'pose.x' is at byte 8 in A.out, at byte 16 in B.in". Names, types, places and units of
-    fields must agree where both sides know them; enumerators that both have must have the same number. Allocates. */
+/**
+ * Empty if samples can pass between plugins with these schemas. Otherwise the first difference, as a sentence that
+ * calls the two `here` and `there`: "field 'pose.x' is at byte 8 in A.out, at byte 16 in B.in". Names, types, places
+ * and units of fields must agree if both sides know them; enumerators that both have must have the same number.
+ * Allocates.
+ */
 RTT_API std::string schemaDifference(const Schema& a, const Schema& b, const std::string& here,
                                      const std::string& there);
 
-/** Same for same sizes, alignments and places of all fields, inner ones included, whatever they are called. Allocates. */
+/** Equal for equal sizes, alignments and places of all fields, inner ones included, whatever their names. Allocates. */
 RTT_API std::uint64_t layoutHash(const Schema& schema);
-/** Same for same names and types of all fields, and enumerators, inner ones included. Allocates. */
+/** Equal for equal names and types of all fields and enumerators, inner ones included. Allocates. */
 RTT_API std::uint64_t schemaHash(const Schema& schema);
 
 }  // namespace types

@@ -116,14 +116,14 @@ bool SequenceMembers::forEach(const SourcePtr& source, const std::function<void(
     return true;
 }
 
-// Of two elements with one key the first stays, as in the container itself.
+// If two elements have the same key, the first stays, as in the container itself.
 bool SequenceMembers::insertAll(const PropertyBag& bag, void* container) const {
     const TypeThunks* const thunks = elementThunks();
     if (!thunks || !ops_.resize(container, 0)) return false;
     for (std::size_t i = detail::firstElement(bag); i != bag.size(); ++i) {
         const base::PropertyBase* const item = bag.getItem(i);
         const SourcePtr element(thunks->value());
-        if (!detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
+        if (!detail::updateWithConversion(element, item->getDataSource())) return reportElement(element, *item);
         ops_.insert(container, element->getRawConstPointer());
     }
     return true;
@@ -153,7 +153,8 @@ bool SequenceMembers::composeType(SourcePtr source, SourcePtr target) const {
     for (std::size_t i = 0; i != count; ++i) {
         const base::PropertyBase* item = bag->getItem(first + i);
         const SourcePtr element = elementAt(target, i);
-        if (!element || !detail::updateByAnyMeans(element, item->getDataSource())) return reportElement(element, *item);
+        if (!element || !detail::updateWithConversion(element, item->getDataSource()))
+            return reportElement(element, *item);
     }
     target->updated();
     return true;

@@ -40,7 +40,7 @@ public:
     bool isStreamable() const override { return false; }
 
 private:
-    /** Null, and an error in the log, if the element type is not registered. */
+    /** Logs an error and returns null if the element type is not registered. */
     const TypeThunks* elementThunks() const;
     base::DataSourceBase::shared_ptr elementAt(const base::DataSourceBase::shared_ptr& item, std::size_t index) const;
     std::size_t sizeOf(const base::DataSourceBase::shared_ptr& item) const;

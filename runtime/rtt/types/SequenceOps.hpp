@@ -13,7 +13,7 @@ using TypeRef = const char* (*)();
 template <class T>
 const char* typeRef();
 
-/** How to reach the elements of a container whose type is not known here. One constant table per container type. */
+/** Access to the elements of a container of an erased type. One constant table per container type. */
 struct SequenceOps {
     std::size_t (*size)(const void* container);
     std::size_t (*capacity)(const void* container);
@@ -22,9 +22,10 @@ struct SequenceOps {
     void (*load)(const void* container, std::size_t index, void* element);
     void (*store)(void* container, std::size_t index, const void* element);
     TypeRef elementType;
-    /** Set: the container finds the place of an element itself; resize() only empties it. False if there was one already. */
+    /** If set: the container places elements itself, and resize() only empties it. False if it has the element already.
+         */
     bool (*insert)(void* container, const void* element) = nullptr;
-    /** Set: faster than load() of one index after the other. */
+    /** If set: faster than load() of one index after another. */
     void (*visit)(const void* container, void (*each)(void* context, const void* element), void* context) = nullptr;
 };
 

@@ -13,13 +13,13 @@
 namespace RTT {
 namespace types {
 
-/** Another type that a type's values are shown as, and read from. */
+/** Another type as which values are shown and from which they are read. */
 struct ShownAs {
     TypeRef type;
     void (*show)(const void* value, void* shown);
     /** False if there is no such value. */
     bool (*take)(const void* shown, void* value);
-    /** A further type that values are converted from and to. */
+    /** A further type with conversions from and to. */
     const ShownAs* also = nullptr;
 };
 
@@ -68,7 +68,7 @@ struct Plain {
     using Table = NumberTable<T, Shown, N, &get, &make>;
 };
 
-/** With all its digits. */
+/** The number with all its digits. */
 RTT_API std::string textOf(long double number);
 RTT_API bool fromText(const std::string& text, long double& number);
 

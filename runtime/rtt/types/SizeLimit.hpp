@@ -12,12 +12,12 @@ namespace RTT {
 namespace types {
 
 /**
- * How many elements or letters scripts may ask for at once, in `var array a(n)`, `array(n)` and the like, so that a number that
- * nobody meant does not take the memory of the machine. Any thread, real-time safe.
+ * Limits how many elements or letters scripts may ask for at once, in `var array a(n)`, `array(n)` and the like, so
+ * that a wrong number cannot use up the memory of the machine. Any thread, real-time safe.
  */
 RTT_API void setSizeLimit(std::size_t elements) noexcept;
 RTT_API std::size_t sizeLimit() noexcept;
-/** What it is at first. */
+/** The initial limit. */
 constexpr std::size_t kUsualSizeLimit = 10'000'000;
 
 /** Real-time safe. */

@@ -22,9 +22,9 @@ public:
 };
 
 namespace detail {
-/** The evaluated value of `source` if it is of that C++ type, else null. */
+/** The evaluated value of `source` if it has that C++ type; otherwise null. */
 RTT_API const void* valueOfType(const base::DataSourceBase::shared_ptr& source, const std::type_info& id);
-/** Its storage if it can be changed, else null. */
+/** The storage of such a value if it can be changed; otherwise null. */
 RTT_API void* storageOfType(const base::DataSourceBase::shared_ptr& source, const std::type_info& id);
 }  // namespace detail
 

@@ -21,7 +21,7 @@ using SourcePtr = DataSourceBase::shared_ptr;
 
 namespace {
 
-/** Lets a member of a value that cannot be changed be found by its offset each time the value is evaluated. */
+/** Finds a member of a read-only value by its offset at each evaluation of the value. */
 const SequenceOps& byteOffsetOps() {
     static constexpr SequenceOps table = {
         [](const void*) { return ~std::size_t(0); },
@@ -35,7 +35,8 @@ const SequenceOps& byteOffsetOps() {
     return table;
 }
 
-/** Of an array, that of views on such arrays; an array of fixed size may have a type of its own instead. */
+/** The type of a member. For an array it is that of views on such arrays, unless a class such as std::array has its
+    own. */
 const TypeInfo* typeOf(const Member& member) {
     const TypeInfo* type = member.count ? Types()->getArrayType(member.type()) : Types()->getTypeById(member.type());
     return !type && member.whole ? Types()->getTypeById(member.whole()) : type;
@@ -99,13 +100,13 @@ SourcePtr StructMembers::memberOf(const SourcePtr& item, const Member& member) c
     if (member.access) return thunks.element ? elementOf(item, 0, thunks, *member.access) : nullptr;
     if (item->isAssignable()) return partOf(item->getRawPointer(), item, member, thunks);
     if (thunks.element) return elementOf(item, member.offset, thunks, byteOffsetOps());
-    // An array: a view on it, which cannot be changed either.
+    // For an array, a read-only view on it.
     if (void* const value = const_cast<void*>(item->getRawConstPointer())) return partOf(value, item, member, thunks);
     const SourcePtr copy = copyOf(item);
     return copy ? partOf(const_cast<void*>(copy->getRawConstPointer()), copy, member, thunks) : nullptr;
 }
 
-/** Of a value that has no address before it is evaluated: a copy that is made each time this is evaluated. */
+/** A copy made at each evaluation, for a value that has no address before it is evaluated. */
 SourcePtr StructMembers::copyOf(const SourcePtr& item) const {
     const SourcePtr copy = thunks_.value();
     return copy->isAssignable() ? thunks_.actionAlias(copy->updateAction(item.get()), copy.get()) : nullptr;
@@ -116,7 +117,7 @@ SourcePtr StructMembers::decomposeType(SourcePtr source) const {
     PropertyBag& bag = result->set();
     bag.setType(source->getTypeName());
     for (std::size_t i = 0; i != count_; ++i) {
-        // What is out of reach was reported; the others are worth keeping.
+        // Unreachable members were reported; the others are kept.
         if (const SourcePtr member = memberOf(source, members_[i])) {
             const std::string text = description(members_[i]);
             bag.ownProperty(
@@ -133,7 +134,7 @@ bool StructMembers::composeType(SourcePtr source, SourcePtr target) const {
     for (std::size_t i = 0; i != count_; ++i) {
         const base::PropertyBase* item = bag->find(members_[i].name);
         if (!item && *members_[i].also) item = bag->find(members_[i].also);
-        if (!item || detail::updateByAnyMeans(memberOf(target, members_[i]), item->getDataSource())) continue;
+        if (!item || detail::updateWithConversion(memberOf(target, members_[i]), item->getDataSource())) continue;
         log(Error) << "member " << members_[i].name << " of type " << target->getTypeName()
                    << " cannot take a value of type " << item->getType() << endlog();
         complete = false;

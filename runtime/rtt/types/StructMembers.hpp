@@ -30,7 +30,7 @@ public:
                                                base::DataSourceBase::shared_ptr id) const override;
 
     base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override;
-    /** Members that the bag lacks keep their value; items of the bag that are no members are ignored. */
+    /** Members that the bag lacks keep their values; other items of the bag are ignored. */
     bool composeType(base::DataSourceBase::shared_ptr source, base::DataSourceBase::shared_ptr target) const override;
 
     std::ostream& write(std::ostream& os, base::DataSourceBase::shared_ptr source) const override;

@@ -25,18 +25,18 @@ const char* typeRef() {
 struct Member {
     const char* name;
     std::size_t offset;
-    TypeRef type;       ///< of the field, or of the element of an array
-    std::size_t count;  ///< 0: not an array
+    TypeRef type;       ///< the type of the field, or of the element of an array
+    std::size_t count;  ///< 0 if it is not an array
     const char* doc;
     const char* unit;
-    TypeRef whole = nullptr;              ///< of an array that is a class of its own, such as boost::array
-    const SequenceOps* access = nullptr;  ///< of a field without address (see memberAccess()); there is no offset then
+    TypeRef whole = nullptr;              ///< the type of an array that is a class, such as boost::array
+    const SequenceOps* access = nullptr;  ///< for a field without an address (see memberAccess()), which has no offset
     const char* range = "";               ///< legal values, as text: "0..5"
-    const char* also = "";                ///< another name by which scripts and property files may call it
+    const char* also = "";                ///< another name for scripts and property files
 };
 
-/** How to copy a field out of its struct and back: bit-fields, packed fields, fields behind functions. Without `store` it
-    cannot be changed. The index is not used. */
+/** Copies a field out of its struct and back: bit-fields, packed fields and fields behind functions. Without `store` it
+    is read-only. The index is not used. */
 constexpr SequenceOps memberAccess(void (*load)(const void* object, std::size_t, void* field),
                                    void (*store)(void* object, std::size_t, const void* field)) {
     constexpr auto any = [](const void*) { return ~std::size_t(0); };
@@ -45,7 +45,7 @@ constexpr SequenceOps memberAccess(void (*load)(const void* object, std::size_t,
 
 struct Enumerator {
     const char* name;
-    long long value;  ///< of unsigned types of 64 bit: the same bits
+    long long value;  ///< for unsigned types of 64 bits: the same bits
     const char* doc;
 };
 

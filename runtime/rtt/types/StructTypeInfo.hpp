@@ -40,14 +40,14 @@ public:
                                                base::DataSourceBase::shared_ptr id) const override {
         return members_->getMember(item, id);
     }
-    /** By decomposeTypeImpl() if a derived generator overrides it, else live members. */
+    /** Uses decomposeTypeImpl() if a derived generator overrides it; otherwise live members. */
     base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {
         const auto own = TemplateTypeInfo<T, has_ostream>::decomposeType(source);
         return own ? own : members_->decomposeType(source);
     }
 
 private:
-    // The table outlives this generator where the type keeps members_ only.
+    // The table outlives this generator, because the type may keep only members_.
     const detail::DiscoveredMembers* found_;
     boost::shared_ptr<StructMembers> members_;
 };

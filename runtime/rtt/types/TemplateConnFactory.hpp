@@ -8,7 +8,7 @@
 namespace RTT {
 namespace types {
 
-/** The port factory of T over its thunks, to derive from and to give to TypeInfo::setPortFactory(). */
+/** A port factory that uses the thunks of T, for classes that are passed to TypeInfo::setPortFactory(). */
 template <class T>
 class TemplateConnFactory : public internal::ConnFactory {
 public:

@@ -13,7 +13,7 @@ public:
     base::DataSourceBase::shared_ptr build(
         const std::vector<base::DataSourceBase::shared_ptr>& arguments) const override {
         if (arguments.size() != function_.arity) return nullptr;
-        // A single argument is a conversion already, and conversions are not chained.
+        // A constructor with a single argument is a conversion, and conversions are not chained.
         if (arguments.size() < 2) return function_.apply(arguments);
         std::vector<base::DataSourceBase::shared_ptr> converted;
         for (std::size_t i = 0; i != arguments.size(); ++i) {

@@ -6,7 +6,7 @@
 #include "ErasedFunction.hpp"
 #include "TypeConstructor.hpp"
 #include "Types.hpp"
-#include <rtt/internal/FusedFunctorDataSource.hpp>  // typekits take newFunctorDataSource() from here
+#include <rtt/internal/FusedFunctorDataSource.hpp>  // typekits get newFunctorDataSource() from here
 #include <boost/function.hpp>
 
 namespace RTT {
@@ -37,7 +37,7 @@ private:
 
 /**
  * A constructor from a function or function object of values, for TypeInfo::addConstructor().
- * With one argument it is a conversion, too: silent if `automatic`, else with a warning in the log.
+ * With one argument it is also a conversion, which logs a warning unless it is `automatic`.
  */
 template <class F>
 TypeConstructor* newConstructor(F function, bool automatic = false) {

@@ -9,7 +9,7 @@
 namespace RTT {
 namespace types {
 
-/** Generator for a type that may be used everywhere, ports included: their functions can be overridden, too. */
+/** Generator for a type that may be used everywhere, ports included; the port functions can be overridden, too. */
 template <typename T, bool use_ostream = false>
 class TemplateTypeInfo : public PrimitiveTypeInfo<T, use_ostream>, public TemplateConnFactory<T> {
 public:

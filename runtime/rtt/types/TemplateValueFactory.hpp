@@ -9,7 +9,7 @@
 namespace RTT {
 namespace types {
 
-/** The value factory of T over its thunks; hand-written typekits override what they want otherwise. */
+/** A value factory that uses the thunks of T; hand-written typekits may override its functions. */
 template <class T>
 class TemplateValueFactory : public ValueFactory {
 public:

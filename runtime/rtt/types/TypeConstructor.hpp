@@ -8,7 +8,7 @@
 namespace RTT {
 namespace types {
 
-/** Makes values of one type from arguments of other types: what scripts call as `type(arguments)`. */
+/** Makes values of one type from arguments of other types; scripts write `type(arguments)`. */
 class RTT_API TypeConstructor {
 public:
     virtual ~TypeConstructor();
@@ -16,7 +16,7 @@ public:
     /** The value, computed whenever it is evaluated; null if this constructor does not take these arguments. */
     virtual base::DataSourceBase::shared_ptr build(
         const std::vector<base::DataSourceBase::shared_ptr>& arguments) const = 0;
-    /** The same for an implicit conversion. Constructors that are not automatic leave a warning in the log. */
+    /** The same for an implicit conversion; logs a warning unless the constructor is automatic. */
     virtual base::DataSourceBase::shared_ptr convert(base::DataSourceBase::shared_ptr argument) const;
 };
 

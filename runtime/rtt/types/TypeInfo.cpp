@@ -58,7 +58,7 @@ const char* TypeInfo::getTypeIdName() const {
 const std::string& TypeInfo::getDescription() const { return state_->description; }
 
 void TypeInfo::setDescription(const std::string& text) {
-    // The first description stays: others may hold a reference to it.
+    // The first description stays, because callers may have a reference to it.
     state_->locked([&] {
         if (state_->description.empty()) state_->description = text;
         return true;

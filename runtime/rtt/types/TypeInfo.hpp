@@ -45,14 +45,14 @@ typedef boost::shared_ptr<StreamFactory> StreamFactoryPtr;
 typedef boost::shared_ptr<internal::ConnFactory> ConnFactoryPtr;
 
 namespace detail {
-/** A factory that asks `hooks`. */
+/** A factory that calls `hooks`. */
 RTT_API CompositionFactoryPtr compositionBy(const boost::shared_ptr<CompositionHooks>& hooks);
 }  // namespace detail
 
 /**
- * All that is known at run time of one C++ type: its names, how to make values, variables, properties and ports of
- * it, its members, its text form, its conversions and transports. What a type lacks yields null, false or an empty
- * list, never an error. Objects live until the process ends.
+ * The run-time information about a C++ type: names, factories of values, variables, properties and ports, members, text
+ * form, conversions and transports. What a type lacks yields null, false or an empty list, never an error. Objects live
+ * until the process ends.
  *
  * Thread safe. Not for real-time contexts.
  */
@@ -66,25 +66,26 @@ public:
     TypeInfo& operator=(const TypeInfo&) = delete;
     ~TypeInfo();
 
-    /** The name it was registered under first. */
+    /** The name under which it was first registered. */
     const std::string& getTypeName() const;
     /** All names. */
     std::vector<std::string> getTypeNames() const;
-    /** Also TypeInfoRepository::type() finds it then. False if it has that name already, or another type has it. */
+    /** Adds a name, which TypeInfoRepository::type() finds, too. False if this or another type has the name already. */
     bool addAlias(const std::string& alias);
     bool isType(const std::string& name) const;
     bool setTypeId(TypeId id);
     TypeId getTypeId() const;
     /** type_info::name() of the C++ type, which is its identity in all registries; "" if unknown. */
     const char* getTypeIdName() const;
-    /** What the type is, from its header's comment. */
+    /** The description of the type, from the comment in its header. */
     const std::string& getDescription() const;
     void setDescription(const std::string& text);
 
     // -- Values ---------------------------------------------------------------------------------------------
-    /** A value made from arguments by a constructor: none gives a default value, one of this type is itself. */
+    /** A value made from arguments by a constructor. Without arguments it is a default value; one of this type is
+        returned. */
     SourcePtr construct(const std::vector<SourcePtr>& arguments) const;
-    /** `source` itself if it is of this type, else converted; the source unchanged if no conversion is known. */
+    /** `source` converted to this type; `source` itself if it has this type or if there is no conversion. */
     SourcePtr convert(SourcePtr source) const;
     /** Takes ownership. */
     void addConstructor(TypeConstructor* constructor);
@@ -95,7 +96,7 @@ public:
     SourcePtr buildActionAlias(base::ActionInterface* action, SourcePtr source) const;
     base::AttributeBase* buildConstant(std::string name, SourcePtr value, int sizehint) const;
     base::AttributeBase* buildConstant(std::string name, SourcePtr value) const;
-    /** Containers and strings get `sizehint` elements, strings zero letters; other types have no use for it. */
+    /** Containers and strings get `sizehint` elements, strings zero letters; other types ignore it. */
     base::AttributeBase* buildVariable(std::string name, int sizehint) const;
     base::AttributeBase* buildVariable(std::string name) const;
     base::AttributeBase* buildAttribute(std::string name, SourcePtr source = nullptr) const;
@@ -117,7 +118,7 @@ public:
     /** Live part of `item`; null if there is no such member. */
     SourcePtr getMember(SourcePtr item, const std::string& name) const;
     SourcePtr getMember(SourcePtr item, SourcePtr id) const;
-    /** Lets `reference` refer to that member; false if there is none. */
+    /** Makes `reference` refer to that member; false if there is none. */
     bool getMember(internal::Reference* reference, SourcePtr item, const std::string& name) const;
 
     // -- Decomposition --------------------------------------------------------------------------------------
@@ -140,9 +141,10 @@ public:
                                                                      const ConnPolicy& policy) const;
 
     // -- Transports -----------------------------------------------------------------------------------------
-    /** Takes ownership, also when it returns false because there is one for that protocol already. */
+    /** Takes ownership, even if it returns false because there is a transporter for that protocol already. */
     bool addProtocol(int protocol, TypeTransporter* transporter);
-    /** That of unknown_t if this type has none. Null, and a warning, if neither has. */
+    /** The transporter of this type, or of unknown_t if it has none. Logs a warning and returns null if neither has
+        one. */
     TypeTransporter* getProtocol(int protocol) const;
     bool hasProtocol(int protocol) const;
     std::vector<int> getTransportNames() const;
@@ -152,14 +154,14 @@ public:
     const TypeOps* getOps() const;
     void setThunks(const TypeThunks* thunks);
     const TypeThunks* getThunks() const;
-    /** For views on arrays: which element type they are used for. */
+    /** For views on arrays: sets their element type. */
     void setArrayElement(const char* elementIdName);
     const char* getArrayElement() const;
 
     void setValueFactory(ValueFactoryPtr factory);
     void setMemberFactory(MemberFactoryPtr factory);
     void setCompositionFactory(CompositionFactoryPtr factory);
-    /** For a generator that is no factory itself: what it overrides of CompositionHooks. */
+    /** For a generator that is not a factory: uses its overrides of CompositionHooks. */
     template <class Generator, class = std::enable_if_t<std::is_base_of<CompositionHooks, Generator>::value &&
                                                         !std::is_convertible<Generator*, CompositionFactory*>::value>>
     void setCompositionFactory(const boost::shared_ptr<Generator>& self) {

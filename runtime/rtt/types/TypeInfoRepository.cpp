@@ -29,7 +29,7 @@ struct TypeInfoRepository::State {
     boost::function<bool(const std::string&)> autoLoader;
     TypeInfo unknown{"unknown_t", &typeid(internal::UnknownType)};
 
-    /** False, and an error in the log, if the name belongs to another type than `info`. */
+    /** Logs an error and returns false if the name belongs to another type than `info`. */
     bool isFree(const std::string& name, const TypeInfo* info) const {
         const TypeInfo* known = find(name);
         if (!known || known == info) return true;
@@ -157,7 +157,7 @@ bool TypeInfoRepository::aliasType(const std::string& alias, TypeInfo* info) {
         const bool isRegistered = own != state_->byName.end() && own->second == info;
         if (isRegistered && state_->byName.emplace(alias, info).first->second != info) return false;
     }
-    // A name that is new to the type comes back here once, when it is there already. If the type is not registered yet,
+    // For a name that is new to the type, addAlias() calls this again and finds it. If the type is not registered yet,
     // addType() takes its names.
     info->addAlias(alias);
     return true;

@@ -18,26 +18,26 @@ class TypeInfoGenerator;
 class TransportPlugin;
 
 /**
- * All types of the process, by name and by C++ type. C++ types are compared by type_info::name(), so that
- * plugins agree whatever way they were loaded. Thread safe; not for real-time contexts.
+ * All types of the process, by name and by C++ type. C++ types are compared by type_info::name(), so that plugins agree
+ * however they were loaded. Thread safe; not for real-time contexts.
  */
 class RTT_API TypeInfoRepository {
 public:
     typedef boost::shared_ptr<TypeInfoRepository> shared_ptr;
 
     static shared_ptr Instance();
-    /** For programs that end with it: nothing happens, the types are kept until the process ends. */
+    /** Does nothing, because the types are kept until the process ends. For programs that call it at their end. */
     static void Release() {}
     ~TypeInfoRepository();
 
     /**
-     * Takes ownership of the generator. A further name for a known C++ type becomes an alias and the new factories
-     * replace the old ones; a name that another C++ type has is refused with an error in the log.
+     * Takes ownership of the generator. Another name for a known C++ type becomes an alias, and the new factories
+     * replace the old ones. A name that another C++ type has is refused with an error in the log.
      */
     bool addType(TypeInfoGenerator* generator);
     /** Takes ownership. */
     bool addType(TypeInfo* info);
-    /** A further name for a registered type; false, and an error in the log, if another type has it. */
+    /** Adds a name for a registered type. Logs an error and returns false if another type has it. */
     bool aliasType(const std::string& alias, TypeInfo* info);
 
     /** The type of that name (exact, dotted or alias), asking the auto-loader once for unknown names; or null. */
@@ -51,7 +51,7 @@ public:
     }
     /** The type that views on arrays of the given element type have, or null. */
     TypeInfo* getArrayType(const char* elementIdName) const;
-    /** The type that stands for all unregistered ones: "unknown_t". */
+    /** The type used for all unregistered ones: "unknown_t". */
     TypeInfo* unknownType() const;
 
     /** Registered names, sorted. */
@@ -62,7 +62,7 @@ public:
 
     /** Offers each known and every later type to the transport. Does not take ownership. */
     void registerTransport(TransportPlugin* transport);
-    /** A function that may load a typekit for an unknown name and says whether it did. */
+    /** Sets a function that may load a typekit for an unknown name and returns whether it did. */
     void setAutoLoader(const boost::function<bool(const std::string&)>& loader);
     /** Writes all types to the log, at level Debug. */
     void logTypeInfo() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What storage must know of a C++ type to keep samples of it without being a template.
+// The operations on a C++ type by which storage keeps samples without being a template.
 #ifndef ORO_TYPES_TYPE_OPS_HPP
 #define ORO_TYPES_TYPE_OPS_HPP
 
@@ -14,7 +14,8 @@
 namespace RTT {
 namespace types {
 
-/** One constant table per C++ type. Neither its address nor that of `id` identifies the type: compare id->name() as text. */
+/** One constant table per C++ type. Neither its address nor that of `id` identifies the type: compare id->name() as
+    text. */
 struct TypeOps {
     std::size_t size, align;
     bool trivial;  ///< trivially copyable and destructible: memcpy will do
@@ -26,19 +27,21 @@ struct TypeOps {
     std::size_t (*extent)(const void* sample);  ///< see SampleExtent; null if trivial
 };
 
-/** How much memory of its own a sample holds, in any unit that grows with it. Storage that meets a larger sample than all
-    before makes its free elements as large, so that it need not allocate later. Here for types of which nothing is known:
-    1, so the first sample counts as the largest. */
+/**
+ * The amount of memory that a sample owns, in any unit that grows with it. When a sample is larger than all before,
+ * storage enlarges its free elements, so that it need not allocate later. For unknown types it is 1, so the first
+ * sample counts as the largest.
+ */
 template <class T, class = void>
 struct SampleExtent {
     static std::size_t of(const T&) { return 1; }
 };
-/** Pointers that share what they point to: 0, as copies of them hold no memory but keep alive that of others. */
+/** Shared pointers have 0, because copies own no memory but share it. */
 template <class T>
 struct SampleExtent<T, std::void_t<decltype(*std::declval<const T&>()), decltype(std::declval<const T&>().get())>> {
     static std::size_t of(const T&) { return 0; }
 };
-/** Strings, vectors and other containers: the number of all elements, also of those inside the elements. */
+/** Strings, vectors and other containers have the number of all elements, including those inside elements. */
 template <class T>
 struct SampleExtent<
     T, std::enable_if_t<!std::is_same<typename T::value_type, T>::value &&
@@ -57,7 +60,7 @@ namespace detail {
 
 template <class T>
 struct Ops {
-    // Not on the data path: cold, so that the compiler calls what it has elsewhere.
+    // Cold, because it is not on the data path, so that the compiler shares code instead of inlining it.
     [[gnu::cold]] static void construct(void* at) { ::new (at) T(); }
     [[gnu::cold]] static void copyConstruct(void* at, const void* from) {
         ::new (at) T(copyOf<T>(*static_cast<const T*>(from)));

@@ -23,7 +23,7 @@ template <class T>
 struct HasIstream<T, std::void_t<decltype(std::declval<std::istream&>() >> std::declval<T&>())>> : std::true_type {};
 }  // namespace detail
 
-/** Uses the stream operators of T if `use_ostream`; T need not have an operator>> then either. */
+/** Uses the stream operators of T if `use_ostream`; even then, T need not have an operator>>. */
 template <class T, bool use_ostream>
 struct TypeStreamSelector {
     static std::ostream& write(std::ostream& os, const T& value) { return os << value; }

@@ -44,11 +44,11 @@ struct TypeThunks {
     base::InputPortInterface* (*inputPort)(const std::string& name);
     base::OutputPortInterface* (*outputPort)(const std::string& name);
     boost::intrusive_ptr<base::ChannelElementBase> (*dataStorage)(const ConnPolicy& policy);
-    const Schema& (*schema)();  ///< how the typekit sees the type
+    const Schema& (*schema)();  ///< the type as the typekit knows it
 };
 
 namespace detail {
-/** The evaluated value of `source`; null if there is no source, or it is of another type, or cannot be evaluated. */
+/** The evaluated value of `source`; null if there is no source, it has another type, or it cannot be evaluated. */
 RTT_API const void* valueOfType(base::DataSourceBase* source, const std::type_info& id);
 }  // namespace detail
 

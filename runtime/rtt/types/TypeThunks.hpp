@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Instantiates everything typed around a C++ type. For typekits only: components should not include it.
+// Instantiates everything that depends on a C++ type. Only for typekits; components should not include it.
 #ifndef ORO_TYPE_THUNKS_HPP
 #define ORO_TYPE_THUNKS_HPP
 
@@ -26,7 +26,7 @@ struct Thunks {
     using Source = base::DataSourceBase;
     using Assignable = internal::AssignableDataSource<T>;
 
-    /** `source` if what shares its value may change it. */
+    /** `source` if it can be assigned; otherwise null. */
     [[gnu::cold]] static Assignable* assignable(Source* source) {
         auto* const same = Assignable::narrow(source);
         return same && (!std::is_copy_assignable<T>::value || same->isAssignable()) ? same : nullptr;
@@ -126,7 +126,7 @@ struct Thunks<carray<E>> {
         auto* same = internal::AssignableDataSource<T>::narrow(source);
         if (!same) return nullptr;
         if (same->isAssignable()) return new Property<T>(name, description, same);
-        // A view on what must not be changed: a copy of that.
+        // A view on a read-only array must refer to a copy.
         same->evaluate();
         return new Property<T>(name, description, new internal::ArrayDataSource<T>(same->rvalue()));
     }
@@ -144,7 +144,7 @@ struct Thunks<carray<E>> {
 
 }  // namespace detail
 
-/** The table of T; its address is not identity. */
+/** The table of T, which plugins may have several times: do not compare addresses. */
 template <class T>
 const TypeThunks& typeThunks() {
     static constexpr TypeThunks table = detail::Thunks<T>::table();

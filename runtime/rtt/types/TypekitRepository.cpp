@@ -14,7 +14,7 @@ namespace RTT::types {
 
 namespace {
 
-/** Never destroyed: types refer to what their typekits made. */
+/** Never destroyed: types refer to objects that their typekits made. */
 struct Loaded {
     std::mutex mutex;
     std::map<std::string, TypekitPlugin*> typekits;
@@ -33,7 +33,7 @@ bool load(TypekitPlugin& typekit) {
     return false;
 }
 
-/** False if there was one of that name already. */
+/** False if there is one of that name already. */
 template <class Plugin>
 bool remember(std::map<std::string, Plugin*>& known, const std::string& name, Plugin* plugin) {
     std::lock_guard<std::mutex> lock(loaded().mutex);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Values of types that C++ restricts: without a default constructor, or with a constant member, which cannot be assigned.
+// Values of restricted types: without a default constructor, or not assignable because of a constant member.
 #ifndef ORO_TYPES_VALUE_TRAITS_HPP
 #define ORO_TYPES_VALUE_TRAITS_HPP
 
@@ -10,19 +10,19 @@
 namespace RTT {
 namespace types {
 
-/** The first value of a variable or property. Typekits specialise it for types that `[[oro::make(…)]]` tells how to make. */
+/** The first value of a variable or property. Typekits specialise it for types with `[[oro::make(…)]]`. */
 template <class T>
 struct ValueTraits {
     static T make() { return T(); }
 };
 
-/** Whether ports take T: their storage makes values beforehand, and replaces them. */
+/** Whether ports can have T, because their storage makes values in advance and assigns them. */
 template <class T>
 inline constexpr bool isSample =
     std::is_default_constructible<T>::value&& std::is_copy_constructible<T>::value&& std::is_copy_assignable<T>::value;
 
 namespace detail {
-// Types that are costly to copy have the code for it in one place, not wherever it is used.
+// For types that are costly to copy, the code is in one place instead of being inlined at each use.
 template <class T>
 [[gnu::noinline]] T copyApart(const T& value) {
     return value;
@@ -37,13 +37,13 @@ template <class T>
 }
 template <class T>
 [[gnu::cold, gnu::noinline]] void resetApart(T& value) {
-    // Not by moving, which would be one more function of T.
+    // Not moved, because that would instantiate another function of T.
     const T first = ValueTraits<T>::make();
     assignApart(value, first);
 }
 }  // namespace detail
 
-/** False, and nothing changed, if values of T cannot be assigned: properties and attributes of T are read only. */
+/** Assigns; false if values of T cannot be assigned, so that properties and attributes of T are read-only. */
 template <class T>
 bool assignValue(T& to, const T& from) {
     if constexpr (std::is_trivially_copyable<T>::value && std::is_copy_assignable<T>::value) {
@@ -59,7 +59,7 @@ bool assignValue(T& to, const T& from) {
     }
 }
 
-/** Gives it its first value again, if values of T can be assigned. */
+/** Resets it to its first value, if values of T can be assigned. */
 template <class T>
 void resetValue(T& value) {
     if constexpr (std::is_copy_assignable<T>::value)
@@ -84,7 +84,7 @@ Result copyOf(T& value) {
         return detail::copyApart<Plain>(value);
 }
 
-/** `value`, which nobody uses later. */
+/** Passes on `value`, which is not used later. */
 template <class T>
 T movedFrom(T& value) {
     if constexpr (std::is_trivially_copyable<T>::value)

@@ -12,11 +12,12 @@
 namespace RTT {
 namespace types {
 
-/** How to reach the alternatives of a std::variant whose type is not known here. One constant table per variant type. */
+/** Access to the alternatives of a std::variant of an erased type. One constant table per variant type. */
 struct VariantOps {
     std::size_t (*index)(const void* variant);
-    void (*choose)(void* variant, std::size_t index);  ///< gives it a default value of that type
-    /** Like a container with one element of each type, of which only the one at index() exists. Storing changes index(). */
+    void (*choose)(void* variant, std::size_t index);  ///< assigns a default value of that type
+    /** As for a container with one element of each type, of which only the one at index() exists. Storing changes
+        index(). */
     SequenceOps elements;
     const TypeRef* types;
     std::size_t count;
@@ -70,7 +71,7 @@ struct Alternatives<V, std::index_sequence<I...>> {
     static constexpr TypeRef types[] = {&typeRef<std::variant_alternative_t<I, V>>...};
 };
 
-/** `names`: of the alternatives, in their order. */
+/** `names` are those of the alternatives, in order. */
 RTT_API TypeInfoGenerator* newVariantGenerator(const char* name, const char* const* names, const VariantOps& variant,
                                                const TypeOps& ops, const TypeThunks& thunks);
 
@@ -89,7 +90,7 @@ const VariantOps& variantOps() {
     return table;
 }
 
-/** A std::variant: members "alternative", its name, and "value". */
+/** A std::variant, with the members "alternative", which is the name, and "value". */
 template <class V>
 TypeInfoGenerator* makeVariantType(const char* name, const char* const* alternatives) {
     return detail::newVariantGenerator(name, alternatives, variantOps<V>(), typeOps<V>(), typeThunks<V>());

@@ -11,8 +11,8 @@ namespace RTT {
 namespace types {
 
 /**
- * A view on an array that somebody else owns. Copying a view refers to the same array; assigning one copies the
- * elements, as many as both have. An empty view that is assigned refers to the array of the other.
+ * A view on an array that other code owns. A copy of a view refers to the same array. Assignment copies elements, as
+ * many as both have; but assignment to an empty view makes it refer to the other array.
  */
 template <typename T>
 class carray {
@@ -27,11 +27,11 @@ public:
     /** From a wrapper with address() and count(), as boost::serialization's make_array() gives. */
     template <class W, class = decltype(std::declval<const W&>().address())>
     explicit carray(const W& wrapper) : data_(const_cast<T*>(wrapper.address())), count_(wrapper.count()) {}
-    /** On the elements of a boost::array or std::array. */
+    /** A view on the elements of a boost::array or std::array. */
     template <template <class, std::size_t> class Array, std::size_t N>
     explicit carray(Array<T, N>& array) noexcept : data_(N ? &array[0] : nullptr), count_(N) {}
 
-    /** Refers to another array from now on. */
+    /** Makes the view refer to another array. */
     void init(value_type* data, std::size_t count) noexcept {
         data_ = count ? data : nullptr;
         count_ = count;

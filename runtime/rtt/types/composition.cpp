@@ -21,7 +21,7 @@ namespace detail {
 
 namespace {
 
-/** False if the source is of none of these types, which must be whole numbers. */
+/** False if the source has none of these types, which must be integers. */
 template <class... Number>
 bool readWhole(const SourcePtr& source, long long& number) {
     const auto isOne = [&](auto zero) {
@@ -48,7 +48,7 @@ public:
     }
     bool composeType(SourcePtr source, SourcePtr target) const override {
         if (hooks_->composeType(source, target)) return true;
-        // The hooks ask for a bag themselves, unless they are overridden.
+        // Hooks that are not overridden ask for a bag themselves.
         const CompositionFactoryPtr& former = hooks_->formerComposition();
         return former && !valueOfType(source, typeid(PropertyBag)) && former->composeType(source, target);
     }
@@ -59,13 +59,13 @@ private:
 };
 
 bool setPart(const SourcePtr& part, const base::PropertyBase& item) {
-    if (updateByAnyMeans(part, item.getDataSource())) return true;
+    if (updateWithConversion(part, item.getDataSource())) return true;
     log(Error) << "part " << item.getName() << " of type " << part->getTypeName() << " cannot take a value of type "
                << item.getType() << endlog();
     return false;
 }
 
-/** By index, for types that have a size and elements instead of members. */
+/** Sets elements by index, for types that have a size and elements instead of members. */
 bool composeElements(const PropertyBag& source, const SourcePtr& target) {
     const TypeInfo* type = target->getTypeInfo();
     const std::size_t first = firstElement(source);
@@ -95,7 +95,7 @@ void ownAll(PropertyBag& bag) {
 
 void installComposition(TypeInfo& type, const boost::shared_ptr<CompositionHooks>& hooks) {
     const CompositionFactoryPtr former = type.getCompositionFactory();
-    // A generator that set itself, as a factory or by these hooks, stays what it is.
+    // A generator that has installed itself, as a factory or by these hooks, stays.
     if (former && dynamic_cast<const CompositionHooks*>(former.get()) == hooks.get()) return;
     const auto* hooked = dynamic_cast<const HookedComposition*>(former.get());
     if (hooked && hooked->asks(hooks.get())) return;
@@ -148,7 +148,7 @@ bool composeMembers(const PropertyBag& source, const std::type_info& id, void* v
         const base::PropertyBase* item = source.find(name);
         if (item) complete = setPart(member, *item) && complete;
     }
-    // A text has elements, too, but is not made of them.
+    // A text also has elements, but cannot be composed from them.
     if (!any) return !isText(target) && elementCount(target) >= 0 && composeElements(source, target);
     target->updated();
     return complete;

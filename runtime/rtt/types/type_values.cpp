@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a TypeInfo makes: a factory that a typekit installed decides, else the table of thunks, else there is nothing.
+// The objects that a TypeInfo makes: by a factory that a typekit installed, or by the table of thunks; otherwise none.
 #include "TypeInfo.hpp"
 
 #include <rtt/Attribute.hpp>

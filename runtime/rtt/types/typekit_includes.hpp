@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What written typekits use without including it: they rely on the header of any generator or operator for all of this.
+// Headers that hand-written typekits use without including them: they get all of these from any generator or operator.
 #ifndef ORO_TYPEKIT_INCLUDES_HPP
 #define ORO_TYPEKIT_INCLUDES_HPP
 

@@ -40,7 +40,7 @@ std::string pathOf(const Trail* outer, const PropertyBase& property) { return Tr
 /** Sets the value whatever way there is. A conversion or composition that throws has failed. */
 bool setValue(const base::DataSourceBase::shared_ptr& target, const base::DataSourceBase::shared_ptr& source) {
     try {
-        return types::detail::updateByAnyMeans(target, source);
+        return types::detail::updateWithConversion(target, source);
     } catch (const std::exception&) {
         return false;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// For those who can tell users better than the log where a value is converted.
+// For code that can show users, better than the log, where a value is converted.
 #ifndef OROFORGE_CONVERSION_WATCH_HPP
 #define OROFORGE_CONVERSION_WATCH_HPP
 
@@ -13,7 +13,7 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** While it exists, conversions in this thread that would leave a warning in the log are noted here instead. */
+/** While it exists, conversions in this thread that would log a warning are recorded here instead. */
 class RTT_API ConversionWatch {
 public:
     struct Conversion {
@@ -25,7 +25,7 @@ public:
     ConversionWatch& operator=(const ConversionWatch&) = delete;
 
     const std::vector<Conversion>& conversions() const { return conversions_; }
-    /** Null if nobody watches this thread. */
+    /** The innermost watch of this thread, or null. */
     static ConversionWatch* current();
     void note(Conversion conversion) { conversions_.push_back(std::move(conversion)); }
 

@@ -20,13 +20,13 @@ namespace RTT::types::detail {
 namespace {
 using SourcePtr = base::DataSourceBase::shared_ptr;
 
-/** What a conversion goes by. */
+/** What a conversion needs to know. */
 struct NamedEnum {
     EnumNames names;
     std::string type;
 };
 
-/** Leaves the reason with whoever watches; false. */
+/** Returns false and leaves the reason with the RefusalWatch. */
 bool refuse(const NamedEnum& known, const std::string& found, bool isName) {
     auto* const watch = RefusalWatch::current();
     if (!watch) return false;
@@ -98,7 +98,7 @@ ErasedFunction function(ComputeFunction call, const Context& context, TypeRef re
     return made;
 }
 
-/// Of constants it is known at once whether there is such a value.
+/// Checks constants at once: whether the enum has such a value.
 class EnumConstructor : public TypeConstructor {
 public:
     explicit EnumConstructor(const ErasedFunction& function) : erased_(newErasedConstructor(function, true)) {}
@@ -122,7 +122,7 @@ private:
     const std::unique_ptr<TypeConstructor> erased_;
 };
 
-/// Others of the same arguments are asked first, whenever they are added.
+/// A constructor that is tried after all others with the same arguments, even if they are added later.
 class LastConstructor : public EnumConstructor, public AskedLast {
 public:
     using EnumConstructor::EnumConstructor;
@@ -144,7 +144,7 @@ bool EnumNames::set(const std::string& text, void* value) const {
 }
 
 bool EnumNames::takes(long long number) const {
-    if (count == 0) return true;  // a number with a type of its own
+    if (count == 0) return true;  // the enum is a number with its own type
     unsigned long long all = 0;
     bool areFlags = true;
     for (std::size_t i = 0; i != count; ++i) {
@@ -186,7 +186,7 @@ void addEnumConstructors(TypeInfo& info, TypeRef enumType, const EnumNames& name
         text->addConstructor(new LastConstructor(function(&textFromEnum, names, &typeRef<std::string>, {enumType})));
     operators()->add(new BinaryOp{"==", function(&areSame, names, &typeRef<bool>, {enumType, enumType})});
     operators()->add(new BinaryOp{"!=", function(&areOthers, names, &typeRef<bool>, {enumType, enumType})});
-    // With any number, also one that is no value of the enum.
+    // Compares with any number, even if it is not a value of the enum.
     operators()->add(new BinaryOp{"==", function(&isNumber, names, &typeRef<bool>, {enumType, &typeRef<int>})});
     operators()->add(new BinaryOp{"!=", function(&isOtherNumber, names, &typeRef<bool>, {enumType, &typeRef<int>})});
 }

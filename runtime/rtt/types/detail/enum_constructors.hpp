@@ -13,20 +13,20 @@ class TypeInfo;
 
 namespace detail {
 
-/** The enumerators by which a value is called; the tables belong to the typekit. */
+/** The names of values; the tables belong to the typekit. */
 struct EnumNames {
     const Enumerator* values;
     std::size_t count;
     const EnumOps& ops;
 
-    /** By a name, or a number; false, and nothing changed, if it is neither. Real-time safe. */
+    /** Sets a value by a name or number; false if the text is neither. Real-time safe. */
     bool set(const std::string& text, void* value) const;
-    /** True for the value of an enumerator and, where these are flags, for a combination of them; for all of an enum
-        without enumerators. */
+    /** True for the value of an enumerator, for a combination of flags, and for all values of an enum without
+        enumerators. */
     bool takes(long long number) const;
     /** The first name of that value, or null. */
     const char* nameOf(const void* value) const;
-    /** That name, else its number. */
+    /** The first name of the value, or its number. */
     std::string textOf(const void* value) const;
 };
 

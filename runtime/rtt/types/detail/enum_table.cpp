@@ -33,7 +33,8 @@ public:
         return false;
     }
 
-    /** On disk an enum is its enumerator's name; a value without one is its number, as text if that is none of int. */
+    /** Files store the enumerator's name; a value without one as its number, or as text if that does not fit into an
+        int. */
     DataSourceBase::shared_ptr decomposeType(DataSourceBase::shared_ptr source) const override {
         const void* value = valueOfType(source, *ops().id);
         if (!value) return nullptr;

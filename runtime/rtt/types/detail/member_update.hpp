@@ -18,23 +18,22 @@ namespace detail {
 /** The object registered for that C++ type, or a new one of that name. */
 RTT_API TypeInfo* knownOrNewType(const std::string& name, const std::type_info& id);
 
-/** What is known of the values of that type; null if it is no enum. */
+/** The values of an enum; null for other types. */
 RTT_API const Enumeration* enumerationOf(const TypeInfo* type);
-/** The number that the source holds, or its text spells. */
+/** The integer that the source or its text has. */
 RTT_API std::optional<long long> wholeNumberIn(const base::DataSourceBase::shared_ptr& source);
 
-/** Sets `target` from `source` whatever way there is: assignment, conversion, composition. An enum takes no number that is none of
-    its values. */
-RTT_API bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
+/** Sets `target` from `source` by assignment, conversion or composition. An enum does not accept numbers other than its
+    values. */
+RTT_API bool updateWithConversion(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source);
 
 /** The value of the member "size"; -1 if there is none. */
 int elementCount(const base::DataSourceBase::shared_ptr& source);
 /** The member of that index, or null. */
 base::DataSourceBase::shared_ptr elementOf(const base::DataSourceBase::shared_ptr& source, int index);
-/** True for a string: it can be written and read back as text, and is made of letters. */
+/** True for a string: it consists of letters, and can be written and read back as text. */
 bool isText(const base::DataSourceBase::shared_ptr& source);
-/** Where the elements of a sequence begin in its bag: behind their number, called "Size", that old property files put in
-    front of them. */
+/** The index of the first element of a sequence in its bag: old property files put the item "Size" before it. */
 std::size_t firstElement(const PropertyBag& bag);
 
 }  // namespace detail

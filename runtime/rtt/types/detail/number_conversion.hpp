@@ -10,8 +10,8 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** As static_cast; but a real number beyond the range of an integer type gives the nearest integer of that type, and what is
-    no number gives 0. */
+/** As static_cast, but a real number beyond the range of an integer type gives the nearest integer of that type, and
+    NaN gives 0. */
 template <class To, class From>
 To converted(From value) {
     if constexpr (std::is_floating_point_v<From> && std::is_integral_v<To> && !std::is_same_v<To, bool>) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// For those who can tell users why a value is not converted.
+// For code that can show users why a value is not converted.
 #ifndef OROFORGE_REFUSAL_WATCH_HPP
 #define OROFORGE_REFUSAL_WATCH_HPP
 
@@ -13,7 +13,7 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** While it exists, values that this thread fails to convert may leave the reason here. Real-time safe until one does. */
+/** While it exists, conversions that fail in this thread may leave the reason here. Real-time safe until one does. */
 class RTT_API RefusalWatch {
 public:
     RefusalWatch();
@@ -21,12 +21,12 @@ public:
     RefusalWatch(const RefusalWatch&) = delete;
     RefusalWatch& operator=(const RefusalWatch&) = delete;
 
-    /** Null if nobody watches this thread. */
+    /** The innermost watch of this thread, or null. */
     static RefusalWatch* current();
     void note(std::string reason) { reason_ = std::move(reason); }
     /** Empty if there is none. */
     const std::string& reason() const { return reason_; }
-    /** That of the innermost watch of this thread, which then has none; or `otherwise`. */
+    /** Takes the reason from the innermost watch of this thread, or returns `otherwise`. */
     static std::string takeReason(const char* otherwise);
 
 private:

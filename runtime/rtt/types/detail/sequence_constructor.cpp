@@ -60,7 +60,7 @@ private:
         const int size = *static_cast<const int*>(arguments_[0]->getRawConstPointer());
         if (size > 0 && !isWithinSizeLimit(static_cast<std::size_t>(size)))
             throw std::length_error("there can be no value with " + beyondSizeLimit(static_cast<std::size_t>(size)));
-        // Via zero, so that no element of an earlier evaluation survives.
+        // First to zero, so that no element of an earlier evaluation survives.
         if (size < 0 || !ops_.resize(container, 0) || !ops_.resize(container, static_cast<std::size_t>(size)))
             return false;
         for (int i = 0; arguments_.size() == 2 && i != size; ++i)

@@ -23,7 +23,7 @@ bool TableGenerator::installTypeInfoObject(TypeInfo* info) {
     info->setTypeId(ops_->id);
     info->setOps(ops_);
     info->setThunks(thunks_);
-    // A value factory of an earlier registration would hide the thunks, and what it made was the same.
+    // A value factory of an earlier registration would hide the thunks, which make the same.
     info->setValueFactory(ValueFactoryPtr());
     if (doc_ && *doc_) info->setDescription(doc_);
     return false;
@@ -57,7 +57,7 @@ std::optional<long long> wholeNumberIn(const base::DataSourceBase::shared_ptr& s
     return std::nullopt;
 }
 
-bool updateByAnyMeans(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source) {
+bool updateWithConversion(base::DataSourceBase::shared_ptr target, base::DataSourceBase::shared_ptr source) {
     if (!target || !source) return false;
     if (target->update(source.get())) return true;
     const TypeInfo* type = target->getTypeInfo();

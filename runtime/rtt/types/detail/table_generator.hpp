@@ -10,7 +10,7 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** What the generators over constant tables have in common: the name, and the tables of operations and thunks. */
+/** The common base of generators with constant tables: the name, and the tables of operations and thunks. */
 class TableGenerator : public TypeInfoGenerator {
 public:
     TableGenerator(const char* name, const char* doc, const TypeOps& ops, const TypeThunks& thunks);

@@ -14,7 +14,7 @@ namespace RTT {
 namespace types {
 
 namespace detail {
-/** A mark of constructors that are asked behind all others, also behind those that are added later. */
+/** Marks constructors that are tried after all others, even those added later. */
 class AskedLast {
 public:
     virtual ~AskedLast() = default;

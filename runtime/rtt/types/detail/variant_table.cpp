@@ -47,7 +47,7 @@ struct Choice {
         auto* const which = new internal::ConstantDataSource<unsigned int>(static_cast<unsigned int>(index));
         return thunks->element(variant.get(), which, &ops.elements);
     }
-    /** Makes it the one of that name, with a default value; no change if it is that already. */
+    /** Changes the variant to the alternative of that name, with a default value; no change if it has that already. */
     bool choose(void* variant, const std::string& name) const {
         const std::size_t index = find(name);
         if (index == ops.count) return false;
@@ -56,7 +56,7 @@ struct Choice {
     }
 };
 
-/** The name of the alternative a variant holds; another name chooses another alternative. */
+/** The name of the alternative that a variant holds; assigning another name changes the alternative. */
 class AlternativeDataSource : public internal::AssignableDataSource<std::string> {
 public:
     AlternativeDataSource(SourcePtr variant, const Choice& choice) : variant_(std::move(variant)), choice_(choice) {}
@@ -113,7 +113,7 @@ public:
 
     std::vector<std::string> getMemberNames() const override { return {"alternative", "value"}; }
     using MemberFactory::getMember;
-    /** Also by the name of an alternative: what is stored there makes it the one the variant holds. */
+    /** Also finds alternatives by name; storing a value in one changes the variant to it. */
     SourcePtr getMember(SourcePtr item, const std::string& name) const override {
         if (name == "alternative") return new AlternativeDataSource(item, choice_);
         if (name == "value") return valueOf(item);
@@ -146,7 +146,7 @@ public:
         }
         const base::PropertyBase* const value = bag->find("value");
         const SourcePtr element = value ? valueOf(target) : nullptr;
-        if (element && !updateByAnyMeans(element, value->getDataSource())) {
+        if (element && !updateWithConversion(element, value->getDataSource())) {
             log(Error) << "the alternative " << choice_.nameAt(choice_.ops.index(variant)) << " of type "
                        << target->getTypeName() << " cannot take a value of type " << value->getType() << endlog();
             return false;
