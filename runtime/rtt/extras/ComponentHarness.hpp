@@ -21,13 +21,13 @@
 namespace RTT {
 namespace extras {
 
-/** What a component has written to one of its output ports, the last 1000 samples at most. */
+/** The samples that a component has written to an output port, at most the last 1000. */
 template <class T>
 class OutputProbe {
 public:
     explicit OutputProbe(const std::string& name) : port_(name) {}
 
-    /** All that was written since the last call of all() or last(). */
+    /** All samples since the last call of all() or last(). */
     std::vector<T> all() {
         std::vector<T> samples;
         T sample{};
@@ -36,7 +36,7 @@ public:
         return samples;
     }
 
-    /** The newest sample. Throws std::logic_error if there was none yet. */
+    /** The newest sample. Throws std::logic_error if there is none. */
     T last() {
         all();
         if (!last_) throw std::logic_error("nothing was written to port '" + port_.getName() + "' yet");
@@ -51,7 +51,7 @@ private:
 };
 
 /**
- * Runs a component in the thread of a test, one step after the other, at times that the test decides.
+ * Runs a component in the thread of a test, step by step, at times that the test decides.
  *
  *     ComponentHarness harness(component, 0.01);
  *     auto& measured = harness.input<double>("measured");
@@ -62,9 +62,9 @@ private:
  *     EXPECT_EQ(command.last(), 2.0);
  *     EXPECT_EQ(harness.call<int(double)>("count", 0.5), 1);
  *
- * While a harness lives, os::TimeService stands still but for step(): components that ask it for the time see each
- * execution exactly one period after the one before. So one harness at a time; further components join with add().
- * Not thread-safe, for tests only: everything may allocate and throws std::logic_error for names that do not fit.
+ * While a harness exists, only step() moves the time of os::TimeService, so that components see exactly one period
+ * between executions. So there may be only one harness at a time; add() adds further components. Not thread-safe and
+ * only for tests: all functions may allocate, and throw std::logic_error for wrong names.
  */
 class ComponentHarness {
 public:
@@ -74,7 +74,7 @@ public:
         os::TimeService::Instance()->enableSystemClock(false);
     }
 
-    /** Stops the components, in the reverse order, and lets time pass again. */
+    /** Stops the components, in reverse order, and lets time pass again. */
     ~ComponentHarness() {
         for (auto it = components_.rbegin(); it != components_.rend(); ++it) (*it)->stop();
         os::TimeService::Instance()->enableSystemClock(true);
@@ -83,7 +83,7 @@ public:
     ComponentHarness(const ComponentHarness&) = delete;
     ComponentHarness& operator=(const ComponentHarness&) = delete;
 
-    /** One more component that step() executes, after those before it. */
+    /** Adds a component, which step() executes after earlier ones. */
     void add(TaskContext& component) {
         if (!component.setActivity(new SlaveActivity(period_))) {
             throw std::logic_error("component '" + component.getName() + "' runs: no harness can execute it");
@@ -91,7 +91,7 @@ public:
         components_.push_back(&component);
     }
 
-    /** Configures the components that are not, and starts all. False if one of them refuses. */
+    /** Configures components that are not configured, and starts all. False if one refuses. */
     bool start() {
         for (TaskContext* component : components_) {
             if (!component->isConfigured() && !component->configure()) return false;
@@ -108,11 +108,11 @@ public:
         return executed;
     }
 
-    /** As many steps as make up `duration`, at least one. */
+    /** Makes the steps in `duration`, at least one. */
     bool step(Seconds duration) {
         bool executed = true;
         Seconds passed = 0;
-        // Half a period more, so that ten steps of 0.1 s are the second they are meant to be.
+        // Compares with half a period more, so that rounding does not change the number of steps.
         do {
             executed = step() && executed;
             passed += period_;

@@ -37,13 +37,13 @@ struct FileDescriptorActivity::Descriptors {
     detail::PollSet set;
     detail::PollWaker waker;
     os::Mutex opening;
-    std::atomic<nsecs> timeout{0};  // 0: none
+    std::atomic<nsecs> timeout{0};  // 0 for none
     std::atomic<bool> timedOut{false};
     std::atomic<bool> failed{false};
     std::atomic<bool> executing{false};
     std::atomic<bool> quit{false};  // the object is being destroyed
 
-    // The thread's.
+    // Used only by the thread.
     nsecs deadline = InfiniteNSecs;
     bool failureReported = false;
 
@@ -59,7 +59,7 @@ struct FileDescriptorActivity::Descriptors {
     }
 };
 
-/** While the thread executes what others wrote. */
+/** Marks that the thread executes user code. */
 class FileDescriptorActivity::Execution {
 public:
     explicit Execution(Descriptors& descriptors) : executing_(descriptors.executing) { executing_ = true; }
@@ -89,7 +89,7 @@ FileDescriptorActivity::FileDescriptorActivity(int scheduler, int priority, Seco
 FileDescriptorActivity::~FileDescriptorActivity() {
     closeGate();
     stop();
-    // A step that did not end in time has made stop() fail: it must not be followed by another wait.
+    // If a step did not end in time, stop() has failed, and the step must not be followed by another wait.
     descriptors_->quit = true;
     descriptors_->waker.post(kLook);
     terminate();
@@ -160,13 +160,13 @@ bool FileDescriptorActivity::start() {
         }
     }
     if (!Activity::start()) return false;
-    if (isSelf())  // stopped and started within its session, which goes on and would not notice
+    if (isSelf())  // stopped and started within its session, which would not notice
         descriptors_->waker.post(kTriggered);
     return true;
 }
 
 bool FileDescriptorActivity::initialize() {
-    descriptors_->waker.forget();  // not active yet: what comes from now on is kept
+    descriptors_->waker.forget();  // not active yet; later signals are kept
     return Activity::initialize();
 }
 
@@ -188,7 +188,7 @@ bool FileDescriptorActivity::breakLoop() {
 }
 
 void FileDescriptorActivity::session() {
-    UserCode mark(*this);  // from here on stop() calls breakLoop()
+    UserCode mark(*this);  // stop() calls breakLoop() from here on
     Descriptors& d = *descriptors_;
     d.set.forgetReady();
     d.timedOut = false;
@@ -224,14 +224,14 @@ void FileDescriptorActivity::executeDue(bool ready, std::uint32_t signals) {
              : d.failed || ready ? base::RunnableInterface::IOReady
                                  : base::RunnableInterface::Trigger);
     }
-    // The time begins when it waits again, so that a long step is not taken for one without input.
+    // The timeout begins when it waits again, so that a long step does not count.
     if (timeOut || ready) d.arm(rtos_get_time_ns());
 }
 
 void FileDescriptorActivity::reportFailure(const detail::PollResult& found) {
     if (found.closed >= 0)
         logError(*this, "file descriptor " + std::to_string(found.closed) + " is not open, it is not watched any more");
-    // Once, not each time it tries again.
+    // Reported once, not at each attempt.
     if (found.error != 0 && !descriptors_->failureReported)
         logError(*this, std::string("cannot wait for the file descriptors: ") + std::strerror(found.error));
     descriptors_->failureReported = found.error != 0;

@@ -21,16 +21,16 @@ struct PollResult;
  *     IOReady   if descriptors are ready, or waiting failed
  *     Trigger   after trigger() alone
  *
- * the first that applies; isUpdated() tells about descriptors in each of them. After start(), work(Trigger) is executed
- * once, for messages that came earlier. Any number of descriptors with any number can be watched.
+ * the first reason that applies; isUpdated() is valid with each of them. After start(), work(Trigger) is executed once,
+ * for earlier messages. It can watch any number of descriptors, with any values.
  *
- * Triggers do not postpone the time of setTimeout(); steps because of ready descriptors or of a timeout do, it begins when they
- * are over. hasTimeout() is true only after that time, not after timeout(). A watched descriptor that turns out to be closed
- * is reported once: hasError() is true in that step, and it is not watched any more.
+ * The time of setTimeout() begins again after each step because of ready descriptors or a timeout, but not after
+ * triggers. hasTimeout() is true only after that time, not after timeout(). A watched descriptor that is closed is
+ * reported once, with hasError() true in that step, and is not watched any more.
  *
- * trigger() and timeout() are real-time safe: one atomic operation, and one system call only if the thread sleeps. The
- * functions about descriptors take a mutex for a short time; the thread allocates only after a change of what is watched.
- * A sub-class calls stop() in its destructor.
+ * trigger() and timeout() are real-time safe: one atomic operation, and one system call only if the thread sleeps.
+ * Functions for descriptors lock a mutex for a short time; the thread allocates only after the watched descriptors
+ * change. A sub-class must call stop() in its destructor.
  */
 class RTT_API FileDescriptorActivity : public Activity, public FileDescriptorActivityInterface {
 public:
@@ -60,7 +60,7 @@ public:
 
     /** True while it executes step() or work(), false while it waits. */
     bool isRunning() const override;
-    /** False if active already; forgets a timeout() that came before. */
+    /** False if active already; forgets an earlier timeout(). */
     bool start() override;
     /** False if not active. */
     bool trigger() override;
@@ -70,12 +70,12 @@ public:
     bool isPeriodic() const override;
     Seconds getPeriod() const override;
     nsecs getPeriodNS() const override;
-    /** Any value that is not negative, at any time. */
+    /** Accepts any value that is not negative, at any time. */
     bool setPeriod(Seconds period) override;
 
 protected:
     bool initialize() override;
-    /** Wakes the thread from its wait; one that overrides it must call it. */
+    /** Wakes the thread from its wait; an override must call it. */
     bool breakLoop() override;
     void session() override;
 

@@ -9,7 +9,7 @@ namespace RTT {
 namespace extras {
 
 /**
- * What a component sees of the activity that waits for its file descriptors:
+ * The interface, for a component, of the activity that waits for its file descriptors:
  *
  *     if (auto* io = dynamic_cast<extras::FileDescriptorActivityInterface*>(getActivity())) io->watch(fd);
  *
@@ -20,9 +20,9 @@ class RTT_API FileDescriptorActivityInterface {
 public:
     virtual ~FileDescriptorActivityInterface();
 
-    /** Wakes the component when `fd` can be read, is at its end or has failed. A negative one is an error in the log. */
+    /** Wakes the component when `fd` can be read, is at its end or has failed. Logs an error if `fd` is negative. */
     virtual void watch(int fd) = 0;
-    /** To be called before `fd` is closed. */
+    /** Must be called before `fd` is closed. */
     virtual void unwatch(int fd) = 0;
     virtual void clearAllWatches() = 0;
     virtual bool isWatched(int fd) const = 0;
@@ -34,8 +34,8 @@ public:
     virtual bool hasError() const = 0;
 
     /**
-     * The component is woken when no descriptor was ready for this time; 0, the default, means never. The time begins
-     * with this call. A negative one is an error in the log, and ignored.
+     * Wakes the component when no descriptor was ready for this time; 0, the default, means never. The time begins with
+     * this call. Logs an error and ignores a negative time.
      */
     virtual void setTimeout(int milliseconds) = 0;
     virtual void setTimeout_us(int microseconds) = 0;

@@ -6,7 +6,7 @@
 
 namespace RTT::extras {
 
-// Scheduler, priority, CPUs and name would be those of a thread that there is not.
+// Without a thread of its own, it needs no scheduler, priority, CPUs or name.
 FileDescriptorSimulationActivity::FileDescriptorSimulationActivity(int, base::RunnableInterface* r, const std::string&)
     : SimulationActivity(0.0, r) {}
 FileDescriptorSimulationActivity::FileDescriptorSimulationActivity(int, int, base::RunnableInterface* r,

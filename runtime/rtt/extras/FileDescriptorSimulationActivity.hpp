@@ -12,9 +12,9 @@ namespace RTT {
 namespace extras {
 
 /**
- * Stands in for a FileDescriptorActivity in a simulation: made with the same arguments, executed by the SimulationThread,
- * and never watches anything. Every step of the simulation looks like a timeout to the component; work(IOReady) makes
- * it look as if all its descriptors were ready.
+ * Replaces a FileDescriptorActivity in a simulation: it has the same arguments, is executed by the SimulationThread,
+ * and watches nothing. To the component, each step of the simulation looks like a timeout; with work(IOReady), all
+ * descriptors look ready.
  */
 class RTT_API FileDescriptorSimulationActivity : public SimulationActivity, public FileDescriptorActivityInterface {
 public:
@@ -40,16 +40,16 @@ public:
     bool hasTimeout() const override;
     /** Always false. */
     bool hasError() const override;
-    /** Only remembered. */
+    /** Has no effect except on getTimeout(). */
     void setTimeout(int milliseconds) override;
     void setTimeout_us(int microseconds) override;
     int getTimeout() const override;
     int getTimeout_us() const override;
 
-    /** True: the next step is one. */
+    /** Always true, because the next step is a timeout. */
     bool timeout() override { return true; }
 
-    /** For a test of a component, which calls it with the reason that it wants to play. */
+    /** For tests, which call it with the reason to simulate. */
     void work(base::RunnableInterface::WorkReason reason) override;
 
 private:

@@ -18,7 +18,7 @@ public:
     typedef const D* const_iterator;
     enum { size = S };
 
-    /** All of the same value. */
+    /** All numbers have the same value. */
     explicit MultiVector(const D& value = D()) { *this = value; }
     /** Copies `S` values. */
     explicit MultiVector(const D* values) {

@@ -30,7 +30,7 @@ PeriodicActivity::PeriodicActivity(secs s, nsecs ns, TimerThreadPtr thread, base
 PeriodicActivity::~PeriodicActivity() {
     closeGate();
     stop();
-    thread_->removeActivity(this);  // waits for one that stopped itself, or does not end in time
+    thread_->removeActivity(this);  // waits for an execution that stopped itself or has not ended in time
 }
 
 bool PeriodicActivity::start() {
@@ -94,7 +94,7 @@ os::ThreadInterface* PeriodicActivity::thread() { return thread_.get(); }
 
 base::ActivityInterface::Direct PeriodicActivity::beginDirect() {
     if (executor_ == os::detail::currentTid()) return Direct::Granted;
-    // The thread of a cycle executes one after another, and others may execute this one meanwhile.
+    // A thread in a cycle executes one activity after another, and other threads may execute this one meanwhile.
     return isSelf() && thread_->enterNow(*this) ? Direct::Entered : Direct::Refused;
 }
 

@@ -13,8 +13,8 @@ namespace extras {
 
 /**
  * A periodic activity that shares its thread with every other PeriodicActivity of the same scheduler, priority, period
- * and CPU affinity: step() and work(TimeOut) of each run in turn, once per period. It cannot be triggered, so operations
- * that run in its thread are executed at the next period.
+ * and CPU affinity: step() and work(TimeOut) of each run in turn, once per period. It cannot be triggered, so
+ * operations that run in its thread are executed at the next period.
  */
 class RTT_API PeriodicActivity : public base::ActivityInterface {
 public:
@@ -29,11 +29,11 @@ public:
     PeriodicActivity(secs s, nsecs ns, TimerThreadPtr thread, base::RunnableInterface* runner = nullptr);
     ~PeriodicActivity() override;
 
-    /** False if active, if initialize() returned false or if the thread holds too many activities. */
+    /** False if active, if initialize() returned false or if the thread has too many activities. */
     bool start() override;
     /**
-     * Waits for an execution in another thread to end, at most ten periods or one second, whichever is longer. False, with
-     * an error in the log, if it did not; then it stays active.
+     * Waits for an execution in another thread to end, at most ten periods or one second, whichever is longer. If it
+     * does not end, logs an error, returns false and stays active.
      */
     bool stop() override;
     bool isRunning() const override;
@@ -48,7 +48,7 @@ public:
     bool timeout() override { return false; }
     os::ThreadInterface* thread() override;
     bool isSelf() const override;
-    /** While it has entered, the thread does not execute this activity: it waits, at most one second, and leaves it out. */
+    /** After a thread entered, the timer thread waits for it, at most one second, and otherwise skips this activity. */
     Direct beginDirect() override;
     /** Refused while the thread is active. */
     Direct beginInStead() override;
@@ -60,7 +60,7 @@ protected:
     virtual void work(base::RunnableInterface::WorkReason reason);
     virtual void finalize();
     TimerThread& timerThread() const { return *thread_; }
-    /** Some thread is executing it. */
+    /** True if a thread is executing it. */
     bool isExecuted() const { return executor_ != 0; }
 
 private:

@@ -11,16 +11,16 @@ namespace RTT {
 namespace extras {
 
 /**
- * Shares a large value, an image say, between components without copying it. All pointers to it may read it; whoever wants to
- * write asks by write_access(), and gets the value itself if no other pointer to it is left, and else a copy.
+ * Shares a large value, such as an image, between components without copying it. All pointers to it may read it. To
+ * write, call write_access(), which returns the value itself if there is no other pointer to it, and otherwise a copy.
  *
- * Different pointers to one value may be used in different threads, one pointer in one thread at a time. The last pointer
- * deletes the value, in its thread.
+ * Different threads may use different pointers to one value, but not the same pointer at once. The last pointer deletes
+ * the value, in its thread.
  */
 template <class T>
 class ReadOnlyPointer {
 public:
-    /** Owns the value, which must come from new. */
+    /** Takes ownership of the value, which must come from new. */
     ReadOnlyPointer(T* value = nullptr) { reset(value); }
     ReadOnlyPointer(const ReadOnlyPointer& other) noexcept : shared_(other.shared_) {
         if (shared_) shared_->owners.fetch_add(1, std::memory_order_relaxed);
@@ -37,20 +37,20 @@ public:
     const T& operator*() const { return *get(); }
     const T* operator->() const { return get(); }
 
-    /** Owns another value, or none. */
+    /** Takes ownership of another value, or of none. */
     void reset(T* value) {
         std::unique_ptr<T> owned(value);
         Shared* shared = owned ? new Shared{std::move(owned)} : nullptr;
         drop();
         shared_ = shared;
     }
-    /** Points to what `other` does. */
+    /** Shares the value of `other`. */
     void reset(ReadOnlyPointer& other) { *this = other; }
     void swap(ReadOnlyPointer& other) noexcept { std::swap(shared_, other.shared_); }
 
     /**
-     * The value, or a copy of it if other pointers read it; the caller owns it, and gives it back by reset(). This pointer
-     * has no value then. Null if it had none.
+     * The value, or a copy of it if other pointers read it. The caller owns it and gives it back by reset(); meanwhile
+     * this pointer has no value. Null if there is no value.
      */
     T* write_access() {
         if (T* value = try_write_access()) return value;
@@ -59,9 +59,9 @@ public:
         drop();
         return copy.release();
     }
-    /** Like write_access(), but null, and this pointer as it was, if other pointers read the value. */
+    /** Like write_access(), but if other pointers read the value, returns null and leaves this pointer unchanged. */
     T* try_write_access() {
-        // Nobody can copy this pointer meanwhile: a single owner stays one.
+        // No thread can copy this pointer meanwhile, so a single owner stays the only one.
         if (!shared_ || shared_->owners.load(std::memory_order_acquire) != 1) return nullptr;
         T* value = shared_->value.release();
         drop();

@@ -16,7 +16,8 @@ SequentialActivity::SequentialActivity(base::RunnableInterface* r) { adopt(r); }
 SequentialActivity::~SequentialActivity() {
     closeGate();
     stop();
-    if (!isExecutor()) waitForExecution(os::detail::kForever);  // one that stopped itself, or does not end in time
+    if (!isExecutor())
+        waitForExecution(os::detail::kForever);  // an execution that stopped itself or has not ended in time
 }
 
 bool SequentialActivity::start() {
@@ -28,7 +29,7 @@ bool SequentialActivity::start() {
         active.stay();
         open_ = true;
     }
-    // Messages that came while it was stopped have found nobody to execute them.
+    // Messages that came while it was stopped were not executed.
     if (runner && runner->hasWork()) trigger();
     return true;
 }
@@ -36,7 +37,7 @@ bool SequentialActivity::start() {
 bool SequentialActivity::stop() {
     const internal::TryFlag mine(changing_);
     const bool stops = mine && open_.exchange(false);
-    // Also if it is not active: who calls stop() does not expect that it is still being executed.
+    // Even if it is not active, because callers of stop() expect that it is not executed afterwards.
     const bool left = isExecutor() || waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
     if (!stops) return false;
     if (!left) {
@@ -51,7 +52,7 @@ bool SequentialActivity::stop() {
 bool SequentialActivity::waitForExecution(nsecs deadline) {
     std::uint32_t requests = requests_;
     while (requests != 0) {
-        // The mark asks the executing thread for a wake-up, which then need not look at this object afterwards.
+        // The mark asks the executing thread for a wake-up, so that it need not access this object afterwards.
         if (!(requests & kWaiting) && !requests_.compare_exchange_weak(requests, requests | kWaiting)) continue;
         const bool inTime = os::detail::futexWait(requests_, requests | kWaiting, deadline);
         requests = requests_;
@@ -104,7 +105,7 @@ void SequentialActivity::free() {
     }
 }
 
-// Lets others execute if the word still is `seen`; otherwise updates `seen` and keeps the right to execute.
+// Lets other threads execute if the word still is `seen`; otherwise updates `seen` and keeps the right to execute.
 bool SequentialActivity::leave(std::uint32_t& seen) {
     executor_ = 0;  // before the count: the next executor puts itself here
     const std::uint32_t before = seen;
@@ -126,7 +127,7 @@ base::ActivityInterface::Direct SequentialActivity::beginDirect() {
     return isSelf() ? SequentialActivity::beginInStead() : Direct::Refused;
 }
 
-// As a trigger that finds nobody, but what it executes is the caller's.
+// As a trigger while no thread executes, but executes the call of the caller.
 base::ActivityInterface::Direct SequentialActivity::beginInStead() {
     if (isExecutor()) return Direct::Granted;
     std::uint32_t nobody = 0;
@@ -136,9 +137,9 @@ base::ActivityInterface::Direct SequentialActivity::beginInStead() {
 }
 
 void SequentialActivity::endDirect() {
-    // Called by a destructor, and the call has nothing to do with what others have triggered.
+    // Called by a destructor; the call is unrelated to triggers of other threads.
     try {
-        // They have left it to this thread.
+        // Other threads have left their triggers to this one.
         if ((requests_ & ~kWaiting) > 1) executeOnce();
         return finishWork();
     } catch (const std::exception& e) {

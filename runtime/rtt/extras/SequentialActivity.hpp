@@ -13,8 +13,8 @@ namespace extras {
 
 /**
  * An activity without a thread: trigger() and timeout() execute step() and work(TimeOut) in the calling thread, one
- * caller at a time. A trigger during execution returns at once; the executing thread goes on while the runner has
- * messages, so none is forgotten. Writing to an event port of such a component runs the component in the writer's thread.
+ * caller at a time. A trigger during execution returns at once; the executing thread continues while the runner has
+ * messages, so none is lost. Writing to an event port of such a component runs the component in the writer's thread.
  */
 class RTT_API SequentialActivity : public base::ActivityInterface {
 public:
@@ -23,31 +23,31 @@ public:
 
     /** False if active, if initialize() returned false or if another thread is starting or stopping it. */
     bool start() override;
-    /** Waits, at most one second, for an execution in another thread to end; false if it did not. */
+    /** Waits, at most one second, for an execution in another thread to end; false if it does not. */
     bool stop() override;
     /** True only while executing. */
     bool isRunning() const override;
     bool isActive() const override;
     Seconds getPeriod() const override { return 0.0; }
-    /** Only 0 is accepted. */
+    /** Accepts only 0. */
     bool setPeriod(Seconds period) override { return period == 0.0; }
     unsigned getCpuAffinity() const override { return ~0u; }
     bool setCpuAffinity(unsigned) override { return false; }
     bool execute() override { return false; }
     bool trigger() override;
     bool timeout() override { return trigger(); }
-    /** The main thread stands in for whoever triggers. */
+    /** The main thread, because any thread may trigger. */
     os::ThreadInterface* thread() override;
-    /** True in the thread that executes; in the main thread while nobody can, because it is not active. */
+    /** True in the thread that executes it; while it is not active, true in the main thread. */
     bool isSelf() const override;
-    /** While a thread has entered, others that trigger leave the execution to it. */
+    /** After a thread entered, other threads that trigger leave the execution to it. */
     Direct beginDirect() override;
     Direct beginInStead() override;
     void endDirect() override;
 
 protected:
-    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
-    // overrides initialize() calls this one in it. A sub-class calls stop() in its destructor.
+    // These call the runner if there is one; a sub-class may override them and have no runner. If it has a runner and
+    // overrides initialize(), it must call this one. A sub-class must call stop() in its destructor.
     virtual bool initialize();
     virtual void step();
     virtual void finalize();

@@ -39,7 +39,7 @@ SimulationThreadPtr SimulationThread::Instance(double period) {
 }
 
 bool SimulationThread::Release() {
-    SimulationThreadPtr last;  // destroyed after the lock: that may wait for a step
+    SimulationThreadPtr last;  // destroyed after the lock is released, because that may wait for a step
     std::lock_guard<std::mutex> lock(instances().mutex);
     last.swap(instances().one);
     return last != nullptr;

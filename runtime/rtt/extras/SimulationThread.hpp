@@ -14,30 +14,31 @@ class SimulationThread;
 typedef boost::shared_ptr<SimulationThread> SimulationThreadPtr;
 
 /**
- * Executes all SimulationActivities, step by step, on simulated time: while it runs, the clock of os::TimeService stands
- * still and each step moves it by one period. Either the caller makes the steps, as fast as they go, with run(), or
- * this thread does, one per period of real time, after start(). Starting an activity does not start it.
+ * Executes all SimulationActivities, step by step, in simulated time: while it runs, only its steps move the clock of
+ * os::TimeService, by one period each. Either run() makes the steps in the calling thread, as fast as possible, or,
+ * after start(), this thread makes one per period of real time. Starting an activity does not start it.
  */
 class RTT_API SimulationThread : public TimerThread {
 public:
-    /** The one of this process. Whoever asks first decides the period, in seconds. */
+    /** The only one of this process. The first call sets the period, in seconds. */
     static SimulationThreadPtr Instance(double period = 0.001);
-    /** The next Instance() makes a new one. The present one lives as long as somebody holds it. */
+    /** Makes the next Instance() create a new one. The present one lives as long as it is referred to. */
     static bool Release();
     ~SimulationThread() override;
 
-    /** Steps until stop(). False if it runs already. */
+    /** Makes steps until stop(). False if it runs already. */
     bool start() override;
-    /** The same, at most this number of steps; false for 0. */
+    /** The same, but at most this number of steps; false for 0. */
     bool start(unsigned maxSteps);
-    /** Makes this number of steps in the calling thread, fewer if stop() is called. False if it runs already, or for 0. */
+    /** Makes this number of steps in the calling thread, fewer if stop() is called. False if it runs already, or for 0.
+         */
     bool run(unsigned maxSteps);
     /** After run(): takes effect at the end of the present step, without waiting for it. */
     bool stop() override;
     /** True within run() as well. */
     bool isRunning() const override;
     bool isActive() const override;
-    /** Activities wait for the thread that executes steps, whichever it is. */
+    /** True, because activities wait for the thread that executes steps, whichever it is. */
     bool startForActivity() override { return true; }
 
 protected:

@@ -17,8 +17,8 @@
 namespace RTT::extras {
 
 /**
- * The one message of a slave, made once so that trigger() allocates nothing. It is in the queue of the master at
- * most once, and may still be there when the slave is destroyed: both own it.
+ * The only message of a slave, made once so that trigger() does not allocate. It is in the queue of the master at most
+ * once. Slave and queue both own it, because it may still be there when the slave is destroyed.
  */
 class SlaveActivity::TriggerMessage : public base::DisposableInterface {
 public:
@@ -41,7 +41,7 @@ public:
     void executeAndDispose() override {
         // Before the work: a trigger that comes while it executes must lead to another one.
         queued_.exchange(false, std::memory_order_acq_rel);
-        const Owner atEnd{*this};  // also when the component throws
+        const Owner atEnd{*this};  // even if the component throws
         os::MutexLock lock(mutex_);
         if (slave_) slave_->executeTrigger();
     }
@@ -61,13 +61,13 @@ private:
     }
 
     os::MutexRecursive
-        mutex_;  // recursive: within its work the slave may wait, and the master execute the next trigger
+        mutex_;  // recursive, because the slave may wait in its work while the master executes the next trigger
     SlaveActivity* slave_;
     std::atomic<bool> queued_{false};
     std::atomic<int> owners_{1};
 };
 
-/** The end of an execution, also when the component throws. */
+/** Ends an execution, even if the component throws. */
 struct SlaveActivity::Leave {
     SlaveActivity& slave;
     internal::Presence::Place& place;
@@ -96,13 +96,13 @@ SlaveActivity::SlaveActivity(base::RunnableInterface* r) : SlaveActivity(0.0, r)
 SlaveActivity::~SlaveActivity() {
     closeGate();
     stop();
-    // One that does not end in time.
+    // Waits for an execution that has not ended in time.
     waitForExecution(os::detail::kForever);
     internal::Presence::forget(this);
     message_->disconnect();
 }
 
-// What the master answers, or `otherwise` if there is none or it is gone. It is not destroyed meanwhile.
+// Asks the master, which is not destroyed meanwhile; `otherwise` if there is none or it was destroyed.
 template <class Ask>
 auto SlaveActivity::ofMaster(Ask&& ask, decltype(ask(std::declval<base::ActivityInterface&>())) otherwise) const {
     const internal::AccessGate::Pass pass(masterGate_);
@@ -111,7 +111,7 @@ auto SlaveActivity::ofMaster(Ask&& ask, decltype(ask(std::declval<base::Activity
 
 bool SlaveActivity::start() {
     if (!activate()) return false;
-    // Messages that came while it was stopped have triggered nobody.
+    // Messages that came while it was stopped have not triggered it.
     if (runner && runner->hasWork()) trigger();
     return true;
 }
@@ -139,7 +139,7 @@ bool SlaveActivity::activate() {
 bool SlaveActivity::stop() {
     const internal::TryFlag mine(changing_);
     const bool stops = mine && open_.exchange(false);
-    // Also if it is not active: who calls stop() does not expect that it is still being executed.
+    // Even if it is not active, because callers of stop() expect that it is not executed afterwards.
     const bool left = waitForExecution(rtos_get_time_ns() + Seconds_to_nsecs(1.0));
     if (!stops) return false;
     if (!left) {
@@ -150,11 +150,11 @@ bool SlaveActivity::stop() {
     }
     const internal::ActiveWhile active(active_);
     finalize();
-    updater_ = 0;  // that thread may live on and do something else
+    updater_ = 0;  // that thread may live on and do other work
     return true;
 }
 
-// In another thread.
+// Waits for an execution in another thread.
 bool SlaveActivity::waitForExecution(nsecs deadline) const { return internal::Presence::Waiter(this).wait(deadline); }
 
 bool SlaveActivity::isRunning() const { return open_ && (periodic_ || executor_ != 0); }
@@ -187,8 +187,8 @@ internal::Presence::Place* SlaveActivity::enter() {
     return place;
 }
 
-// The owner enters and then looks whether it still is the owner. A thread that takes over first makes that nobody and then looks
-// for others inside. So the owner, which nearly always is the one that executes, needs no locked instruction.
+// The owner enters and then checks that it still is the owner. A thread that takes over first removes the owner and then
+// looks for others inside. So the owner, which is nearly always the thread that executes, needs no locked instruction.
 base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*& place) {
     const int self = os::detail::currentTid();
     if (executor_ == self) return Direct::Granted;
@@ -216,7 +216,7 @@ internal::Presence::Place* SlaveActivity::takeOver() {
     return &place;
 }
 
-// A trigger that found another thread executing left its mark before it looked; that thread comes here when it is done.
+// A trigger sets its mark before it looks for an executing thread; that thread calls this when it has finished.
 void SlaveActivity::servePending() {
     while (pending_) {
         internal::Presence::Place* const place = enter();
@@ -232,7 +232,8 @@ bool SlaveActivity::execute() {
     bool active = false;
     {
         const Leave atEnd{*this, *place};
-        // Asked within: stop() clears it before it looks who executes, so one of the two sees what the other has done.
+        // Read after entering: stop() clears it before it looks for an executing thread, so one of the two sees what
+        // the other did.
         active = open_;
         if (active) executeOnce();
     }
@@ -246,7 +247,7 @@ void SlaveActivity::executeOnce() {
 }
 
 void SlaveActivity::executeTrigger() {
-    // Within execute() of this thread: the master executes its messages while the slave waits for something.
+    // Within execute() of this thread, the master executes its messages while the slave waits for something.
     if (isExecutor()) {
         if (open_) work(base::RunnableInterface::Trigger);
         return;
@@ -257,7 +258,7 @@ void SlaveActivity::executeTrigger() {
 
 bool SlaveActivity::trigger() {
     if (!open_) return false;
-    // Of its own: the step that a sequential master executes here may destroy this object.
+    // A local copy, because a sequential master executes a step here, which may destroy this object.
     TriggerMessage* const message = message_;
     return ofMaster(
         [message](ActivityInterface& master) {
@@ -271,12 +272,13 @@ bool SlaveActivity::trigger() {
 }
 
 bool SlaveActivity::timeout() {
-    // In its own thread the master cannot be destroyed before this returns, so nobody has to wait for the execution.
+    // The master cannot be destroyed in its own thread before this returns, so its destructor need not wait for the
+    // execution.
     const auto isMaster = [](ActivityInterface& master) {
         const Direct answer = master.beginDirect();
         if (answer != Direct::Entered) return answer == Direct::Granted;
         master.endDirect();
-        // While a master makes no steps, main stands for its thread. That lets main make calls, but no steps.
+        // While a master makes no steps, the main thread takes the place of its thread, for calls but not for steps.
         const os::ThreadInterface* const thread = master.thread();
         return master.isActive() && thread && thread->isActive();
     };
@@ -298,16 +300,16 @@ bool SlaveActivity::isSelf() const {
     return isUpdater();
 }
 
-// Between two executions it belongs to the thread that makes them, so that nobody else is inside at the next one. A thread
-// that has ended makes none.
+// Between two executions it belongs to the thread that makes them, unless that thread has ended. So no other thread is
+// inside at the next execution.
 bool SlaveActivity::isUpdater() const {
     const int updater = updater_;
     if (updater == os::detail::currentTid()) return true;
     return os::MainThread::Instance()->isSelf() && (updater == 0 || !os::detail::threadExists(updater));
 }
 
-// Between two executions this thread only stands for the one that makes them: the next one may come from another thread at
-// any moment. So it becomes the executing thread for as long as the call takes.
+// Between two executions, this thread only takes the place of the one that makes them, and another thread may begin the
+// next one at any moment. So it becomes the executing thread for the time of the call.
 base::ActivityInterface::Direct SlaveActivity::beginDirect() {
     if (isExecutor()) return Direct::Granted;
     return isSelf() ? claim(direct_) : Direct::Refused;
@@ -321,7 +323,7 @@ base::ActivityInterface::Direct SlaveActivity::beginInStead() {
 
 void SlaveActivity::endDirect() {
     { const Leave atEnd{*this, *direct_}; }
-    // Called by a destructor, and the call has nothing to do with what others have triggered.
+    // Called by a destructor; the call is unrelated to triggers of other threads.
     try {
         servePending();
     } catch (const std::exception& e) {

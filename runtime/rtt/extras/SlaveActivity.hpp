@@ -14,12 +14,12 @@ namespace RTT {
 namespace extras {
 
 /**
- * An activity that runs when somebody calls execute(), that is TaskContext::update(), in the caller's thread. Without a
- * master, operations sent to it wait for the next execute().
+ * An activity that runs in the thread that calls execute(), as TaskContext::update() does. Without a master, operations
+ * sent to it wait for the next execute().
  *
- * With a master, timeout(), that is TaskContext::trigger(), does the same when the thread of the master calls it, and
- * trigger() has the engine of the master execute work(Trigger). A master may be destroyed before its slaves: they can
- * still be executed and stopped then, but neither triggered nor started.
+ * With a master, timeout(), which TaskContext::trigger() calls, does the same in the thread of the master, and
+ * trigger() makes the engine of the master execute work(Trigger). A master may be destroyed before its slaves; these
+ * can still be executed and stopped, but neither triggered nor started.
  */
 class RTT_API SlaveActivity : public base::ActivityInterface {
 public:
@@ -30,11 +30,11 @@ public:
     explicit SlaveActivity(base::RunnableInterface* runner = nullptr);
     ~SlaveActivity() override;
 
-    /** False, with an error in the log, if active already or if the master is not active. */
+    /** Logs an error and returns false if it is active already or if the master is not active. */
     bool start() override;
     /**
-     * False if not active. Waits, at most one second, for an execution in another thread to end; false if it did not, and
-     * then it stays active.
+     * False if not active. Waits, at most one second, for an execution in another thread to end; if it does not,
+     * returns false and stays active.
      */
     bool stop() override;
     bool isRunning() const override;
@@ -47,28 +47,29 @@ public:
     unsigned getCpuAffinity() const override;
     bool setCpuAffinity(unsigned cpuAffinity) override;
     /**
-     * One cycle in the calling thread: step() and work(TimeOut), or loop() and work(TimeOut) if not periodic. False if
-     * not active or executing already. Costs some microseconds more, and may wait as long for another thread that asks at the
-     * same moment, if it is not the thread that executed it last.
+     * Executes one cycle in the calling thread: step() and work(TimeOut), or loop() and work(TimeOut) if not periodic.
+     * False if not active or executing already. If another thread executed it last, this takes some microseconds more,
+     * and may wait as long for a third thread that calls at the same moment.
      */
     bool execute() override;
     /** False without a master, if not active or if the runner of the master takes no messages. */
     bool trigger() override;
-    /** By the master's thread: execute(). By others, and within execute(): forwarded to the master; false without one. */
+    /** In the master's thread: execute(). In other threads, and within execute(): forwards to the master; false without
+        one. */
     bool timeout() override;
     os::ThreadInterface* thread() override;
-    /** Without a master, or after that was destroyed: in the thread that executed it last; in the main thread if there is none
-        or it has ended. */
+    /** Without a master, or after that was destroyed: true in the thread that executed it last, or in the main thread
+        if there is none or it has ended. */
     bool isSelf() const override;
-    /** While it has entered, execute() by others is refused, as during an execution. */
+    /** After a thread entered, execute() in other threads is refused, as during an execution. */
     Direct beginDirect() override;
     /** Refused while there is a master that executes it. */
     Direct beginInStead() override;
     void endDirect() override;
 
 protected:
-    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
-    // overrides initialize() calls this one in it. A sub-class calls stop() in its destructor.
+    // These call the runner if there is one; a sub-class may override them and have no runner. If it has a runner and
+    // overrides initialize(), it must call this one. A sub-class must call stop() in its destructor.
     virtual bool initialize();
     virtual void step();
     /** Default, without a runner: step(). */
@@ -93,15 +94,15 @@ private:
     void servePending();
     bool waitForExecution(nsecs deadline) const;
 
-    base::ActivityInterface* const master_;  // used by ofMaster() only
+    base::ActivityInterface* const master_;  // used only by ofMaster()
     const std::shared_ptr<internal::AccessGate> masterGate_;
     std::atomic<double> period_;
     const bool periodic_;
     std::atomic<bool> active_{false};
     std::atomic<bool> open_{false};      // may be executed; active_ stays until stop() has waited for an execution
     std::atomic<bool> changing_{false};  // within start() or stop()
-    // Linux ids of threads: the one that executes it, 0 for none; the one that may enter without asking others; and the one that
-    // made the last step, 0 for main.
+    // Linux ids of threads: the one that executes it, 0 for none; the one that may enter without asking others; and the
+    // one that made the last step, 0 for main.
     std::atomic<int> executor_{0}, owner_{0}, updater_{0};
     std::atomic<std::uint32_t> handover_{0};  // locked while owner_ changes
     std::atomic<bool> pending_{false};        // work(Trigger) is due

@@ -16,16 +16,16 @@ namespace RTT::extras {
 
 namespace {
 
-// What a cycle waits for an activity that another thread executes, before it goes on without it.
+// How long a cycle waits for an activity that another thread executes before it skips it.
 constexpr nsecs kLongExecution = 1000000000;
 
-/** What threads are shared by. */
+/** The parameters by which threads are shared. */
 struct Parameters {
     int scheduler, priority;
     nsecs period;
     unsigned cpuAffinity;
 
-    /** With the priority that CheckPriority() would give, were there no limits for this user. */
+    /** Adjusts the priority as CheckPriority() does, but without the limits of this user. */
     static Parameters of(int scheduler, int priority, nsecs period, unsigned cpuAffinity) {
         const bool realTime = scheduler != ORO_SCHED_OTHER;
         return {scheduler, realTime ? std::clamp(priority, os::LowestPriority, os::HighestPriority) : 0, period,
@@ -44,7 +44,7 @@ struct Shared {
     Parameters asked, got;
     boost::weak_ptr<TimerThread> thread;
 
-    /** The thread may have got less than it was asked for, without the privilege; what was changed since is as it is now. */
+    /** The parameters as requested, because without the privilege the thread got others; later changes are included. */
     Parameters present(const TimerThread& one) const {
         const Parameters now = Parameters::of(one);
         Parameters result = asked;
@@ -75,7 +75,7 @@ TimerThread::TimerThread(int priority, const std::string& name, double period, u
 
 TimerThread::TimerThread(int scheduler, int priority, const std::string& name, double period, unsigned cpuAffinity)
     : os::Thread(scheduler, priority, period, cpuAffinity, name) {
-    activities_.reserve(MAX_ACTIVITIES);  // step() must not allocate, nor must the vector move while it iterates
+    activities_.reserve(MAX_ACTIVITIES);  // step() must not allocate, and the vector must not move while it iterates
 }
 
 TimerThread::~TimerThread() {
@@ -89,7 +89,7 @@ TimerThreadPtr TimerThread::Instance(int priority, double period) {
 
 TimerThreadPtr TimerThread::Instance(int scheduler, int priority, double period, unsigned cpuAffinity) {
     Registry& threads = registry();
-    std::vector<TimerThreadPtr> others;  // released after the lock: the last one ends a thread
+    std::vector<TimerThreadPtr> others;  // released after the lock, because the last reference ends a thread
     std::lock_guard<std::mutex> lock(threads.mutex);
     const Parameters asked = Parameters::of(scheduler, priority, Seconds_to_nsecs(period), cpuAffinity);
     for (const Shared& entry : threads.shared) {
@@ -111,7 +111,7 @@ bool TimerThread::addActivity(PeriodicActivity* activity) {
         activities_.push_back(activity);
         return true;
     }
-    // What was removed during the cycle has left a gap.
+    // An activity that was removed during the cycle has left a gap.
     const auto gap = std::find(activities_.begin(), activities_.end(), nullptr);
     if (gap != activities_.end()) {
         *gap = activity;
@@ -134,7 +134,7 @@ bool TimerThread::removeActivity(PeriodicActivity* activity, nsecs deadline) {
     const auto at = std::find(activities_.begin(), activities_.end(), activity);
     if (at == activities_.end()) return true;
     if (inCycle_)
-        *at = nullptr;  // the cycle iterates: it closes the gap at its end
+        *at = nullptr;  // the cycle is iterating and closes the gap at its end
     else
         activities_.erase(at);
     return true;
@@ -148,7 +148,7 @@ void TimerThread::step() {
     {
         os::MutexLock lock(mutex_);
         inCycle_ = true;
-        count = activities_.size();  // those that are started now wait for the next period
+        count = activities_.size();  // activities that are started now wait for the next period
     }
     for (std::size_t i = 0; i < count; ++i)
         if (PeriodicActivity* const activity = enter(i)) {
@@ -161,7 +161,7 @@ void TimerThread::step() {
     cycling_ = 0;
 }
 
-// The activity at that place, for this thread alone. Null if there is none, or if another thread does not leave it.
+// Enters the activity at that place; null if there is none, or if another thread does not leave it.
 PeriodicActivity* TimerThread::enter(std::size_t index) {
     os::MutexLock lock(mutex_);
     const nsecs deadline = rtos_get_time_ns() + kLongExecution;

@@ -22,34 +22,35 @@ typedef boost::shared_ptr<TimerThread> TimerThreadPtr;
 /** A periodic thread that executes PeriodicActivities one after another, in the order in which they were started. */
 class RTT_API TimerThread : public os::Thread {
 public:
-    /** Activities that one thread can execute. */
+    /** The most activities that one thread can execute. */
     static constexpr std::size_t MAX_ACTIVITIES = 64;
 
     TimerThread(int priority, const std::string& name, double period, unsigned cpuAffinity = 0);
     TimerThread(int scheduler, int priority, const std::string& name, double period, unsigned cpuAffinity = 0);
     ~TimerThread() override;
 
-    /** The shared thread with these parameters, as they were asked for or changed since; created if there is none. It lives
-        as long as somebody holds it. */
+    /** The shared thread with these parameters, as requested or changed since; created if there is none. It lives as
+        long as it is referred to. */
     static TimerThreadPtr Instance(int priority, double period);
     static TimerThreadPtr Instance(int scheduler, int priority, double period, unsigned cpuAffinity = 0);
 
-    /** Starts executing an activity with the next period. False, with an error in the log, if there are too many. */
+    /** Executes an activity from the next period on. Logs an error and returns false if there are too many. */
     bool addActivity(PeriodicActivity* activity);
     /**
-     * Ends that. Waits until nobody else executes the activity; false if that lasts until the monotonic time `deadline`,
-     * and then nothing has changed.
+     * Removes an activity. Waits until no other thread executes it; if that lasts until the monotonic time `deadline`,
+     * returns false and changes nothing.
      */
     bool removeActivity(PeriodicActivity* activity, nsecs deadline = InfiniteNSecs);
-    /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or executing. */
+    /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or executing.
+         */
     bool executeNow(PeriodicActivity& activity);
-    /** Makes the calling thread the one that executes an activity, also one that is not started, until leave(). False if there
-        is one; a cycle waits for it. Never blocks; real-time safe. */
+    /** Enters an activity, started or not, in the calling thread, until leave(). False if another thread has entered. A
+        cycle waits for it. Never blocks; real-time safe. */
     bool enterNow(PeriodicActivity& activity);
     void leave(PeriodicActivity& activity);
-    /** Lets the thread run for an activity that starts. */
+    /** Starts the thread for an activity. */
     virtual bool startForActivity();
-    /** True as well for another thread that executes cycles of this one. */
+    /** True also in another thread that executes cycles of this one. */
     bool isSelf() const override;
 
 protected:
@@ -65,7 +66,7 @@ private:
     os::Condition left_;                         // an activity has returned
     std::vector<PeriodicActivity*> activities_;  // null: removed during the cycle
     bool inCycle_ = false;
-    std::atomic<int> cycling_{0};  // Linux id of the thread that executes a cycle, 0: none
+    std::atomic<int> cycling_{0};  // Linux id of the thread that executes a cycle; 0 for none
 };
 
 }  // namespace extras

@@ -9,7 +9,7 @@ faulty_value(slave_relaxed_claim ${file} [=[if (queued_.exchange(true, @{std::me
   [=[std::memory_order_relaxed]=])
 faulty_statement(slave_unqueued_late ${file}
   [=[        @{queued_.exchange(false, std::memory_order_acq_rel);
-        const Owner atEnd{*this};  // also when the component throws
+        const Owner atEnd{*this};  // even if the component throws
         os::MutexLock lock(mutex_);
         if (slave_) slave_->executeTrigger();}@]=]
   [=[const Owner atEnd{*this}; os::MutexLock lock(mutex_); if (slave_) slave_->executeTrigger(); queued_.exchange(false);]=])

@@ -11,7 +11,7 @@
 namespace RTT::extras::detail {
 
 namespace {
-// What it waits before it tries again what the system has refused.
+// How long it waits before it repeats a call that the system refused.
 constexpr nsecs kPause = 100000000;
 constexpr std::size_t kUsualNumber = 16;
 }  // namespace
@@ -73,7 +73,7 @@ void PollSet::copyWatched() {
     polledVersion_ = version_;
 }
 
-// The first `count` of polled_. False, with errno, if the system refuses.
+// Polls the first `count` of polled_. False, with errno, if the system refuses.
 bool PollSet::pollUntil(std::size_t count, nsecs deadline) {
     TIME_SPEC remaining{};
     TIME_SPEC* untilOrForever = nullptr;
@@ -89,7 +89,7 @@ bool PollSet::pollUntil(std::size_t count, nsecs deadline) {
 PollResult PollSet::wait(int wakeFd, nsecs deadline) {
     PollResult result;
     polled_[0].fd = wakeFd;
-    // After a failure, so that the thread that always meets the same one does not use up a processor.
+    // A pause after a failure, so that a repeated failure does not use up a processor.
     if (failed_ && pollUntil(1, std::min(deadline, rtos_get_time_ns() + kPause)) && polled_[0].revents != 0) {
         result.woken = true;
         return result;
@@ -102,8 +102,8 @@ PollResult PollSet::wait(int wakeFd, nsecs deadline) {
     return result;
 }
 
-// Readiness of a set that was changed must not be used: the number may belong to another file by now, and the component
-// would block when it reads. It is not lost, the next poll finds it again.
+// Results for a set that was changed must not be used: a number may belong to another file by now, and the component
+// would block when it reads. They are not lost, because the next poll finds them again.
 void PollSet::noteResults(PollResult& result) {
     os::MutexLock lock(mutex_);
     result.changed = polledVersion_ != version_;

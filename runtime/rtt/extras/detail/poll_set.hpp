@@ -13,30 +13,31 @@ namespace RTT {
 namespace extras {
 namespace detail {
 
-/** What PollSet::wait() found. */
+/** The result of PollSet::wait(). */
 struct PollResult {
-    bool woken = false;    // the descriptor that wakes is readable
-    bool changed = false;  // the set was changed meanwhile: nothing is known, wait again
-    bool ready = false;    // some are
-    int closed = -1;       // this one was not open and has been removed
+    bool woken = false;    // wakeFd is readable
+    bool changed = false;  // the set was changed meanwhile: wait again
+    bool ready = false;    // some descriptors are ready
+    int closed = -1;       // this descriptor was not open and has been removed
     int error = 0;         // errno of a wait that failed; the next wait() begins with a pause
 };
 
-/** File descriptors that one thread waits for, and that any thread may change meanwhile. */
+/** File descriptors for which one thread waits; any thread may change the set meanwhile. */
 class PollSet {
 public:
     PollSet();
 
-    /** False if it is there already. */
+    /** Adds a descriptor; false if it is in the set already. */
     bool add(int fd);
     bool remove(int fd);
     void clear();
     bool contains(int fd) const;
-    /** Was ready in the last wait(), and has not been removed since. */
+    /** True if it was ready in the last wait() and has not been removed since. */
     bool isReady(int fd) const;
     void forgetReady();
 
-    /** Waits, at most until the monotonic time `deadline`, for the set and for `wakeFd`. Only for the one thread. */
+    /** Waits, at most until the monotonic time `deadline`, for the set and for `wakeFd`. Called only by the waiting
+        thread. */
     PollResult wait(int wakeFd, nsecs deadline);
 
 private:
@@ -53,7 +54,8 @@ private:
     std::vector<Watched> watched_;
     unsigned version_ = 0;  // changes with the members of watched_
 
-    // The waiting thread's. polled_[0] is wakeFd, the others are watched_ in its order as of polledVersion_.
+    // Used only by the waiting thread. polled_[0] is wakeFd; the others are watched_, in its order, as of
+    // polledVersion_.
     std::vector<pollfd> polled_;
     unsigned polledVersion_ = 0;
     bool failed_ = false;
