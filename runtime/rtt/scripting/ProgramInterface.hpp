@@ -14,12 +14,12 @@ namespace RTT {
 namespace scripting {
 
 /**
- * A program that an engine executes, as scripts define them; users may write their own and give it to
- * ScriptingService::loadProgram(). The engine calls execute() once in every step that is due to time or input, but for
- * programs that have nothing to do: isIdle() and wake().
+ * A program that an engine executes. Scripts define programs; C++ code may derive its own and give it to
+ * ScriptingService::loadProgram(). The engine calls execute() once in every step that is due to time or input, except
+ * for programs that have nothing to do: isIdle() and wake().
  *
- * The commands may be called by any thread, also by the program itself. They never block and are real-time safe. They are
- * false, and do nothing, while no engine has the program. What they do, and what they return otherwise:
+ * Any thread, and the program itself, may call the commands. They never block and are real-time safe. While no engine
+ * has the program, they return false and do nothing. Otherwise:
  *
  *     is        start()       pause()             step()                stop()
  *     stopped   runs anew     paused at its       false                 true
@@ -28,9 +28,9 @@ namespace scripting {
  *     paused    goes on       true                executes a statement  stopped
  *     error     false         paused              false                 stopped
  *
- * stop() and start() count at once; pause() and step() in the next step of the engine, or after the statement that is
- * being executed. step() may follow a pause() that has not been done yet; it is false while an earlier step() is still to
- * come. After stop() at most the statement that was being executed is finished.
+ * stop() and start() take effect at once; pause() and step() in the next step of the engine, or after the current
+ * statement. step() may follow a pause() that has not taken effect; it is false if an earlier step() has not. After
+ * stop(), at most the current statement is finished.
  */
 class RTT_API ProgramInterface : public base::ExecutableInterface,
                                  public boost::enable_shared_from_this<ProgramInterface> {
@@ -47,17 +47,17 @@ public:
     virtual bool pause() = 0;
     virtual bool step() = 0;
     virtual bool stop() = 0;
-    /** Back to the first statement: what stop() does. */
+    /** Goes back to the first statement, as stop() does. */
     bool reset() { return stop(); }
-    /** Any thread; real-time safe. */
+    /** May be called from any thread; real-time safe. */
     virtual ProgramStatus getStatus() const = 0;
-    /** The line of the statement that comes next, or failed; 0 if there is none. Any thread; real-time safe. */
+    /** The line of the statement that is next, or that failed; 0 if there is none. Any thread; real-time safe. */
     virtual int getLineNumber() const = 0;
-    /** The text it was made of. */
+    /** The source text. */
     virtual std::string getText() const;
-    /** The line of its file that this text begins in, by which getLineNumber() counts; 1 if that is not known. */
+    /** The line in its file where this text begins; getLineNumber() counts from there. 1 if unknown. */
     virtual int getFirstLine() const;
-    /** Why it failed, with the place; empty unless inError(). Any thread; allocates. */
+    /** Why and where it failed; empty unless inError(). Any thread; allocates. */
     virtual std::string getError() const;
 
     bool isRunning() const { return getStatus() == Status::running; }

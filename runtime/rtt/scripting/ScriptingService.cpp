@@ -26,7 +26,7 @@ using detail::Contents;
 
 namespace {
 
-/** If that fails, `why` is its first error. */
+/** Runs a text; if that fails, `why` is its first error. */
 bool runText(ScriptingService& service, const diag::FileName& name, const std::string& text, Contents contents,
              std::string* why = nullptr) {
     if (service.getOwner()) {
@@ -52,7 +52,7 @@ bool runFile(ScriptingService& service, const std::string& file, Contents conten
     return false;
 }
 
-/** What `run` returns, which logs why it fails; a script that called gets `why`. */
+/** Returns the result of `run`, which logs why it fails. A calling script gets `why`. */
 template <class Run>
 bool told(const std::string& why, Run run) {
     bool done = false;
@@ -64,7 +64,7 @@ bool told(const std::string& why, Run run) {
     return done;
 }
 
-/** `done`; throws if it is false and that is wanted. */
+/** Returns `done`, but throws if it is false and `wanted`. */
 bool orThrow(bool done, bool wanted, const std::string& why) {
     if (wanted && !done) throw program_load_exception(why);
     return done;
@@ -101,7 +101,7 @@ void outliveExecution(StateMachine& machine) {
 
 }  // namespace
 
-// What state machines would do on their way to the end needs a component that is there.
+// Exit programs of state machines would need the component, which may be gone.
 ScriptingService::~ScriptingService() {
     internal::FailureReport::remove(*this);
     const Service::shared_ptr component = loaded_->component.lock();
@@ -193,8 +193,8 @@ bool ScriptingService::refuse(const std::string& what, const std::string& why) {
     return false;
 }
 
-// What is unloaded while it is executed has to live until that is over: by this thread, or by another one that came to
-// the removal while it was waiting for something.
+// A machine that is unloaded while it is executed must live until that ends: this thread may execute it, or another one
+// that called the removal while it was waiting.
 void ScriptingService::retire(const StateMachinePtr& machine) {
     machine->outliveExecution();
     loaded_->retired.add(machine);
@@ -205,7 +205,7 @@ void ScriptingService::retire(ProgramInterfacePtr program) {
     if (dynamic_cast<const detail::Program*>(program.get()))
         loaded_->retired.add(std::move(program));
     else if (getOwner() && getOwner()->engine()->isStepping())
-        loaded_->retired.keep(std::move(program));  // it was written in C++
+        loaded_->retired.keep(std::move(program));  // because it was written in C++
 }
 
 }  // namespace RTT::scripting

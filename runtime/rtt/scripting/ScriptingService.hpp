@@ -26,19 +26,19 @@ class ScriptRunner;
 }
 
 /**
- * The service "scripting": runs scripts in a component, and keeps the programs and state machines they define. Those are
- * executed by the component's engine while its activity runs, also while the component is stopped.
+ * The service "scripting": runs scripts in a component, and keeps the programs and state machines that they define. The
+ * component's engine executes these while its activity runs, even if the component is stopped.
  *
- * A text is parsed as a whole; any syntax error in it means that nothing of it is executed. Then one statement after the
- * other is executed in the thread of the caller; the first that cannot be executed stops the script. Whatever goes wrong is
- * in the log, with its place in the text, and false is returned. What was done before stays done.
+ * A text is parsed as a whole; if it has a syntax error, nothing of it is executed. Then its statements are executed in
+ * the thread of the caller; the first one that fails ends the script, and earlier ones keep their effects. Errors are
+ * logged with their places, and false is returned.
  *
- * All functions run in the caller's thread and block until they are done. They are not real-time safe, except those that
- * command and ask about a program or state machine, which look it up by name under a short lock. Several threads may call
- * them at the same time, as long as none of the scripts changes the component's interface.
+ * All functions run in the caller's thread and block until they are done. They are not real-time safe, except commands
+ * and queries of a program or state machine, which look it up by name under a short lock. Several threads may call them
+ * at the same time, as long as no script changes the component's interface.
  */
 class RTT_API ScriptingService : public Service {
-    // Else two texts would be taken for a file and true.
+    // Only a real bool: otherwise two texts would match (file, bool).
     template <class T>
     using OnlyBool = std::enable_if_t<std::is_same_v<T, bool>, int>;
 
@@ -47,7 +47,7 @@ public:
     typedef ProgramInterface::Status::ProgramStatus ProgramStatus;
     typedef StateMachine::Status::StateMachineStatus StateMachineStatus;
 
-    /** The scripting service of a component, which is made if it has none. */
+    /** The scripting service of a component, created if it has none. */
     static shared_ptr Create(TaskContext* parent);
     explicit ScriptingService(TaskContext* parent);
     ~ScriptingService() override;
@@ -57,7 +57,7 @@ public:
 
     // -- Scripts ------------------------------------------------------------------------------------------------
     bool eval(const std::string& code);
-    /** As eval(), for a text that came from somewhere: `name` stands for it in messages. */
+    /** As eval(), for a text that messages call `name`. */
     bool evalInternal(const std::string& name, const std::string& code);
     bool runScript(const std::string& file);
     /** As eval(); 0 for true, −1 for false. Deprecated. */
@@ -65,27 +65,27 @@ public:
     bool doExecute(const std::string& code);
 
     // -- Programs -----------------------------------------------------------------------------------------------
-    /** For a file that defines functions and programs, and nothing else. */
+    /** Loads a file that defines only functions and programs. */
     bool loadPrograms(const std::string& file) { return load(file, Kind::Programs, false); }
     /** With `do_throw` throws program_load_exception instead of returning false. */
     template <class Bool, OnlyBool<Bool> = 0>
     bool loadPrograms(const std::string& file, Bool do_throw) {
         return load(file, Kind::Programs, do_throw);
     }
-    /** Of a text; `name` stands for it in messages. */
+    /** The same for a text, which messages call `name`. */
     bool loadPrograms(const std::string& code, const std::string& name, bool do_throw = false) {
         return load(code, name, Kind::Programs, do_throw);
     }
     bool loadProgramText(const std::string& code) { return loadPrograms(code, "string"); }
-    /** Has the engine execute the program, and gives the component a service of its name. False, with an error in the log, if
-        there is a program or service of that name. */
+    /** Adds the program to the engine, and a service of its name to the component. If there is a program or service of
+        that name, logs an error and returns false. */
     bool loadProgram(ProgramInterfacePtr program);
-    /** Takes it out of the engine. False, with an error in the log, if there is none. */
+    /** Removes the program from the engine. Logs an error and returns false if there is none of that name. */
     bool unloadProgram(const std::string& name);
     /** With `do_throw` throws program_unload_exception instead of returning false. */
     bool unloadProgram(const std::string& name, bool do_throw);
     std::vector<std::string> getProgramList() const;
-    /** Null if there is none. */
+    /** The program of that name; null if there is none. */
     ProgramInterfacePtr getProgram(const std::string& name) const;
     bool hasProgram(const std::string& name) const;
     bool startProgram(const std::string& name);
@@ -97,12 +97,12 @@ public:
     bool inProgramError(const std::string& name) const;
     ProgramStatus getProgramStatus(const std::string& name) const;
     std::string getProgramStatusStr(const std::string& name) const;
-    /** Of the statement that comes next, or failed; −1 if there is no such program. */
+    /** The line of the statement that is next, or that failed; −1 if there is no such program. */
     int getProgramLine(const std::string& name) const;
     std::string getProgramText(const std::string& name) const;
 
     // -- State machines -----------------------------------------------------------------------------------------
-    /** For a file that defines types of state machines and instantiates at least one, and nothing else. */
+    /** Loads a file that only defines types of state machines and instantiates at least one. */
     bool loadStateMachines(const std::string& file) { return load(file, Kind::StateMachines, false); }
     /** As for programs. */
     template <class Bool, OnlyBool<Bool> = 0>
@@ -113,15 +113,15 @@ public:
         return load(code, name, Kind::StateMachines, do_throw);
     }
     bool loadStateMachineText(const std::string& code) { return loadStateMachines(code, "string"); }
-    /** Has the engine execute the state machine and its sub machines, and gives the component its service. False, with an
-        error in the log, if there is a state machine or service of that name. */
+    /** Adds the state machine and its sub machines to the engine, and its service to the component. If there is a state
+        machine or service of that name, logs an error and returns false. */
     bool loadStateMachine(StateMachinePtr machine);
-    /** Stops and deactivates it first. False, with an error in the log, if there is none or it does not stop. */
+    /** Stops, deactivates and removes it. If there is none, or it does not stop, logs an error and returns false. */
     bool unloadStateMachine(const std::string& name);
     bool unloadStateMachine(const std::string& name, bool do_throw);
-    /** Of the root machines, and those below them as "root.sub". */
+    /** The names of the root machines, and of those below them as "root.sub". */
     std::vector<std::string> getStateMachineList() const;
-    /** By the names of that list; null if there is none. */
+    /** The machine with a name from that list; null if there is none. */
     StateMachinePtr getStateMachine(const std::string& name) const;
     bool hasStateMachine(const std::string& name) const;
     bool activateStateMachine(const std::string& name);
@@ -156,7 +156,7 @@ private:
     bool takeOutMachine(StateMachinePtr machine);
     bool addMachine(const StateMachinePtr& machine);
     bool removeMachine(const StateMachinePtr& machine);
-    /** Who has that name in the component; empty if nobody has. */
+    /** What has that name in the component; empty if it is free. */
     std::string nameInUse(const std::string& name) const;
     void announce(const std::string& what) const;
     static bool refuse(const std::string& what, const std::string& why);

@@ -21,9 +21,9 @@ namespace RTT::scripting {
 
 namespace {
 
-constexpr std::int64_t kPatience = 5000000000;   // of commands, in ns
+constexpr std::int64_t kPatience = 5000000000;   // for commands, in ns
 constexpr std::int64_t kBringDown = 1000000000;  // for a machine to come to its end
-constexpr unsigned kBetweenCycles = 500;         // of bringDown(), in us
+constexpr unsigned kBetweenCycles = 500;         // in bringDown(), in us
 
 const char* nameOf(StateMachine::StateMachineStatus status) {
     switch (status) {
@@ -69,9 +69,9 @@ public:
         const os::MutexLock lock(error_lock_);
         return error_;
     }
-    /** For who has the machine. True if a transition follows from one of them. */
+    /** Takes the waiting events; true if one of them causes a transition. The caller must have the machine. */
     bool takeEvents();
-    /** For who has the machine: stops and deactivates it; false if that takes too long. */
+    /** Stops and deactivates the machine, which the caller must have; false if that takes too long. */
     bool goDown();
     detail::MachineState* find(const std::string& name) {
         for (detail::MachineState& state : model->states)
@@ -82,12 +82,12 @@ public:
     const std::unique_ptr<detail::MachineModel> model;
     detail::MachineCore core;
     detail::MachineOwner owner{0};
-    // Of the engine's thread.
+    // Used only by the engine's thread.
     bool executing = false;
-    boost::shared_ptr<StateMachine> self;  ///< while it is executed, after it was unloaded
+    boost::shared_ptr<StateMachine> self;  ///< keeps it while it is executed after it was unloaded
 
 private:
-    mutable os::Mutex error_lock_;  // not taken unless something failed
+    mutable os::Mutex error_lock_;  // locked only after a failure
     std::string error_;
 };
 
@@ -97,7 +97,7 @@ StateMachine::~StateMachine() {
     if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
 }
 
-// Without a period, nobody else would have the engine execute a cycle.
+// Without a period, nothing else makes the engine execute a cycle.
 void StateMachine::askForCycle() {
     wake();
     ExecutionEngine* const engine = getEngine();
@@ -167,7 +167,7 @@ bool StateMachine::requestState(const std::string& state) {
 bool StateMachine::react(detail::OperationEvent& event, void* const* arguments) {
     const auto claim = detail::MachineClaim::soon(execution_->owner);
     if (!claim) return false;
-    bool accepted = !claim.nested() && execution_->takeEvents();  // those before
+    bool accepted = !claim.nested() && execution_->takeEvents();  // earlier events first
     event.hold(arguments);
     accepted = (isLoaded() && execution_->core.happened(event)) || accepted;
     if (accepted) askForCycle();
@@ -175,7 +175,7 @@ bool StateMachine::react(detail::OperationEvent& event, void* const* arguments) 
 }
 
 void StateMachine::takeEvents() {
-    // Either this finds the machine free, or who gives it back finds the events.
+    // Either this finds the machine free, or the thread that gives it back finds the events.
     std::atomic_thread_fence(std::memory_order_seq_cst);
     const auto claim = detail::MachineClaim::soon(execution_->owner);
     if (claim && isLoaded() && execution_->takeEvents()) askForCycle();
@@ -252,7 +252,7 @@ const StateMachine::ChildList& StateMachine::getChildren() const { return execut
 boost::shared_ptr<Service> StateMachine::getService() const { return execution_->model->service; }
 
 bool StateMachine::execute() {
-    // Skipped while a thread gives a command; that does what the machine has to do.
+    // Skipped while a thread gives a command, because that thread executes what is pending.
     boost::shared_ptr<StateMachine> self;
     const bool outer = !execution_->executing;
     execution_->executing = true;
@@ -267,7 +267,7 @@ bool StateMachine::execute() {
     return true;
 }
 
-// Only who has the machine can tell. One that runs is asked in each step: its status is enough.
+// Only a thread that has the machine can tell. For a running one, which is asked in each step, the status is enough.
 bool StateMachine::isIdle() const {
     switch (execution_->core.status()) {
         case Status::inactive:
@@ -280,7 +280,7 @@ bool StateMachine::isIdle() const {
         const auto claim = detail::MachineClaim::now(execution_->owner);
         if (!claim || claim.nested() || !execution_->core.isIdle()) return false;
     }
-    // An event may have come just when this had the machine, see takeEvents().
+    // An event may have come while this had the machine, see takeEvents().
     std::atomic_thread_fence(std::memory_order_seq_cst);
     const auto& events = execution_->model->queue;
     return !events || events->empty();
@@ -297,7 +297,7 @@ bool StateMachine::Execution::goDown() {
             if (rtos_get_time_ns() >= end) return false;
             usleep(kBetweenCycles);
             core.cycle();
-            // Its programs may be waiting for them.
+            // The machine's programs may be waiting for its sub machines.
             for (const StateMachinePtr& child : model->children) child->execute();
         }
         return true;
@@ -306,7 +306,7 @@ bool StateMachine::Execution::goDown() {
         core.stopNow();
         if (!comesTo(Status::stopped, Status::error)) return false;
     }
-    // In error, only the second one leaves out the exit program.
+    // In error, only a second deactivate() skips the exit program.
     if (core.status() != Status::inactive && core.status() != Status::deactivating) core.deactivate();
     if (!comesTo(Status::inactive, Status::error)) return false;
     if (core.status() == Status::error) core.deactivate();

@@ -33,37 +33,40 @@ public:
 };
 
 /**
- * A state machine that a script defined and a component's engine executes: execute() is one cycle. Each machine, sub machines
- * too, is a function of its own in the engine; until it is loaded there, its status is `unloaded` and commands return false.
+ * A state machine that a script defined and a component's engine executes: execute() is one cycle. Each machine, sub
+ * machines too, is a function of its own in the engine; until it is loaded there, its status is `unloaded` and commands
+ * return false.
  *
- *     command            accepted when                       does
- *     activate()         inactive                            assigns parameters and variables, enters the initial state; false if a
- *                                                            precondition of that does not hold or an initial value fails. True
- *                                                            though its entry failed: then it is in error. `run` waits for start()
- *     automatic()        not inactive, error                 running: executes `run` and looks at the transitions in each cycle.
- *       = start()                                            Starts `run` from its beginning; continues after pause()
- *     reactive()         not inactive, error                 active: only events and requestState() change the state
- *     pause()            not inactive, deactivating          paused, from the next cycle on; while it is stopping, as soon as
- *                                                            it has stopped
- *     step()             paused, or after pause()            one statement, or one transition, in the next cycle
- *                        active                              looks at all transitions once, in the next cycle
- *     stop()             not inactive, deactivating          goes to the final state from the next cycle on; then stopped.
- *                                                            Takes back a pause() or step() that has not taken effect
- *     reset()            stopped                             enters the initial state, as activate() does; then active
- *     deactivate()       not inactive                        executes the exit program of the state; then inactive
- *     requestState(S)    no transition or `handle` is        S is the present state: executes `handle` and `run`. Else goes to S by the
- *                        being executed                      first transition that leads there and may be taken; to the final state,
- *                                                            and from there to the initial one, also without one. Exit and entry
- *                                                            are executed at once, unless a program of the machine itself asks for
- *                                                            that, or the machine is paused
+ *     command          accepted when                 does
+ *     activate()       inactive                      assigns parameters and variables, enters the initial state; false
+ *                                                    if one of its preconditions does not hold or an initial value
+ *                                                    fails. True even if its entry failed, which leaves the machine in
+ *                                                    error. `run` waits for start()
+ *     automatic()      not inactive, error           running: executes `run` and checks the transitions in each cycle.
+ *       = start()                                    Starts `run` from its beginning; continues after pause()
+ *     reactive()       not inactive, error           active: only events and requestState() change the state
+ *     pause()          not inactive, deactivating    paused, from the next cycle on; while it is stopping, when it has
+ *                                                    stopped
+ *     step()           paused, or after pause()      one statement, or one transition, in the next cycle
+ *                      active                        checks all transitions once, in the next cycle
+ *     stop()           not inactive, deactivating    goes to the final state from the next cycle on; then stopped.
+ *                                                    Cancels a pause() or step() that has not taken effect
+ *     reset()          stopped                       enters the initial state, as activate() does; then active
+ *     deactivate()     not inactive                  executes the exit program of the state; then inactive
+ *     requestState(S)  no transition or `handle` is  if S is the present state: executes `handle` and `run`. Otherwise
+ *                      being executed                goes to S by the first transition that leads there and may be
+ *                                                    taken; to the final state, and from there to the initial one,
+ *                                                    also without one. Exit and entry are executed at once, unless a
+ *                                                    program of the machine itself calls it, or the machine is paused
  *
- * Programs that `yield` go on in the next cycle; the status is activating, stopping, resetting or deactivating meanwhile.
+ * Programs that `yield` continue in the next cycle; meanwhile the status is activating, stopping, resetting or
+ * deactivating.
  *
- * All functions may be called by any thread, and by the programs of the machine itself. Commands execute what they can at once
- * in the calling thread; the engine skips the cycles that fall into that time. Unless said otherwise they wait while the engine
- * is within a cycle, executing messages of the calling thread's component meanwhile, and give up with false and an error in the log
- * when that takes longer than five seconds. pause(), step() and stop() never wait and are real-time safe. execute() and
- * the commands are as real-time safe as what the script calls. Queries are real-time safe, unless they return a copy of a text.
+ * Any thread, and the programs of the machine itself, may call all functions. Commands execute what they can at once in
+ * the calling thread; the engine skips cycles during that time. Unless stated otherwise, they wait while the engine is
+ * within a cycle, executing messages of the calling thread's component; after five seconds they log an error and return
+ * false. pause(), step() and stop() never wait and are real-time safe. execute() and the commands are as real-time safe
+ * as what the script calls. Queries are real-time safe, unless they return a copy of a text.
  */
 class RTT_API StateMachine : public base::ExecutableInterface, public boost::enable_shared_from_this<StateMachine> {
 public:
@@ -121,17 +124,17 @@ public:
     StateInterface* currentState() const;
     StateInterface* getInitialState() const;
     StateInterface* getFinalState() const;
-    /** Null if there is none of that name. */
+    /** The state of that name; null if there is none. */
     StateInterface* getState(const std::string& name) const;
     bool inState(const std::string& state) const;
     bool inInitialState() const;
     bool inFinalState() const;
-    /** A transition program, an exit or an entry is being executed, or is about to be. */
+    /** True if a transition program, an exit or an entry is being executed or is next. */
     bool inTransition() const;
-    /** In some state. */
+    /** True if it is in a state. */
     bool isActive() const;
     bool isRunning() const { return getStatus() == Status::running; }
-    /** Executes no more than events and requests ask for. */
+    /** True if only events and requests change the state. */
     bool isReactive() const;
     bool isPaused() const { return getStatus() == Status::paused; }
     bool isStopped() const { return getStatus() == Status::stopped; }
@@ -140,34 +143,37 @@ public:
     std::string getError() const;
 
     const ChildList& getChildren() const;
-    /** Its operations, parameters and variables, and the services of its sub machines; null if it has none. */
+    /** The service with its operations, parameters and variables and with the services of its sub machines; null if it
+        has none. */
     boost::shared_ptr<Service> getService() const;
 
-    /** One cycle. Always true. */
+    /** Executes one cycle. Always true. */
     bool execute() override;
-    /** Inactive, stopped, paused or in error, and nothing is asked for. */
+    /** True if it is inactive, stopped, paused or in error, and no request is pending. */
     bool isIdle() const override;
     bool pausesInException() const override { return true; }
-    /** Stops and deactivates the machine and its sub machines, executing them in this thread, each for at most a second. The
-        engine skips them meanwhile. False, and told in the log, if one does not come to its end: it goes on stopping in the
-        cycles that follow; or if a program of the machine calls this: then nothing is done. */
+    /**
+     * Stops and deactivates the machine and its sub machines by executing them in this thread, each for at most a
+     * second, while the engine skips them. If one does not end, logs that and returns false; it goes on stopping in
+     * later cycles. If a program of the machine calls this, does nothing and returns false.
+     */
     bool bringDown();
 
-    /** Is not destroyed before an execute() that may be in progress has returned: one of its own programs may unload it. In
-        the engine's thread, or when the engine does not execute it any more. */
+    /** Keeps the machine until an execute() in progress has returned, because one of its own programs may unload it.
+        Call it in the engine's thread, or when the engine does not execute the machine any more. */
     void outliveExecution();
 
 private:
     class Execution;
     friend class detail::EventQueue;
-    /** False if another thread has the machine: then the call has to wait. */
+    /** Handles a call; false if another thread has the machine, and the call must wait. */
     bool react(detail::OperationEvent& event, void* const* arguments);
-    /** Those that wait, unless another thread has the machine. */
+    /** Takes the waiting events, unless another thread has the machine. */
     void takeEvents();
     template <class Command>
     bool command(const char* name, Command command);
     bool request(bool (detail::MachineCore::*what)());
-    /** Has the engine execute one soon. */
+    /** Makes the engine execute a cycle soon. */
     void askForCycle();
 
     const std::unique_ptr<Execution> execution_;

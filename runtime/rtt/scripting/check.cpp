@@ -12,7 +12,7 @@ namespace RTT::scripting {
 
 namespace {
 
-/** Of somebody who knows no operation. */
+/** A forecast that knows no operation. */
 class NoForecast final : public CallForecast {
 public:
     CallProblem foresee(const ForeseenCall&, Expectations& expected) override {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Forward declarations of what runs scripts.
+// Forward declarations of the scripting service.
 #ifndef ORO_RTT_SCRIPTING_FWD_HPP
 #define ORO_RTT_SCRIPTING_FWD_HPP
 

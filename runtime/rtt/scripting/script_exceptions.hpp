@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What functions of the scripting service throw when their caller asks for exceptions.
+// Exceptions of the scripting service, for callers that ask for them.
 #ifndef ORO_SCRIPT_EXCEPTIONS_HPP
 #define ORO_SCRIPT_EXCEPTIONS_HPP
 
@@ -11,11 +11,11 @@
 namespace RTT {
 namespace scripting {
 
-/** A script cannot be read, or has errors: what() is the first of them, with its place. */
+/** A script cannot be read or has errors; what() is the first one, with its place. */
 struct RTT_API file_parse_exception : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-/** Programs or state machines were not loaded, for whatever reason. */
+/** Programs or state machines were not loaded, for any reason. */
 struct RTT_API program_load_exception : file_parse_exception {
     using file_parse_exception::file_parse_exception;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a scripting service does with state machines.
+// The functions of a scripting service for state machines.
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
@@ -15,7 +15,7 @@ bool ScriptingService::loadStateMachine(StateMachinePtr machine) {
     const std::string name = machine->getName(), what = "state machine '" + name + "'";
     if (machine->isLoaded()) return refuse(what, "it is loaded already");
     Service& component = *getOwner()->provides();
-    // One that a script made is a service of the component already.
+    // The component has the service of a machine that a script made.
     const Service::shared_ptr service = machine->getService();
     if (!service || component.getService(name) != service) {
         const std::string taken = nameInUse(name);
@@ -37,7 +37,8 @@ bool ScriptingService::addMachine(const StateMachinePtr& machine) {
     return true;
 }
 
-// Those of a machine last, because it commands them. It stays known until all of them are out, so that one can try again.
+// Removes sub machines after their machine, because it commands them. It stays known until all are removed, so that the
+// caller can try again.
 bool ScriptingService::removeMachine(const StateMachinePtr& machine) {
     ExecutionEngine* const engine = machine->getEngine();
     if (engine && !engine->removeFunction(machine.get())) return false;
@@ -62,7 +63,7 @@ bool ScriptingService::unloadStateMachine(const std::string& name, bool do_throw
     return done;
 }
 
-// While it goes down the engine still has it, because its programs may command its sub machines.
+// The engine still executes it while it stops, because its programs may command its sub machines.
 bool ScriptingService::takeOutMachine(StateMachinePtr machine) {
     if (!getOwner()) return removeMachine(machine);
     if (!machine->bringDown()) return false;

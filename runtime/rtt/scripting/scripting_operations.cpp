@@ -6,7 +6,7 @@
 namespace RTT::scripting {
 
 namespace {
-/** Of several functions of that name, the one that takes no more than a text. */
+/** Selects the overload that takes only a text. */
 constexpr auto ofName(bool (ScriptingService::*function)(const std::string&)) { return function; }
 }  // namespace
 

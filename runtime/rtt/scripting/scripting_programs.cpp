@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a scripting service does with programs.
+// The functions of a scripting service for programs.
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>

@@ -24,9 +24,9 @@ struct TypedInput::State {
     TaskContext& component;
     const boost::intrusive_ptr<const internal::EngineGate> gate;
     const std::shared_ptr<detail::SourceFile> session;
-    std::vector<detail::SourceFilePtr> kept;  ///< texts with aliases, which are compiled where they are used
-    std::string typed;                        ///< all texts, each in its lines, for messages
-    unsigned lines = 0;                       ///< that were begun
+    std::vector<detail::SourceFilePtr> kept;  ///< texts with aliases, which are compiled at each use
+    std::string typed;                        ///< all texts at their lines, for messages
+    unsigned lines = 0;                       ///< number of lines
 };
 
 TypedInput::TypedInput(TaskContext& component, std::string name) : state_(new State(component, std::move(name))) {}
@@ -40,7 +40,7 @@ bool TypedInput::execute(const std::string& text, unsigned line, std::ostream& m
     if (line > state.lines) state.typed.append(line - state.lines, '\n');
     state.typed += text;
     state.lines = std::max(state.lines, line) + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
-    // The lines before it are left empty, so that places in it are those of all that was typed.
+    // Preceded by empty lines, so that places count all typed lines.
     const auto file = std::make_shared<detail::SourceFile>(name, std::string(line - 1, '\n') + text, state.session);
     detail::TypedText typed(state.component, file, state.session->scope);
     const bool good = typed.run(answer, messages);

@@ -16,40 +16,42 @@ class TaskContext;
 namespace scripting {
 
 /**
- * Pieces of script that somebody types, one after the other, for one component: a console. Each is executed at once, in the
- * thread of the caller, and may consist of several statements and definitions.
+ * Executes pieces of script that a user types at the console of a component, each at once and in the thread of the
+ * caller. A piece may have several statements and definitions.
  *
- * Variables and constants become attributes of the component, so that its scripts and whoever looks at it see them; aliases
- * and handles of sent calls are known as long as this object lives. Functions, programs and state machines go to the
- * component's service "scripting", which is loaded for them.
+ * Variables and constants become attributes of the component, visible to its scripts and to users. Aliases and handles
+ * of sent calls live as long as this object. Functions, programs and state machines go to the component's service
+ * "scripting", which is loaded for them.
  *
- * Not real-time; for one thread at a time. The component may be destroyed before this object, see alive().
+ * Not real-time; used by one thread at a time. The component may be destroyed before this object, see alive().
  */
 class RTT_API TypedInput {
 public:
-    /** What the last statement gave. */
+    /** The result of the last statement. */
     struct Answer {
         enum Kind {
-            None,   ///< a statement that is no expression
-            Void,   ///< a call without result
-            Value,  ///< of an expression, or of a variable that was declared
+            None,   ///< a statement other than an expression
+            Void,   ///< a call without a result
+            Value,  ///< the value of an expression or of a declared variable
         } kind = None;
-        base::DataSourceBase::shared_ptr value;  ///< a copy that stays as it is; of Value only
+        base::DataSourceBase::shared_ptr value;  ///< for Value: a copy that does not change
     };
 
-    /** `name` stands for the text in messages. */
+    /** Messages call the text `name`. */
     TypedInput(TaskContext& component, std::string name);
     ~TypedInput();
 
-    /** False once the component was destroyed; then nothing may be executed any more. */
+    /** False after the component was destroyed; then nothing may be executed any more. */
     bool alive() const;
 
-    /** Executes a text whose first line has the number `line`, which grows from call to call. False, and errors with their
-        places in `messages`, if it has syntax errors, or once a statement cannot be executed; what came before it is done.
-        Warnings are written there as well. */
+    /**
+     * Executes a text whose first line has the number `line`, which grows from call to call. If it has syntax errors,
+     * or a statement fails, writes errors with their places to `messages` and returns false; earlier statements keep
+     * their effects. Also writes warnings.
+     */
     bool execute(const std::string& text, unsigned line, std::ostream& messages, Answer& answer);
 
-    /** True if the text goes on in the next line: a brace, parenthesis, bracket or comment is open. */
+    /** True if the text continues in the next line, because a brace, parenthesis, bracket or comment is open. */
     static bool goesOn(const std::string& text);
 
 private:

@@ -91,7 +91,7 @@ TEST_F(Aliases, ErrorsWithinThemAreToldInTheirFile) {
     oroforge::diag::Sink found;
     const ast::Script inner = parse("\nvar double seen = l + 1.0", "inner.ops", found);
     Scope innerScope("the inner script", &scope);
-    Surroundings where = surroundings();
+    CompileContext where = context();
     where.file = "inner.ops";
     where.sink = &found;
     EXPECT_EQ(Compiler(where).statement(*std::get<ast::StatementPtr>(inner.items[0].what), innerScope), nullptr);

@@ -19,8 +19,8 @@ using namespace RTT::scripting::detail;
 ScriptBench::ScriptBench(RTT::TaskContext& c)
     : component(c), scripting(c.provides("scripting")), budget(new RTT::internal::ValueDataSource<unsigned int>(0)) {}
 
-Surroundings ScriptBench::surroundings(oroforge::diag::Sink& sink) const {
-    Surroundings where;
+CompileContext ScriptBench::context(oroforge::diag::Sink& sink) const {
+    CompileContext where;
     where.component = &component;
     where.caller = component.engine();
     where.functions = &functions;
@@ -42,11 +42,11 @@ std::string ScriptBench::load(const std::string& text) {
             definition->tree = partOf(file, *function);
             definition->scope = partOf(file, file->scope);
             definition->file = file->name;
-            if (addFunction(definition, function->scope, *scripting, surroundings(sink)))
+            if (addFunction(definition, function->scope, *scripting, context(sink)))
                 functions[definition->name] = definition;
         }
         if (const auto* program = std::get_if<ast::Program>(&item.what)) {
-            const ProgramInterfacePtr made = makeProgram(*program, *file, file->textOf(item), surroundings(sink));
+            const ProgramInterfacePtr made = makeProgram(*program, *file, file->textOf(item), context(sink));
             if (made && component.engine()->runFunction(made.get())) programs[made->getName()] = made;
         }
     }

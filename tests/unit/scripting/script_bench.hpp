@@ -21,7 +21,7 @@ public:
     /** The functions and programs of a text. What was reported, in lines; empty if nothing was. */
     std::string load(const std::string& text);
     RTT::scripting::ProgramInterface& operator[](const std::string& program) { return *programs.at(program); }
-    RTT::scripting::detail::Surroundings surroundings(oroforge::diag::Sink& sink) const;
+    RTT::scripting::detail::CompileContext context(oroforge::diag::Sink& sink) const;
 
     RTT::TaskContext& component;
     const RTT::Service::shared_ptr scripting;

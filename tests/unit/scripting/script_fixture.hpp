@@ -36,7 +36,7 @@ protected:
                 define(*function, trees.back());
                 continue;
             }
-            Compiler compiler(surroundings());
+            Compiler compiler(context());
             auto* const statement = std::get_if<ast::StatementPtr>(&item.what);
             const auto code = statement ? compiler.statement(**statement, scope) : program(compiler, item);
             if (!code) return false;
@@ -71,8 +71,8 @@ protected:
         return value<T>(name);
     }
 
-    RTT::scripting::detail::Surroundings surroundings() {
-        RTT::scripting::detail::Surroundings where;
+    RTT::scripting::detail::CompileContext context() {
+        RTT::scripting::detail::CompileContext where;
         where.component = &component;
         where.caller = RTT::internal::GlobalEngine::Instance();
         where.functions = &functions;

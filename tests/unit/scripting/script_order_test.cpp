@@ -32,7 +32,7 @@ protected:
         using namespace RTT::scripting::detail;
         oroforge::diag::Sink found;
         const ast::Script tree = parse(statement, "script.ops", found);
-        const auto code = Compiler(surroundings()).statement(*std::get<ast::StatementPtr>(tree.items[0].what), scope);
+        const auto code = Compiler(context()).statement(*std::get<ast::StatementPtr>(tree.items[0].what), scope);
         return code ? code->size() : 0;
     }
     static std::string repeated(const std::string& text, int times) {

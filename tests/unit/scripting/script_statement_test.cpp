@@ -53,7 +53,7 @@ TEST_F(Statements, PausingWaitsForTheEndOfAStatement) {
         running->pause();
         return ++calls;
     });
-    Compiler compiler(surroundings());
+    Compiler compiler(context());
     const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
     ASSERT_TRUE(code) << messages();
     Process process(*code);
@@ -71,7 +71,7 @@ TEST_F(Statements, AFailedStatementIsRetriedFromItsBeginning) {
     component.addAttribute("x", x);
     component.addAttribute("y", y);
     component.addAttribute("z", z);
-    Compiler compiler(surroundings());
+    Compiler compiler(context());
     const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
     ASSERT_TRUE(code) << messages();
     Process process(*code);
@@ -102,7 +102,7 @@ TEST_F(Statements, AllErrorsOfAProgramAreReported) {
 
 TEST_F(Statements, AStepIsOneStatement) {
     ast::Script tree = parse("program p {\n  var int a = 1\n  if a == 1 then\n    a = 2\n  a = 3\n}", "f.ops", sink);
-    Compiler compiler(surroundings());
+    Compiler compiler(context());
     const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
     ASSERT_TRUE(code) << messages();
     Process process(*code);
@@ -114,7 +114,7 @@ TEST_F(Statements, AStepIsOneStatement) {
 
 TEST_F(Statements, LoopsWithoutYieldCanBeLimited) {
     ast::Script tree = parse("program p {\n  var int i\n  while (true)\n    i = i + 1\n}", "f.ops", sink);
-    Compiler compiler(surroundings());
+    Compiler compiler(context());
     const auto code = compiler.program(std::get<ast::Program>(tree.items[0].what).body, "program 'p'", scope);
     ASSERT_TRUE(code) << messages();
     Process process(*code);

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 const char* const kGone =
-    "component 'tank' is gone, whose attributes or properties are used here; load this again without it";
+    "component 'tank' was destroyed, but its attributes or properties are used here; load this again without it";
 
 class PeersOfService : public ServiceTest {
 protected:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The operators and conversions of the built-in types as instructions. They agree with the operators and constructors that
-// the built-in typekit registers for these types.
+// The operators and conversions of the built-in types as instructions. They agree with the operators and constructors
+// that the built-in typekit registers for these types.
 #ifndef ORO_SCRIPTING_DETAIL_ARITHMETIC_HPP
 #define ORO_SCRIPTING_DETAIL_ARITHMETIC_HPP
 
@@ -26,11 +26,11 @@ inline bool isReal(Kind kind) { return kind == Kind::Float || kind == Kind::Doub
 
 enum class Conversion { None, Silent, Warned };
 
-/** Whether a value of one kind stands in for one of another without being asked for. */
+/** Whether, and how, a value of one kind converts implicitly to another. */
 Conversion conversion(Kind from, Kind to);
 /** `*to = *a`; null if there is no conversion. */
 Action conversionAction(Kind from, Kind to);
-/** The same at once. */
+/** Converts at once. */
 void convertValue(Kind from, const void* a, Kind to, void* b);
 
 }  // namespace RTT::scripting::detail

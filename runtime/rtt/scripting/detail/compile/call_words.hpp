@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls in words, for the messages of the compiler.
+// Descriptions of calls for messages of the compiler.
 #ifndef ORO_SCRIPTING_DETAIL_CALL_WORDS_HPP
 #define ORO_SCRIPTING_DETAIL_CALL_WORDS_HPP
 
@@ -20,15 +20,15 @@ namespace detail {
 std::string joined(const std::vector<ast::Identifier>& parts);
 /** "2 arguments" */
 std::string counted(std::size_t count);
-/** What was tried: "array(int, int)". */
+/** The attempted call: "array(int, int)". */
 std::string signature(const std::string& name, const std::vector<base::DataSourceBase::shared_ptr>& arguments);
 /** True for the type of an argument that the operation assigns to. */
 bool isChanged(const std::string& type);
-/** Without reference: "string" of "string const&". */
+/** The type without a reference: "string" for "string const&". */
 std::string plainType(const std::string& type);
-/** As it would be declared: "bool moveTo(double position)". */
+/** The declaration of an operation: "bool moveTo(double position)". */
 std::string declarationOf(const OperationInterfacePart& part);
-/** Of a sequence, what its elements have to be; empty for other types. */
+/** What the elements of a sequence must be; empty for other types. */
 std::string elementsOf(const types::TypeInfo& type);
 
 }  // namespace detail

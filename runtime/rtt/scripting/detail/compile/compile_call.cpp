@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls of operations, constructors and functions of scripts. What is sent: compile_send.cpp.
+// Calls of operations, constructors and functions of scripts; compile_send.cpp has calls that are sent.
 #include <rtt/scripting/detail/compile/call_words.hpp>
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
@@ -15,9 +15,10 @@
 
 namespace RTT::scripting::detail {
 
-/** From left to right: what a later argument calls may change what an earlier one is. Those that `isOutput` are variables. */
-std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsOutput& isOutput,
-                                  const OperationInterfacePart* part) {
+/** Evaluates arguments from left to right, because a later one may call what changes an earlier one. Those that
+    `isOutput` are variables. */
+std::vector<Operand> UnitCompiler::values(const ast::Expressions& expressions, const IsOutput& isOutput,
+                                          const OperationInterfacePart* part) {
     std::vector<Operand> values;
     const unsigned first = executions_;
     for (const auto& argument : expressions) {
@@ -29,7 +30,7 @@ std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsO
         text_ = wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
         Operand value = expression(*argument);
         if (value.kind == Kind::None) error(argument->at, "OPS140", "found an argument without value");
-        // A call before it is made where its value is used: after what is computed here.
+        // An earlier call is made where its value is used, which is after this computation.
         const bool overtakes = executions != first && code_.size() != before;
         if (executions_ != executions || overtakes) {
             std::size_t at = before;
@@ -45,20 +46,20 @@ std::vector<Operand> Unit::values(const ast::Expressions& expressions, const IsO
     return values;
 }
 
-/** What an operation changes by reference. */
-bool Unit::isOutput(const OperationInterfacePart& part, std::size_t index) {
+/** True if the operation changes that argument by reference. */
+bool UnitCompiler::isOutput(const OperationInterfacePart& part, std::size_t index) {
     const auto descriptions = part.getArgumentList();
     return index < descriptions.size() && isChanged(descriptions[index].type);
 }
 
-/** Converted to what the operation takes, as far as conversions of numbers go. */
-OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const OperationInterfacePart& part) {
+/** The arguments, with numbers converted to the types of the operation. */
+OperationInterfacePart::Args UnitCompiler::arguments(const ast::Name& name, const OperationInterfacePart& part) {
     const unsigned executions = executions_;
     auto given = values(
         name.arguments, [&](std::size_t index) { return isOutput(part, index); }, &part);
     OperationInterfacePart::Args sources;
     const bool fits = given.size() == part.arity();
-    // What is converted is so before the call, and what is called in front of it has to come first.
+    // Conversions happen before the call, so calls in earlier arguments must happen first.
     for (unsigned i = 1; fits && executions_ != executions && i < given.size(); ++i) {
         if (!isConverted(part, i, given[i])) continue;
         for (unsigned j = 0; j != i; ++j)
@@ -69,18 +70,18 @@ OperationInterfacePart::Args Unit::arguments(const ast::Name& name, const Operat
     return sources;
 }
 
-Kind Unit::wantedKind(const OperationInterfacePart& part, unsigned index) {
+Kind UnitCompiler::wantedKind(const OperationInterfacePart& part, unsigned index) {
     const types::TypeInfo* const type = part.getArgumentType(index + 1);
     return type ? kindOf(type->getTypeId()) : Kind::Other;
 }
 
-bool Unit::isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value) {
+bool UnitCompiler::isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value) {
     const Kind wanted = wantedKind(part, index);
     return wanted != value.kind && conversion(value.kind, wanted) != Conversion::None && !isOutput(part, index);
 }
 
-base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const OperationInterfacePart& part,
-                                                unsigned index, const std::vector<Operand>& values) {
+base::DataSourceBase::shared_ptr UnitCompiler::argument(const ast::Name& name, const OperationInterfacePart& part,
+                                                        unsigned index, const std::vector<Operand>& values) {
     const Operand& value = values[index];
     const types::TypeInfo* const type = part.getArgumentType(index + 1);
     if (!isOutput(part, index) && isEnum(type))
@@ -89,7 +90,7 @@ base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const Ope
     const Kind wanted = wantedKind(part, index);
     const auto descriptions = part.getArgumentList();
     if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
-    // A number with a fraction where a whole one is expected: often two arguments were swapped.
+    // A fractional number where an integer is expected often means that two arguments were swapped.
     std::string hint;
     for (unsigned i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i)
         if (i != index && isReal(wantedKind(part, i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
@@ -99,13 +100,14 @@ base::DataSourceBase::shared_ptr Unit::argument(const ast::Name& name, const Ope
          "argument " + std::to_string(index + 1) + " (" + descriptions[index].name + ") of '" + joined(name.parts) +
              "' is a whole number (" + descriptions[index].type + "): what is given loses its fraction",
          hint);
-    ++aliases_;  // said
+    ++aliases_;  // already reported
     const Source whole = sourceOf(loadAs(value, wanted));
     --aliases_;
     return whole;
 }
 
-Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vector<Node>& nodes, bool toSend) const {
+UnitCompiler::Callable UnitCompiler::found(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
+                                           bool toSend) const {
     Callable found;
     const std::string& name = parts[count - 1].text;
     std::shared_ptr<const FunctionDefinition> function;
@@ -131,7 +133,7 @@ Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vec
         found.of = where_.component->provides()->getService("scripting").get();
         found.part = found.of->getPart(name);
     }
-    // `stop()` in a state machine is the component's.
+    // In a state machine, `stop()` is the component's operation.
     if (!function && !found.part && where_.service) {
         found.of = where_.service;
         found.part = found.of->getPart(name);
@@ -139,9 +141,9 @@ Unit::Callable Unit::found(const Parts& parts, std::size_t count, const std::vec
     return found;
 }
 
-/** The operation or function that the first `count` parts name. To be sent, a function is an operation, too. */
-Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
-                              bool toSend) const {
+/** The operation or function that the first `count` parts name. To be sent, a function must be an operation. */
+UnitCompiler::Callable UnitCompiler::callable(const Parts& parts, std::size_t count, const std::vector<Node>& nodes,
+                                              bool toSend) const {
     const Callable called = found(parts, count, nodes, toSend);
     if (where_.toCome && (called.function || dynamic_cast<const FunctionSignature*>(called.part)) &&
         where_.toCome->mayReplace(parts[count - 1].text, !dynamic_cast<const FunctionPart*>(called.part)))
@@ -149,7 +151,7 @@ Unit::Callable Unit::callable(const Parts& parts, std::size_t count, const std::
     return called;
 }
 
-bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result) {
+bool UnitCompiler::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Place at, Operand& result) {
     const std::size_t count = name.parts.size();
     if (count == 1 && function_ && function_->name == name.parts[0].text && name.called)
         failRecursive(function_->name, at);
@@ -178,9 +180,9 @@ bool Unit::call(const ast::Name& name, const std::vector<Node>& nodes, ast::Plac
     return true;
 }
 
-/** What `make` makes for a call of `name`; says what is wrong with its arguments. */
-Unit::Source Unit::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
-                        const std::function<Source()>& make) {
+/** What `make` makes for a call of `name`; reports errors in its arguments. */
+UnitCompiler::Source UnitCompiler::made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
+                                        const std::function<Source()>& make) {
     const auto argumentAt = [&](int number) {
         const auto index = static_cast<std::size_t>(number - 1);
         return number > 0 && index < name.arguments.size() ? name.arguments[index]->at : at;
@@ -214,7 +216,7 @@ Unit::Source Unit::made(const ast::Name& name, ast::Place at, const OperationInt
     }
 }
 
-Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::Place at) {
+Operand UnitCompiler::callOperation(const Callable& called, const ast::Name& name, ast::Place at) {
     OperationInterfacePart& part = *called.part;
     const auto sources = arguments(name, part);
     ++executions_;
@@ -223,7 +225,7 @@ Operand Unit::callOperation(const Callable& called, const ast::Name& name, ast::
     return fromSource(told(call, called, name, at), at);
 }
 
-bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
+bool UnitCompiler::construct(const ast::Name& name, ast::Place at, Operand& result) {
     const std::string wanted = joined(name.parts);
     const types::TypeInfo* const type = types::Types()->type(wanted);
     if (!type) return false;
@@ -237,12 +239,12 @@ bool Unit::construct(const ast::Name& name, ast::Place at, Operand& result) {
     return true;
 }
 
-void Unit::failRecursive(const std::string& function, ast::Place at) {
+void UnitCompiler::failRecursive(const std::string& function, ast::Place at) {
     error(at, "OPS151", "function '" + function + "' calls itself, directly or through another one");
 }
 
-Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& definition, const ast::Name& name,
-                           ast::Place at) {
+Operand UnitCompiler::callFunction(const std::shared_ptr<const FunctionDefinition>& definition, const ast::Name& name,
+                                   ast::Place at) {
     const FunctionDefinition& function = *definition;
     Activation* const activation = state_.activate(definition);
     if (!activation) failRecursive(function.name, at);
@@ -259,7 +261,7 @@ Operand Unit::callFunction(const std::shared_ptr<const FunctionDefinition>& defi
     Operand result;
     result.at = at;
     if (!activation->result) return result;
-    // Its own copy, because the next call writes another one.
+    // A copy, because the next call overwrites the result.
     const Operand returned = fromSource(activation->result, at);
     if (returned.address)
         return computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr, returned.kind, at);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/base/AttributeBase.hpp>
 #include <rtt/internal/DataSource.hpp>
@@ -9,7 +9,7 @@
 
 namespace RTT::scripting::detail {
 
-void Unit::declare(const ast::Declaration& declaration, bool again) {
+void UnitCompiler::declare(const ast::Declaration& declaration, bool again) {
     for (const ast::Declarator& declarator : declaration.names) {
         try {
             switch (declaration.kind) {
@@ -29,7 +29,7 @@ void Unit::declare(const ast::Declaration& declaration, bool again) {
     }
 }
 
-void Unit::addEntry(const ast::Identifier& name, Scope::Entry entry) {
+void UnitCompiler::addEntry(const ast::Identifier& name, Scope::Entry entry) {
     entry.at = name.at;
     if (entry.source) keep(entry.source);
     if (scope_->add(name.text, std::move(entry))) return;
@@ -38,10 +38,10 @@ void Unit::addEntry(const ast::Identifier& name, Scope::Entry entry) {
     throw Unresolved();
 }
 
-int Unit::sizeHint(const ast::Expression& size, const std::string& type, const ast::Identifier& name) {
-    // It is needed now, so it is computed now.
+int UnitCompiler::sizeHint(const ast::Expression& size, const std::string& type, const ast::Identifier& name) {
+    // Computed while compiling, because its value is needed here.
     Code code;
-    Unit unit(state_, where_, code, *scope_);
+    UnitCompiler unit(state_, where_, code, *scope_);
     const Operand value = unit.expression(size);
     if (value.kind != Kind::Int && value.kind != Kind::UInt)
         error(size.at, "OPS112",
@@ -68,8 +68,8 @@ int Unit::sizeHint(const ast::Expression& size, const std::string& type, const a
     return count;
 }
 
-base::DataSourceBase::shared_ptr Unit::newVariable(const ast::Identifier& typeName, const ast::Identifier& name,
-                                                   const ast::Expression* size) {
+base::DataSourceBase::shared_ptr UnitCompiler::newVariable(const ast::Identifier& typeName, const ast::Identifier& name,
+                                                           const ast::Expression* size) {
     const types::TypeInfo& info = type(typeName);
     Source source = info.buildValue();
     if (!source) error(typeName.at, "OPS116", "there can be no variable of type '" + typeName.text + "'");
@@ -84,7 +84,7 @@ base::DataSourceBase::shared_ptr Unit::newVariable(const ast::Identifier& typeNa
     }
 }
 
-void Unit::declareVariable(const ast::Declaration& declaration, const ast::Declarator& declarator, bool again) {
+void UnitCompiler::declareVariable(const ast::Declaration& declaration, const ast::Declarator& declarator, bool again) {
     const Scope::Entry* const known = again ? scope_->findHere(declarator.name.text) : nullptr;
     const bool reuse =
         known && known->loop == Scope::Entry::Loop::Left && known->source->getTypeInfo() == &type(declaration.type);
@@ -100,19 +100,19 @@ void Unit::declareVariable(const ast::Declaration& declaration, const ast::Decla
     const Operand variable = fromSource(source, declarator.name.at);
     const std::string what = "variable '" + declarator.name.text + "'";
     if (declarator.value) store(variable, expression(*declarator.value), what);
-    // Activations are used by one caller after another: nothing of an earlier call is seen.
+    // Callers share activations, so variables are reset and do not show values of an earlier call.
     else if (function_)
         store(variable, fromSource(source->clone(), declarator.name.at), what);
 }
 
-void Unit::declareArgument(const ast::Function::Argument& argument) {
+void UnitCompiler::declareArgument(const ast::Function::Argument& argument) {
     Scope::Entry entry;
     entry.source = newVariable(argument.type, argument.name, argument.size.get());
     function_->arguments.push_back(entry.source);
     addEntry(argument.name, std::move(entry));
 }
 
-void Unit::functionHead(const ast::Function& tree) {
+void UnitCompiler::functionHead(const ast::Function& tree) {
     begin(tree.name.at);
     for (const auto& argument : tree.arguments) declareArgument(argument);
     if (tree.type.text == "void") return;
@@ -121,17 +121,17 @@ void Unit::functionHead(const ast::Function& tree) {
           "the result");
 }
 
-void Unit::function(const ast::Function& tree, bool withBody) {
+void UnitCompiler::function(const ast::Function& tree, bool withBody) {
     try {
         functionHead(tree);
         if (withBody) block(tree.body);
         end();
     } catch (const Unresolved&) {
-        // Reported.
+        // The error was reported.
     }
 }
 
-void Unit::declareHandle(const ast::Declarator& declarator) {
+void UnitCompiler::declareHandle(const ast::Declarator& declarator) {
     Scope::Entry entry;
     entry.handle = std::make_shared<Scope::Handle>();
     const std::shared_ptr<Scope::Handle> handle = entry.handle;
@@ -139,11 +139,11 @@ void Unit::declareHandle(const ast::Declarator& declarator) {
     if (declarator.value) sendInto(*handle, declarator.name.text, *declarator.value, declarator.name.at);
 }
 
-void Unit::declareConstant(const ast::Declaration& declaration, const ast::Declarator& declarator) {
+void UnitCompiler::declareConstant(const ast::Declaration& declaration, const ast::Declarator& declarator) {
     const std::string what = "constant '" + declarator.name.text + "'";
     const Source source = newVariable(declaration.type, declarator.name, declarator.size.get());
     Code code;
-    Unit unit(state_, where_, code, *scope_);
+    UnitCompiler unit(state_, where_, code, *scope_);
     unit.store(fromSource(source, declarator.name.at), unit.expression(*declarator.value), what);
     unit.end();
     Process process(code);
@@ -156,7 +156,7 @@ void Unit::declareConstant(const ast::Declaration& declaration, const ast::Decla
     addEntry(declarator.name, std::move(entry));
 }
 
-void Unit::declareAlias(const ast::Declaration& declaration, const ast::Declarator& declarator) {
+void UnitCompiler::declareAlias(const ast::Declaration& declaration, const ast::Declarator& declarator) {
     const types::TypeInfo& info = type(declaration.type);
     const std::size_t before = code_.size();
     const Operand value = expression(*declarator.value);
@@ -165,7 +165,7 @@ void Unit::declareAlias(const ast::Declaration& declaration, const ast::Declarat
         error(declarator.value->at, "OPS118",
               "alias '" + declarator.name.text + "' is for a value of type " + declaration.type.text + ", found " +
                   typeName(value));
-    code_.truncate(before);  // it is evaluated where it is used
+    code_.truncate(before);  // because it is evaluated where it is used
     Scope::Entry entry;
     entry.alias = declarator.value.get();
     entry.scope = scope_;

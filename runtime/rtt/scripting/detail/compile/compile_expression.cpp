@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/DataSources.hpp>
@@ -33,7 +33,7 @@ constexpr Kind kindFor() {
     return std::is_same_v<T, float> ? Kind::Float : Kind::Double;
 }
 
-/** Which member was meant; sequences have their length by the name that C++ has for it. */
+/** The member that was meant; for example, sequences have `size` as in C++. */
 std::string memberMeant(const std::string& name, const std::vector<std::string>& known) {
     const std::string near = oroforge::diag::didYouMean(name, known);
     const bool counts = name == "length" || name == "len" || name == "count";
@@ -43,7 +43,7 @@ std::string memberMeant(const std::string& name, const std::vector<std::string>&
 
 }  // namespace
 
-Operand Unit::expression(const ast::Expression& expression) {
+Operand UnitCompiler::expression(const ast::Expression& expression) {
     const ast::Place at = expression.at;
     return std::visit(
         Overloaded{[&](const ast::Literal& e) { return literal(e, at); },
@@ -56,7 +56,7 @@ Operand Unit::expression(const ast::Expression& expression) {
         expression.what);
 }
 
-Operand Unit::literal(const ast::Literal& literal, ast::Place at) {
+Operand UnitCompiler::literal(const ast::Literal& literal, ast::Place at) {
     return std::visit(
         [&](const auto& value) {
             typedef std::decay_t<decltype(value)> T;
@@ -77,9 +77,11 @@ Operand Unit::literal(const ast::Literal& literal, ast::Place at) {
         literal.value);
 }
 
-Operand Unit::currentTime(ast::Place at) { return computedBy(&instructions::now, nullptr, nullptr, Kind::Double, at); }
+Operand UnitCompiler::currentTime(ast::Place at) {
+    return computedBy(&instructions::now, nullptr, nullptr, Kind::Double, at);
+}
 
-Operand Unit::computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at) {
+Operand UnitCompiler::computedBy(Action act, const void* a, const void* b, Kind kind, ast::Place at) {
     Operand result;
     result.kind = kind;
     result.at = at;
@@ -90,7 +92,7 @@ Operand Unit::computedBy(Action act, const void* a, const void* b, Kind kind, as
     return result;
 }
 
-Operand Unit::fromSource(Source source, ast::Place at) {
+Operand UnitCompiler::fromSource(Source source, ast::Place at) {
     Operand result;
     result.kind = kindOf(*source);
     if (isDirect(result.kind)) result.address = fixedAddress(*source, result.kind);
@@ -100,7 +102,7 @@ Operand Unit::fromSource(Source source, ast::Place at) {
     return result;
 }
 
-Operand Unit::load(Operand operand) {
+Operand UnitCompiler::load(Operand operand) {
     if (operand.address) return operand;
     const base::DataSourceBase* const source = keep(operand.source);
     return withType(operand.kind, [&](auto type) {
@@ -109,7 +111,7 @@ Operand Unit::load(Operand operand) {
     });
 }
 
-Operand Unit::loadAs(Operand operand, Kind kind) {
+Operand UnitCompiler::loadAs(Operand operand, Kind kind) {
     operand = load(operand);
     if (operand.kind == kind) return operand;
     if (conversion(operand.kind, kind) == Conversion::Warned) warnOfConversion(operand.at, typeName(operand), "int");
@@ -125,7 +127,7 @@ Operand Unit::loadAs(Operand operand, Kind kind) {
     return converted;
 }
 
-Operand Unit::promoted(Operand operand) {
+Operand UnitCompiler::promoted(Operand operand) {
     if (!isSmallNumber(operand)) return operand;
     return withType(widened(operand.source->getTypeId()), [&](auto type) {
         const Source wide = types::Types()->getTypeInfo<typename decltype(type)::type>()->convert(operand.source);
@@ -133,7 +135,7 @@ Operand Unit::promoted(Operand operand) {
     });
 }
 
-Operand Unit::truth(const ast::Expression& condition) {
+Operand UnitCompiler::truth(const ast::Expression& condition) {
     if (std::holds_alternative<ast::Assignment>(condition.what))
         warn(condition.at, "OPS153", "this condition assigns a value; '==' compares");
     const Operand value = promoted(expression(condition));
@@ -148,8 +150,8 @@ Operand Unit::truth(const ast::Expression& condition) {
           "expected a condition, which is true or false, found a value of type " + typeName(value));
 }
 
-base::DataSourceBase::shared_ptr Unit::sourceOf(const Operand& operand) {
-    // A source that has been evaluated must not be evaluated again.
+base::DataSourceBase::shared_ptr UnitCompiler::sourceOf(const Operand& operand) {
+    // An evaluated source must not be evaluated again.
     if (operand.source) return operand.source;
     return withType(operand.kind, [&](auto type) -> Source {
         typedef typename decltype(type)::type T;
@@ -159,11 +161,11 @@ base::DataSourceBase::shared_ptr Unit::sourceOf(const Operand& operand) {
     });
 }
 
-void Unit::discard(const Operand& operand) {
+void UnitCompiler::discard(const Operand& operand) {
     if (operand.source && !operand.address) emit(&instructions::evaluate, nullptr, nullptr, keep(operand.source));
 }
 
-Operand Unit::member(const Operand& of, const ast::Identifier& name) {
+Operand UnitCompiler::member(const Operand& of, const ast::Identifier& name) {
     if (of.kind == Kind::None) error(name.at, "OPS122", "found '." + name.text + "' after something that has no value");
     const Source whole = sourceOf(of);
     if (Source part = whole->getMember(name.text)) return fromSource(part, of.at);
@@ -178,7 +180,7 @@ Operand Unit::member(const Operand& of, const ast::Identifier& name) {
           "type " + typeName(of) + " has no member '" + name.text + "'" + memberMeant(name.text, known));
 }
 
-Operand Unit::element(const ast::Index& index, ast::Place at) {
+Operand UnitCompiler::element(const ast::Index& index, ast::Place at) {
     const Operand of = expression(*index.of);
     Operand which = promoted(expression(*index.index));
     if (isDirect(which.kind)) which = load(which);  // once, however often the element is used
@@ -190,11 +192,11 @@ Operand Unit::element(const ast::Index& index, ast::Place at) {
           "a value of type " + typeName(of) + " has no elements that an index of type " + typeName(which) + " selects");
 }
 
-Operand Unit::unary(const ast::Unary& operation, ast::Place at) {
+Operand UnitCompiler::unary(const ast::Unary& operation, ast::Place at) {
     return negated(operation, expression(*operation.operand), at);
 }
 
-Operand Unit::negated(const ast::Unary& operation, const Operand& operand, ast::Place at) {
+Operand UnitCompiler::negated(const ast::Unary& operation, const Operand& operand, ast::Place at) {
     if (isDirect(operand.kind)) {
         const Operation direct = unaryOperation(operation.op, operand.kind);
         if (direct.act) return computedBy(direct.act, load(operand).address, nullptr, direct.result, at);
@@ -209,13 +211,13 @@ Operand Unit::negated(const ast::Unary& operation, const Operand& operand, ast::
     error(at, "OPS125", std::string("operator '") + operation.op + "' does not exist for type " + typeName(operand));
 }
 
-Operand Unit::binary(const ast::Binary& row) {
+Operand UnitCompiler::binary(const ast::Binary& row) {
     const unsigned first = executions_;
     Operand left = expression(*row.first);
     unsigned depth = 0;
     for (const ast::Binary::Step& step : row.steps) {
         left = operation(std::move(left), step, first);
-        // Sources in sources are evaluated and destroyed by recursion.
+        // Nested sources are evaluated and destroyed by recursion.
         depth = isDirect(left.kind) ? 0 : depth + 1;
         if (depth < kDeepestSource) continue;
         left = copied(left, code_.size());
@@ -225,24 +227,25 @@ Operand Unit::binary(const ast::Binary& row) {
 }
 
 /** `first` is what executions_ was where the row begins. */
-Operand Unit::operation(Operand left, const ast::Binary::Step& step, unsigned first) {
+Operand UnitCompiler::operation(Operand left, const ast::Binary::Step& step, unsigned first) {
     if (isDirect(left.kind)) left = load(left);
     const std::size_t before = code_.size();
     const unsigned executions = executions_;
     Operand right = expression(*step.right);
-    // What is called there may change what is read here; and what is called here comes before what is computed there.
+    // Calls on the right may change what is read on the left, and calls on the left must precede computations on the
+    // right.
     if (executions_ != executions || (executions != first && code_.size() != before)) left = copied(left, before);
     return combined(left, right, step);
 }
 
-Operand Unit::combined(const Operand& left, Operand right, const ast::Binary::Step& step) {
+Operand UnitCompiler::combined(const Operand& left, Operand right, const ast::Binary::Step& step) {
     if (isDirect(right.kind)) right = load(right);
     if (isDirect(left.kind) && isDirect(right.kind)) {
         const Operation direct = binaryOperation(step.op, left.kind);
         if (direct.act && conversion(right.kind, left.kind) != Conversion::None)
             return computedBy(direct.act, left.address, loadAs(right, left.kind).address, direct.result, step.at);
     }
-    // A text and a value of an enum are compared as texts.
+    // Texts and values of enums are compared as texts.
     const bool compares = step.op == "==" || step.op == "!=";
     if (compares && left.constant && !isDirect(left.kind) && right.source && isEnum(right.source->getTypeInfo()))
         watched(left.at, [&] { return right.source->getTypeInfo()->convert(left.source); });
@@ -259,8 +262,8 @@ Operand Unit::combined(const Operand& left, Operand right, const ast::Binary::St
           "operator '" + step.op + "' does not exist for types " + typeName(left) + " and " + typeName(right));
 }
 
-/** The value as it was before the instructions from `at` on, which belong to the present expression. */
-Operand Unit::copied(const Operand& value, std::size_t at) {
+/** A copy of the value, taken before the instructions from `at` on, which belong to the present expression. */
+Operand UnitCompiler::copied(const Operand& value, std::size_t at) {
     if (value.constant || value.computed || value.kind == Kind::None) return value;
     if (isDirect(value.kind)) {
         const Operand copy =
@@ -277,15 +280,15 @@ Operand Unit::copied(const Operand& value, std::size_t at) {
     return copy;
 }
 
-/** As copied(), also of what is evaluated only when it is used. */
-Operand Unit::taken(const Operand& value, std::size_t at) {
+/** As copied(), also for values that are evaluated only when they are used. */
+Operand UnitCompiler::taken(const Operand& value, std::size_t at) {
     if (!isDirect(value.kind) || value.address) return copied(value, at);
     const Operand loaded = load(value);
     code_.moveLast(at);
     return loaded;
 }
 
-Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
+Operand UnitCompiler::assignment(const ast::Assignment& assignment, ast::Place at) {
     Operand result;
     if (assignHandle(assignment, at, result)) return result;
     const Operand to = expression(*assignment.to);
@@ -298,7 +301,7 @@ Operand Unit::assignment(const ast::Assignment& assignment, ast::Place at) {
     return to;
 }
 
-void Unit::store(const Operand& to, Operand value, const std::string& what) {
+void UnitCompiler::store(const Operand& to, Operand value, const std::string& what) {
     const auto refuse = [&] {
         error(value.at, "OPS128",
               "expected a value of type " + typeName(to) + " for " + what + ", found " + typeName(value));
@@ -337,7 +340,7 @@ void Unit::store(const Operand& to, Operand value, const std::string& what) {
     }
 }
 
-const types::TypeInfo& Unit::type(const ast::Identifier& name) {
+const types::TypeInfo& UnitCompiler::type(const ast::Identifier& name) {
     const types::TypeInfo* const found = types::Types()->type(name.text);
     if (!found)
         error(name.at, "OPS110",
@@ -346,13 +349,13 @@ const types::TypeInfo& Unit::type(const ast::Identifier& name) {
     return *found;
 }
 
-void Unit::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) const {
+void UnitCompiler::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) const {
     if (aliases_ != 0 || state_.quiet != 0) return;
     auto& warning = where_.sink->warning(locate(at), code, message);
     if (!hint.empty()) warning.hint(hint);
 }
 
-void Unit::warnOfConversion(ast::Place at, const std::string& from, const std::string& to) {
+void UnitCompiler::warnOfConversion(ast::Place at, const std::string& from, const std::string& to) {
     const bool textOfSize = from == "int" && (to == "string" || to == "rt_string");
     const bool fraction = (from == "double" || from == "float") && to == "int";
     warn(at, "OPS120",
@@ -362,7 +365,7 @@ void Unit::warnOfConversion(ast::Place at, const std::string& from, const std::s
                          : ""));
 }
 
-void Unit::error(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
+void UnitCompiler::error(ast::Place at, const char* code, const std::string& message, const std::string& hint) {
     auto& error = where_.sink->error(locate(at), code, message);
     if (!hint.empty()) error.hint(hint);
     if (alias_)
@@ -371,7 +374,7 @@ void Unit::error(ast::Place at, const char* code, const std::string& message, co
     throw Unresolved();
 }
 
-std::size_t Unit::emit(Action act, const void* a, const void* b, void* to) {
+std::size_t UnitCompiler::emit(Action act, const void* a, const void* b, void* to) {
     Instruction instruction;
     instruction.act = act;
     instruction.a = a;
@@ -380,7 +383,7 @@ std::size_t Unit::emit(Action act, const void* a, const void* b, void* to) {
     return code_.add(instruction);
 }
 
-base::DataSourceBase* Unit::keep(Source source) {
+base::DataSourceBase* UnitCompiler::keep(Source source) {
     base::DataSourceBase* const plain = source.get();
     code_.keep(std::move(source));
     return plain;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a dotted name stands for: a variable of the script, a value in a component or service, a call without parentheses.
-#include <rtt/scripting/detail/compile/unit.hpp>
+// Resolves a dotted name: a variable of the script, a value in a component or service, or a call without parentheses.
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
@@ -19,7 +19,7 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-// Aliases in aliases: how deep, and how many of them one use of an alias is made of.
+// Limits of aliases in aliases: how deep, and how many in one use of an alias.
 constexpr unsigned kDeepestAlias = 50, kMostAliases = 10000;
 
 base::DataSourceBase::shared_ptr valueIn(const ConfigurationInterface& values, const std::string& name) {
@@ -51,7 +51,7 @@ std::vector<std::string> unmistakableOperations() {
     return names;
 }
 
-/** True if `name` is one of those with a slip of the pen, and not with something appended. */
+/** True if `name` is a misspelling of one of these names, and not one of them with something appended. */
 bool isSlipOf(const std::string& name, const std::vector<std::string>& names) {
     const std::optional<std::string> meant = oroforge::diag::nearestMatch(name, names);
     return meant && name.size() <= meant->size() + 1 && meant->size() <= name.size() + 1;
@@ -59,8 +59,8 @@ bool isSlipOf(const std::string& name, const std::vector<std::string>& names) {
 
 }  // namespace
 
-/** The component itself, then what each further part of the path leads to, at most `most` of them. */
-std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
+/** The component itself, then the targets of the parts of the path, at most `most`. */
+std::vector<UnitCompiler::Node> UnitCompiler::walk(const Parts& parts, std::size_t most) const {
     if (leadsToCome(parts)) throw Unresolved();
     TaskContext* component = where_.component;
     std::vector<Node> nodes{{component, component->provides(), 0}};
@@ -95,7 +95,7 @@ std::vector<Unit::Node> Unit::walk(const Parts& parts, std::size_t most) const {
     return nodes;
 }
 
-Operand Unit::name(const ast::Name& name, ast::Place at) {
+Operand UnitCompiler::name(const ast::Name& name, ast::Place at) {
     Operand result;
     if (!name.called && variableNamed(name.parts, result)) return result;
     if (handleCall(name, at, result)) return result;
@@ -106,20 +106,20 @@ Operand Unit::name(const ast::Name& name, ast::Place at) {
     unknownName(nodes, name);
 }
 
-const Scope::Entry* Unit::declared(const std::string& name) const {
+const Scope::Entry* UnitCompiler::declared(const std::string& name) const {
     return scope_->find(name, alias_ ? alias_->declared : Scope::kEver);
 }
 
-/** The value of an alias, from where it was declared. */
-Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name) {
+/** The value of an alias, with the names that were known where it was declared. */
+Operand UnitCompiler::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name) {
     struct Elsewhere {
-        explicit Elsewhere(Unit& of) : unit(of), scope(of.scope_), entry(of.alias_) { ++unit.aliases_; }
+        explicit Elsewhere(UnitCompiler& of) : unit(of), scope(of.scope_), entry(of.alias_) { ++unit.aliases_; }
         ~Elsewhere() {
             --unit.aliases_;
             unit.scope_ = scope;
             unit.alias_ = entry;
         }
-        Unit& unit;
+        UnitCompiler& unit;
         Scope* const scope;
         const Scope::Entry* const entry;
     } elsewhere(*this);
@@ -127,7 +127,7 @@ Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& nam
         used_alias_ = &name;
         alias_uses_ = 0;
     }
-    // Each use is compiled for itself: aliases that use others twice would double with each of them.
+    // Each use is compiled separately, so the code of aliases that use others twice grows exponentially.
     if (++alias_uses_ > kMostAliases || aliases_ > kDeepestAlias) {
         alias_ = nullptr;
         error(used_alias_->at, "OPS131",
@@ -141,14 +141,14 @@ Operand Unit::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& nam
     return expression(*alias.alias);
 }
 
-/** True if the name is that of a peer or service, too, and what follows is no member of the variable. */
-bool Unit::isElsewhere(const Parts& parts, const Operand& variable) const {
+/** True if the name is also that of a peer or service, and what follows is not a member of the variable. */
+bool UnitCompiler::isElsewhere(const Parts& parts, const Operand& variable) const {
     return parts.size() > 1 && (leadsToCome(parts) || walk(parts, 1).size() > 1) &&
            (!variable.source || !variable.source->getMember(parts[1].text));
 }
 
-/** True if the path leads through a component that is to come, and takes the place of whatever has its name now. */
-bool Unit::leadsToCome(const Parts& parts) const {
+/** True if the path leads through a component that does not exist yet and will replace what has its name now. */
+bool UnitCompiler::leadsToCome(const Parts& parts) const {
     if (!where_.toCome) return false;
     std::size_t first = 0;
     while (first != parts.size() && (parts[first].text == "this" || parts[first].text == "task" ||
@@ -159,7 +159,7 @@ bool Unit::leadsToCome(const Parts& parts) const {
     return where_.toCome->isToCome(parts[first].text);
 }
 
-bool Unit::variableNamed(const Parts& parts, Operand& found) {
+bool UnitCompiler::variableNamed(const Parts& parts, Operand& found) {
     const Scope::Entry* const entry = declared(parts[0].text);
     if (!entry) return false;
     if (entry->handle) {
@@ -181,7 +181,7 @@ bool Unit::variableNamed(const Parts& parts, Operand& found) {
     return true;
 }
 
-bool Unit::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
+bool UnitCompiler::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
         if (node->used == parts.size()) continue;
         Source source;
@@ -199,8 +199,8 @@ bool Unit::valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operan
     return false;
 }
 
-/** What an operation or a function gives that is called without parentheses, or a member of that: `port.last.x`. */
-bool Unit::resultNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
+/** The result of an operation or function called without parentheses, or a member of it: `port.last.x`. */
+bool UnitCompiler::resultNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found) {
     for (std::size_t count = parts.size(); count != 0; --count) {
         const Callable called = callable(parts, count, nodes, false);
         if (!called.function && !called.part) continue;
@@ -214,13 +214,13 @@ bool Unit::resultNamed(const std::vector<Node>& nodes, const Parts& parts, Opera
     return false;
 }
 
-Operand Unit::members(Operand of, const Parts& parts, std::size_t from) {
+Operand UnitCompiler::members(Operand of, const Parts& parts, std::size_t from) {
     for (std::size_t i = from; i != parts.size(); ++i) of = member(of, parts[i]);
     return of;
 }
 
-/** What could have been meant after `last`. */
-std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool called) const {
+/** The names that are known after `last`. */
+std::vector<std::string> UnitCompiler::knownNames(const Node& last, bool isLast, bool called) const {
     std::vector<std::string> known;
     const auto add = [&](const std::vector<std::string>& names) {
         known.insert(known.end(), names.begin(), names.end());
@@ -251,7 +251,7 @@ std::vector<std::string> Unit::knownNames(const Node& last, bool isLast, bool ca
 }
 
 /** For `x.operation()`, where x is a value. */
-void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name) {
+void UnitCompiler::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& name) {
     Operand of;
     const Parts owner(name.parts.begin(), name.parts.end() - 1);
     if (owner.empty() || nodes.back().used >= owner.size()) return;
@@ -266,7 +266,7 @@ void Unit::checkCallOfValue(const std::vector<Node>& nodes, const ast::Name& nam
 }
 
 /** "component 'c' has no operation 'o'" */
-std::string Unit::missing(const Node& last, const ast::Name& name) const {
+std::string UnitCompiler::missing(const Node& last, const ast::Name& name) const {
     const bool isLast = last.used + 1 == name.parts.size();
     return (last.component ? "component '" + last.component->getName() + "'"
                            : "service '" + text(name.parts, last.used) + "'") +
@@ -276,8 +276,8 @@ std::string Unit::missing(const Node& last, const ast::Name& name) const {
            name.parts[last.used].text + "'";
 }
 
-/** Of a name that may be there when the script runs: it may also be misspelt. */
-void Unit::doubt(const Node& last, const ast::Name& name) const {
+/** Warns that a name which may exist when the script runs may also be misspelt. */
+void UnitCompiler::doubt(const Node& last, const ast::Name& name) const {
     const ast::Identifier& part = name.parts[last.used];
     const bool isLast = last.used + 1 == name.parts.size();
     const std::string meant = oroforge::diag::didYouMean(part.text, knownNames(last, isLast, name.called));
@@ -285,11 +285,11 @@ void Unit::doubt(const Node& last, const ast::Name& name) const {
         warn(part.at, isLast && name.called ? "OPS134" : "OPS133", missing(last, name) + " until now" + meant);
 }
 
-bool Unit::isToCome(const Node& last, const ast::Name& name) const {
+bool UnitCompiler::isToCome(const Node& last, const ast::Name& name) const {
     const Parts& parts = name.parts;
     const std::string& unknown = parts[std::min(last.used, parts.size() - 1)].text;
     const bool isOwn = parts.size() == 1 && name.called && last.component == where_.component;
-    // Nobody adds a global operation whose name is almost that of one which is there.
+    // A global operation with nearly the name of an existing one is unlikely.
     const bool mayBeGlobal = last.used == 0 && !(isOwn && isSlipOf(unknown, knownNames(last, true, true)));
     if (!where_.toCome->mayHave(last.service->getOwner(), unknown, mayBeGlobal)) return false;
     if (!where_.toCome->tellsDoubts() || last.used == parts.size()) return true;
@@ -299,7 +299,7 @@ bool Unit::isToCome(const Node& last, const ast::Name& name) const {
     return true;
 }
 
-void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
+void UnitCompiler::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
     const Parts& parts = name.parts;
     const Node& last = nodes.back();
     if (where_.toCome && isToCome(last, name)) throw Unresolved();
@@ -323,8 +323,8 @@ void Unit::unknownName(const std::vector<Node>& nodes, const ast::Name& name) {
           hint);
 }
 
-/** Where the function of that name is defined, which cannot be called before; 0 if there is none. */
-unsigned Unit::lineOfLaterFunction(const ast::Identifier& name) const {
+/** The line where a function of that name is defined later, before which it cannot be called; 0 if there is none. */
+unsigned UnitCompiler::lineOfLaterFunction(const ast::Identifier& name) const {
     const Scope* scope = scope_;
     while (scope && !scope->script()) scope = scope->parent();
     if (!scope) return 0;

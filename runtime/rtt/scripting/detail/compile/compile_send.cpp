@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls that are sent and collected, and those that tell why they fail.
+// Calls that are sent and collected, and calls whose failures are reported with reasons.
 #include <rtt/scripting/detail/compile/call_words.hpp>
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
@@ -13,7 +13,7 @@
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/scripting/detail/execute/instructions.hpp>
 #include <rtt/scripting/detail/compile/told_call.hpp>
-#include <rtt/scripting/detail/compile/told_send.hpp>
+#include <rtt/scripting/detail/compile/tracked_send.hpp>
 
 #include <typeinfo>
 
@@ -21,12 +21,12 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** True for what each component has to load services. */
+/** True for the operation with which each component loads services. */
 bool isLoadService(Service& of, const OperationInterfacePart& part) {
     return of.getOwner() && of.getOwner()->provides().get() == &of && part.getName() == "loadService";
 }
 
-/** Of what it returns. */
+/** The type of the operation's result. */
 const std::type_info& resultOf(const OperationInterfacePart& part) {
     const types::TypeInfo* const type = part.getArgumentType(0);
     return type ? *type->getTypeId() : typeid(void);
@@ -34,38 +34,39 @@ const std::type_info& resultOf(const OperationInterfacePart& part) {
 
 }  // namespace
 
-bool Unit::givesReasons(const Callable& called) {
+bool UnitCompiler::givesReasons(const Callable& called) {
     if (!called.of) return called.part == internal::GlobalService::Instance()->getPart("require");
     return internal::FailureReport::comesFrom(*called.of) || isLoadService(*called.of, *called.part);
 }
 
-/** The call, or one that tells where it stands if it fails. */
-Unit::Source Unit::told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const {
+/** The call, or one that reports its place if it fails. */
+UnitCompiler::Source UnitCompiler::told(Source call, const Callable& called, const ast::Name& name,
+                                        ast::Place at) const {
     if (!givesReasons(called)) return call;
     internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
     if (!success) return call;
     return new ToldCall(success, placeOfCall(at), ignored_.count(&name) != 0);
 }
 
-CallPlace Unit::placeOfCall(ast::Place at) const {
-    // An alias may stand in another file.
+CallPlace UnitCompiler::placeOfCall(ast::Place at) const {
+    // An alias may be from another file.
     const bool isHere = where_.text && !alias_;
     return {locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
 }
 
-/** What reports the failure of the call; null if the operation gives no reasons. */
-std::shared_ptr<ToldSend> Unit::toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
-                                         bool forgotten) {
+/** Reports the failure of the call; null if the operation gives no reasons. */
+std::shared_ptr<TrackedSend> UnitCompiler::trackedSend(const Callable& called, ast::Place at,
+                                                       std::shared_ptr<LastSent> last, bool forgotten) {
     if (!givesReasons(called) || resultOf(*called.part) != typeid(bool)) return nullptr;
     const auto local = boost::dynamic_pointer_cast<base::OperationCallerInterface>(called.part->getLocalOperation());
     if (!local) return nullptr;
     if (last) last->use();
-    return std::make_shared<ToldSend>(local->callee(), placeOfCall(at), std::move(last), where_.sent, forgotten);
+    return std::make_shared<TrackedSend>(local->callee(), placeOfCall(at), std::move(last), where_.sent, forgotten);
 }
 
-/** Sends, and the handle is that of the call. */
-void Unit::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
-                  const std::shared_ptr<ToldSend>& told) {
+/** Sends the call and assigns its handle. */
+void UnitCompiler::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
+                          const std::shared_ptr<TrackedSend>& told) {
     const Operand call = sent(*called.part, name, at);
     if (told) {
         code_.keep(told);
@@ -75,9 +76,9 @@ void Unit::sendTo(const Operand& handle, const Callable& called, const ast::Name
     if (told) emit(&instructions::announce);
 }
 
-/** Nobody collects it, unless the value is assigned to something. */
-Operand Unit::sent(const Callable& called, const ast::Name& name, ast::Place at) {
-    const auto told = toldSend(called, at, nullptr, true);
+/** Sends a call that is not collected, unless the value is assigned to something. */
+Operand UnitCompiler::sent(const Callable& called, const ast::Name& name, ast::Place at) {
+    const auto told = trackedSend(called, at, nullptr, true);
     if (!told) return sent(*called.part, name, at);
     Operand result = fromSource(made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
     sendTo(result, called, name, at, told);
@@ -85,7 +86,7 @@ Operand Unit::sent(const Callable& called, const ast::Name& name, ast::Place at)
     return result;
 }
 
-Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+Operand UnitCompiler::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
     const auto sources = arguments(name, part);
     ++executions_;
     code_.keep(OperationInterfacePart::hold(&part));
@@ -94,21 +95,21 @@ Operand Unit::sent(OperationInterfacePart& part, const ast::Name& name, ast::Pla
     return result;
 }
 
-/** Sends; then the program goes on with its next step until the call is done. The value is the SendStatus. */
-Operand Unit::command(const Callable& called, const ast::Name& name, ast::Place at) {
+/** Sends the call; then the program yields until the call is done. The value is the SendStatus. */
+Operand UnitCompiler::command(const Callable& called, const ast::Name& name, ast::Place at) {
     const OperationInterfacePart& part = *called.part;
     const auto last = std::make_shared<LastSent>();
     const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
-    const auto told = toldSend(called, at, last, false);
+    const auto told = trackedSend(called, at, last, false);
     sendTo(fromSource(handle, at), called, name, at, told);
     const Source status = made(
         name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
     auto* polled = internal::DataSource<SendStatus>::narrow(keep(status));
     if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
-    if (told) keep(polled = new ToldCollect(polled, last, true, false));
+    if (told) keep(polled = new TrackedCollect(polled, last, true, false));
     emit(&instructions::await, nullptr, nullptr, polled);
     const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
-    // Not collected again: the source keeps what it gave last.
+    // Evaluating the source would collect again, so its last value is used.
     Operand result = fromSource(value, at);
     std::shared_ptr<base::ActionInterface> copy(
         value->updateAction(keep(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
@@ -119,7 +120,7 @@ Operand Unit::command(const Callable& called, const ast::Name& name, ast::Place 
 
 namespace {
 
-/** What `make` makes; in its exceptions the first argument, which the script does not write, is not counted. */
+/** What `make` makes. Its exceptions do not count the first argument, because the script does not write that. */
 template <class Make>
 auto withoutFirst(Make make) -> decltype(make()) {
     try {
@@ -135,7 +136,7 @@ auto withoutFirst(Make make) -> decltype(make()) {
 
 }  // namespace
 
-bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
+bool UnitCompiler::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     if (name.parts.size() != 2) return false;
     const std::string& what = name.parts[1].text;
     const bool blocking = what == "collect";
@@ -164,13 +165,13 @@ bool Unit::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     Source status = made(name, at, part, collected);
     auto* const collect = internal::DataSource<SendStatus>::narrow(status.get());
     const auto& last = entry->handle->lastSent();
-    if (collect && last->isUsed()) status = new ToldCollect(collect, last, sources.size() == 1, true);
+    if (collect && last->isUsed()) status = new TrackedCollect(collect, last, sources.size() == 1, true);
     result = fromSource(status, at);
     ++executions_;
     return true;
 }
 
-bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
+bool UnitCompiler::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
     const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
     if (!to || to->called || to->parts.size() != 1) return false;
     const Scope::Entry* const entry = declared(to->parts[0].text);
@@ -179,24 +180,26 @@ bool Unit::assignHandle(const ast::Assignment& assignment, ast::Place at, Operan
     return true;
 }
 
-Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value, ast::Place at) {
+Operand UnitCompiler::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value,
+                               ast::Place at) {
     const auto* const from = std::get_if<ast::Name>(&value.what);
     const std::size_t count = from ? from->parts.size() : 0;
     const bool sends = count > 1 && from->parts.back().text == "send";
     const Callable called = sends ? callable(from->parts, count - 1, walk(from->parts, count), true) : Callable();
     if (!called.part) {
-        if (sends) expression(value);  // says what is unknown
+        if (sends) expression(value);  // reports what is unknown
         error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
     }
     Source source = handle.source();
     if (handle.operation().get() != called.part) {
         const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
-        // What was compiled before has the same variable, if it can: which operation was sent last shows at run time.
+        // Keeps the variable for code that was compiled before, if possible; which operation was sent last is known at
+        // run time.
         if (!source || !source->hasTypeOf(*own)) source = own;
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
     const Operand result = fromSource(source, at);
-    const auto told = toldSend(called, value.at, handle.lastSent(), false);
+    const auto told = trackedSend(called, value.at, handle.lastSent(), false);
     sendTo(result, called, *from, value.at, told);
     if (!told && handle.lastSent()->isUsed()) {
         code_.keep(handle.lastSent());
@@ -205,7 +208,7 @@ Operand Unit::sendInto(Scope::Handle& handle, const std::string& name, const ast
     return result;
 }
 
-void Unit::failUnsent(const ast::Identifier& handle) {
+void UnitCompiler::failUnsent(const ast::Identifier& handle) {
     error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
 }
 

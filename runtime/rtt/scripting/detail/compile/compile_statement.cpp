@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/scripting/detail/compile/find_calls.hpp>
 #include <rtt/scripting/detail/execute/instructions.hpp>
@@ -8,21 +8,21 @@
 
 namespace RTT::scripting::detail {
 
-void Unit::block(const ast::Block& block) {
+void UnitCompiler::block(const ast::Block& block) {
     for (const auto& each : block.statements) {
         try {
             statement(*each);
         } catch (const Unresolved&) {
-            // The next one may have errors, too.
+            // Goes on, to report errors of later statements, too.
         }
     }
 }
 
-void Unit::statement(const ast::Statement& statement) {
+void UnitCompiler::statement(const ast::Statement& statement) {
     code_.beginStatement(statement.at);
     std::visit(
         Overloaded{[&](const ast::Declaration& s) { declare(s); }, [&](const ast::Do& s) { evaluate(*s.expression); },
-                   // Loops of old scripts wait with it: `while !done nothing`.
+                   // Old scripts use it to wait in loops: `while !done nothing`.
                    [&](const ast::Nothing&) { emit(&instructions::idle); },
                    [&](const ast::Yield&) { emit(&instructions::yield); }, [&](const ast::Try& s) { attempt(s); },
                    [&](const ast::Return& s) { giveBack(s); }, [&](const ast::If& s) { choose(s); },
@@ -31,8 +31,8 @@ void Unit::statement(const ast::Statement& statement) {
         statement.what);
 }
 
-/** For what it does. An assignment has done it. */
-void Unit::evaluate(const ast::Expression& expression) {
+/** Evaluates an expression for its effects; an assignment is already complete. */
+void UnitCompiler::evaluate(const ast::Expression& expression) {
     ignored_.clear();
     forIgnored(expression, [this](const ast::Expression& each) {
         if (const auto* const name = std::get_if<ast::Name>(&each.what)) ignored_.insert(name);
@@ -41,9 +41,9 @@ void Unit::evaluate(const ast::Expression& expression) {
     if (!std::holds_alternative<ast::Assignment>(expression.what)) discard(value);
 }
 
-void Unit::end() { emit(&instructions::leave); }
+void UnitCompiler::end() { emit(&instructions::leave); }
 
-void Unit::attempt(const ast::Try& attempt) {
+void UnitCompiler::attempt(const ast::Try& attempt) {
     const std::size_t from = code_.size();
     evaluate(*attempt.attempt);
     const std::size_t until = code_.size();
@@ -54,7 +54,7 @@ void Unit::attempt(const ast::Try& attempt) {
     land(over);
 }
 
-void Unit::giveBack(const ast::Return& statement) {
+void UnitCompiler::giveBack(const ast::Return& statement) {
     if (statement.value && !(function_ && function_->result))
         error(statement.value->at, "OPS210",
               function_ ? "function '" + function_->name + "' returns nothing (void), but here it returns a value"
@@ -65,7 +65,7 @@ void Unit::giveBack(const ast::Return& statement) {
     end();
 }
 
-void Unit::choose(const ast::If& statement) {
+void UnitCompiler::choose(const ast::If& statement) {
     const std::size_t otherwise = jumpUnless(truth(*statement.condition));
     block(statement.then);
     if (!statement.otherwise) return land(otherwise);
@@ -75,14 +75,14 @@ void Unit::choose(const ast::If& statement) {
     land(over);
 }
 
-void Unit::repeat(const ast::While& statement) { loop(statement.condition.get(), statement.body, nullptr); }
+void UnitCompiler::repeat(const ast::While& statement) { loop(statement.condition.get(), statement.body, nullptr); }
 
-void Unit::repeat(const ast::For& statement) {
+void UnitCompiler::repeat(const ast::For& statement) {
     const auto* const declaration = statement.first ? std::get_if<ast::Declaration>(&statement.first->what) : nullptr;
     const auto mark = [&](Scope::Entry::Loop loop) {
         for (const auto& declared : declaration->names) scope_->markLoop(declared.name.text, loop);
     };
-    // Loops one after the other may use one variable.
+    // Consecutive loops may share a variable.
     if (declaration) {
         declare(*declaration, true);
         mark(Scope::Entry::Loop::Entered);
@@ -93,7 +93,7 @@ void Unit::repeat(const ast::For& statement) {
     if (declaration) mark(Scope::Entry::Loop::Left);
 }
 
-void Unit::loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next) {
+void UnitCompiler::loop(const ast::Expression* condition, const ast::Block& body, const ast::Expression* next) {
     const std::size_t begin = code_.size();
     code_.beginStatement(condition->at);
     const std::size_t out = jumpUnless(truth(*condition));
@@ -109,15 +109,17 @@ void Unit::loop(const ast::Expression* condition, const ast::Block& body, const 
     breaks_.pop_back();
 }
 
-std::size_t Unit::jumpUnless(const Operand& condition) { return emit(&instructions::jumpUnless, condition.address); }
+std::size_t UnitCompiler::jumpUnless(const Operand& condition) {
+    return emit(&instructions::jumpUnless, condition.address);
+}
 
-std::size_t Unit::jump() { return emit(&instructions::jump); }
+std::size_t UnitCompiler::jump() { return emit(&instructions::jump); }
 
-void Unit::land(std::size_t jump) {
+void UnitCompiler::land(std::size_t jump) {
     code_.at(jump).offset = static_cast<std::ptrdiff_t>(code_.size()) - static_cast<std::ptrdiff_t>(jump);
 }
 
-void Unit::jumpBack(std::size_t target) {
+void UnitCompiler::jumpBack(std::size_t target) {
     const std::size_t from = emit(&instructions::jumpBack);
     code_.at(from).offset = static_cast<std::ptrdiff_t>(target) - static_cast<std::ptrdiff_t>(from);
 }

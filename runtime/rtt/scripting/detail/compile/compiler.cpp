@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <exception>
 #include <string>
@@ -10,18 +10,18 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** Makes a Code of what `fill` adds to it; null if there was an error. */
+/** Makes a Code that `fill` fills; null if there was an error. */
 template <class Fill>
-std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, Scope& scope, Fill fill) {
+std::unique_ptr<Code> codeOf(Compiler::State& state, const CompileContext& where, Scope& scope, Fill fill) {
     const std::size_t errors = where.sink->errorCount();
     auto code = std::make_unique<Code>();
     code->keep(state.activations);
-    Unit unit(state, where, *code, scope);
+    UnitCompiler unit(state, where, *code, scope);
     try {
         fill(unit);
         unit.end();
     } catch (const Unresolved&) {
-        return nullptr;  // reported, unless it is a name to come
+        return nullptr;  // reported, unless the name may exist later
     } catch (const std::exception& thrown) {
         where.sink->error({where.file, 0, 0}, "OPS119", std::string("cannot be compiled: ") + thrown.what());
     }
@@ -31,26 +31,26 @@ std::unique_ptr<Code> codeOf(Compiler::State& state, const Surroundings& where, 
 
 }  // namespace
 
-Compiler::Compiler(Surroundings surroundings) : state_(new State(std::move(surroundings))) {}
+Compiler::Compiler(CompileContext context) : state_(new State(std::move(context))) {}
 
 Compiler::~Compiler() = default;
 
 std::unique_ptr<Code> Compiler::program(const ast::Block& block, const std::string& name, const Scope& scope) {
     Scope own(name, &scope);
-    return codeOf(*state_, state_->where, own, [&](Unit& unit) { unit.block(block); });
+    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) { unit.block(block); });
 }
 
 std::unique_ptr<Code> Compiler::statement(const ast::Statement& statement, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](Unit& unit) { unit.statement(statement); });
+    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statement(statement); });
 }
 
 std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](Unit& unit) {
+    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) {
         for (const auto& each : declarations) {
             try {
                 unit.statement(*each);
             } catch (const Unresolved&) {
-                // The next one may have errors, too.
+                // Goes on, to report errors of later statements, too.
             }
         }
     });
@@ -59,7 +59,7 @@ std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr
 std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
                                            const std::string& what, const Scope& scope) {
     Scope own("", &scope);
-    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
         unit.begin(value.at);
         unit.store(unit.fromSource(to, value.at), unit.expression(value), what);
     });
@@ -67,7 +67,7 @@ std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, 
 
 std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, const Scope& scope, const bool*& result) {
     Scope own("", &scope);
-    return codeOf(*state_, state_->where, own, [&](Unit& unit) {
+    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
         unit.begin(expression.at);
         result = static_cast<const bool*>(unit.truth(expression).address);
     });
@@ -76,11 +76,11 @@ std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, con
 base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expression, const Scope& scope) {
     base::DataSourceBase::shared_ptr found;
     Scope own("", &scope);
-    const auto code = codeOf(*state_, state_->where, own, [&](Unit& unit) {
+    const auto code = codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
         const Operand operand = unit.expression(expression);
         if (operand.assignable()) found = operand.source;
     });
-    // What has to be executed first, such as to compute an index, would be gone.
+    // Code that must be executed first, for example to compute an index, would be lost.
     return code && code->size() == 1 ? found : nullptr;
 }
 
@@ -88,7 +88,7 @@ std::unique_ptr<Activation> Compiler::function(const FunctionDefinition& definit
     try {
         state_->activateCalls(definition);
     } catch (const Unresolved&) {
-        // Reported; found again below.
+        // Reported below.
     }
     auto made = state_->compile(definition);
     if (made) made->code.keep(state_->activations);
@@ -106,7 +106,7 @@ std::unique_ptr<Activation> Compiler::check(const FunctionDefinition& definition
 
 std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& definition) {
     const ast::Function& tree = *definition.tree;
-    Surroundings there = where;
+    CompileContext there = where;
     there.file = definition.file;
     there.text = definition.text;
     if (definition.functions) {
@@ -119,7 +119,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     activation->file = definition.file;
     activation->text = definition.text;
     Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
-    Unit unit(*this, there, activation->code, scope, activation.get());
+    UnitCompiler unit(*this, there, activation->code, scope, activation.get());
     unit.function(tree, !(callsOnly && quiet != 0));
     if (where.sink->errorCount() != errors) return nullptr;
     return activation;
@@ -157,7 +157,7 @@ Activation* Compiler::State::activate(const std::shared_ptr<const FunctionDefini
     else
         activateCalls(*definition);
     activations->of[definition.get()] = nullptr;
-    ++quiet;  // its warnings were given where it was defined
+    ++quiet;  // warnings were given where it was defined
     std::unique_ptr<Activation> made = compile(*definition);
     --quiet;
     if (!made) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What the scripts of one component have defined for scripts to come.
+// Definitions of the scripts of one component, for later scripts.
 #ifndef ORO_SCRIPTING_DETAIL_DEFINITIONS_HPP
 #define ORO_SCRIPTING_DETAIL_DEFINITIONS_HPP
 
@@ -15,22 +15,22 @@
 
 namespace RTT::scripting::detail {
 
-/** A type of state machines: a tree, and the file it stands in with its name and variables. */
+/** A type of state machines: its tree, and its file with name and variables. */
 struct MachineType {
     std::shared_ptr<const ast::StateMachine> tree;
     SourceFilePtr file;
-    std::string text;  ///< its letters; they begin at `at`
+    std::string text;  ///< its source, which begins at `at`
     ast::Place at;
 };
 typedef std::map<std::string, std::shared_ptr<const MachineType>> MachineTypes;
 
-/** Thread safe: who reads gets what was defined at that time, and keeps it. */
+/** Thread safe: readers get and keep a snapshot. */
 class Definitions {
 public:
-    /** Of all scopes, callable by name within the component's engine. */
+    /** The functions of all scopes, callable by name within the component's engine. */
     std::shared_ptr<const Functions> functions() const { return read(functions_); }
     std::shared_ptr<const MachineTypes> machineTypes() const { return read(machine_types_); }
-    // A later definition takes the place of an earlier one for what is compiled from now on.
+    // A later definition replaces an earlier one in code that is compiled from now on.
     void define(std::shared_ptr<const FunctionDefinition> function) {
         const std::string name = function->name;
         put(functions_, name, std::move(function));
@@ -55,10 +55,11 @@ private:
     std::shared_ptr<const Map> read(const std::shared_ptr<Shared<Map>>& shared) const {
         const std::lock_guard<std::mutex> lock(mutex_);
         shared->readers.fetch_add(1, std::memory_order_relaxed);
-        // release: with the load in put(), which changes what nobody reads any more.
+        // release: pairs with the load in put(), which changes a map that has no readers.
         return {&shared->map, [held = shared](const Map*) { held->readers.fetch_sub(1, std::memory_order_release); }};
     }
-    /** Copies the map only if somebody has it: thousands of functions would be copied with each that is added. */
+    /** Copies the map only if it has readers, because otherwise each of thousands of functions would copy all before
+        it. */
     template <class Map, class Value>
     void put(std::shared_ptr<Shared<Map>>& shared, const std::string& name, Value value) {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -17,7 +17,7 @@ bool isType(const std::vector<ast::Identifier>& parts) {
     return types::TypeInfoRepository::Instance()->type(name) != nullptr;
 }
 
-/** Both sides of `&&` and `||` are executed, whatever the first one gives: what is certain relies on that. */
+/** Relies on both sides of `&&` and `||` being executed, so that their calls are certain. */
 class Finder {
 public:
     explicit Finder(bool certain) : certain_(certain) {}
@@ -58,7 +58,7 @@ public:
     }
     void operator()(const ast::Assignment& assignment) {
         in(assignment.value);
-        // What is assigned to is no call, but there may be one in its index.
+        // The target of an assignment is not a call, but its index may have one.
         if (!std::holds_alternative<ast::Name>(assignment.to->what)) in(assignment.to);
     }
 
@@ -75,7 +75,7 @@ public:
     void operator()(const ast::Nothing&) {}
     void operator()(const ast::Yield&) {}
     void operator()(const ast::Break&) {}
-    /** Whoever tries expects that it fails. */
+    /** Calls in a `try` are expected to fail. */
     void operator()(const ast::Try& attempt) {
         in(attempt.attempt);
         perhaps([&] { in(attempt.handler); });

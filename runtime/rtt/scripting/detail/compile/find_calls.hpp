@@ -9,20 +9,20 @@
 
 namespace RTT::scripting::detail {
 
-/** What may be a call: constructors of known types are none, names without argument list may be values. */
+/** A possible call. Names without argument list may be values; constructors of known types are not included. */
 struct FoundCall {
     const ast::Name* name;
     ast::Place at;
     bool certain;  ///< made whenever the statement is executed
-    bool ignored;  ///< nobody looks at its value
+    bool ignored;  ///< its value is ignored
 };
 
-/** All of them, in the order in which they are made. They refer to the tree. */
+/** All possible calls, in the order in which they are made. They refer to the tree. */
 std::vector<FoundCall> callsIn(const ast::Statement& statement);
-/** None of these is certain. */
+/** The same for a block; none of these is certain. */
 std::vector<FoundCall> callsIn(const ast::Block& block);
-/** Calls `visit` with each expression whose value the script does not look at: the expression itself, or the operands of
-    its `&&`. */
+/** Calls `visit` with each expression whose value the script ignores: the expression itself, or the operands of its
+    `&&`. */
 template <class Visit>
 void forIgnored(const ast::Expression& expression, Visit visit) {
     visit(expression);

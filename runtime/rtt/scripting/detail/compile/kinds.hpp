@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The types that instructions compute with directly; values of all others stay in their data sources.
+// The types with which instructions compute directly; values of other types stay in their data sources.
 #ifndef ORO_SCRIPTING_DETAIL_KINDS_HPP
 #define ORO_SCRIPTING_DETAIL_KINDS_HPP
 
@@ -17,11 +17,12 @@ constexpr int kDirectKinds = static_cast<int>(Kind::Other);
 
 inline bool isDirect(Kind kind) { return kind < Kind::Other; }
 
-/** None for void, Other for a type that has no kind. */
+/** The kind of a source: None for void, Other for a type without a kind. */
 Kind kindOf(const base::DataSourceBase& source);
-/** Other for null. */
+/** The kind of a type; Other for null. */
 Kind kindOf(const std::type_info* id);
-/** The kind that holds all values of the small number types, such as int8 and int64, which have none; Other for all others. */
+/** The kind that holds all values of the small number types, such as int8 and int64, which have none; Other for all
+    others. */
 Kind widened(const std::type_info* id);
 
 template <class T>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The value of an expression while code is made of it.
+// The value of an expression during compilation.
 #ifndef ORO_SCRIPTING_DETAIL_OPERAND_HPP
 #define ORO_SCRIPTING_DETAIL_OPERAND_HPP
 
@@ -11,32 +11,32 @@
 namespace RTT::scripting::detail {
 
 /**
- * Either where the value is once the code before has been executed (`address`, direct kinds only), or a source that gives
- * it when it is evaluated, which whoever uses the operand sees to; or both, of a variable.
+ * Either the `address` of the value after the preceding code was executed (direct kinds only), or a `source`, which the
+ * user of the operand must evaluate; a variable has both.
  */
 struct Operand {
     Kind kind = Kind::None;
     const void* address = nullptr;
     base::DataSourceBase::shared_ptr source;
     bool constant = false;  ///< the value at `address` does not change
-    bool computed = false;  ///< an instruction writes it to where nothing else does: a cell at `address`, or `source`
-    bool sent = false;      ///< what send() gives; its type has no name
+    bool computed = false;  ///< only one instruction writes it: to a cell at `address`, or to `source`
+    bool sent = false;      ///< the result of send(), whose type has no name
     ast::Place at;
 
-    /** A variable, or part of one, that can be assigned to. */
+    /** True for a variable, or part of one, that can be assigned. */
     bool assignable() const { return source && source->isAssignable(); }
 };
 
-/** Of a type that widened() knows. */
+/** True for a type that widened() knows. */
 bool isSmallNumber(const Operand& operand);
 
-/** Of a type whose values have names. */
+/** True for a type whose values have names. */
 bool isEnum(const types::TypeInfo* type);
 
 /** The type's name for messages. */
 std::string typeName(const Operand& operand);
 
-/** Where the value of a source of a direct kind always is; null if it has to be evaluated for that. */
+/** The constant address of the value of a source of a direct kind; null if it must be evaluated. */
 const void* fixedAddress(base::DataSourceBase& source, Kind kind);
 
 }  // namespace RTT::scripting::detail

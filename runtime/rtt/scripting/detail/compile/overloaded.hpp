@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One function object of several, for std::visit.
+// Combines function objects, for std::visit.
 #ifndef ORO_SCRIPTING_DETAIL_OVERLOADED_HPP
 #define ORO_SCRIPTING_DETAIL_OVERLOADED_HPP
 

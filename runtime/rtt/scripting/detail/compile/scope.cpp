@@ -22,12 +22,12 @@ base::DataSourceBase::shared_ptr Scope::Handle::source() const {
 void Scope::Handle::set(boost::shared_ptr<const OperationInterfacePart> operation,
                         base::DataSourceBase::shared_ptr source) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    // What was there is destroyed without the lock, with the arguments.
+    // The old value is destroyed with the arguments, without the lock.
     operation_.swap(operation);
     source_.swap(source);
 }
 
-// relaxed: who uses the number of another thread got it with the scope or function that has it, under a lock.
+// relaxed: a thread gets numbers of others together with a scope or function, under a lock.
 Scope::Time Scope::now() {
     static std::atomic<Time> last{0};
     return last.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -6,7 +6,7 @@
 
 namespace RTT::scripting::detail {
 
-// What stands in the last line of the item before belongs to that.
+// A comment in the last line of the previous item belongs to that.
 SourceFile::Excerpt SourceFile::withComment(const ast::Item& item) const {
     std::size_t begin = 0;
     if (&item != tree.items.data()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One script while it is being run, and what outlives it of its text.
+// A script that is being run, and the parts of its text that outlive it.
 #ifndef ORO_SCRIPTING_DETAIL_SOURCE_FILE_HPP
 #define ORO_SCRIPTING_DETAIL_SOURCE_FILE_HPP
 
@@ -14,8 +14,8 @@
 namespace RTT::scripting::detail {
 
 /**
- * A script with the variables of its top level. Whatever a script defines and needs its tree later (functions, state machine
- * types) shares the whole file; what is compiled once and for all (programs, state machines) needs to keep neither.
+ * A script with the variables of its top level. Functions and types of state machines need their tree later and share
+ * the whole file; programs and state machines are compiled once and do not keep it.
  */
 struct SourceFile {
     SourceFile(oroforge::diag::FileName name, std::string text, std::shared_ptr<const SourceFile> caller)
@@ -30,16 +30,16 @@ struct SourceFile {
     const std::string text;
     const std::shared_ptr<const SourceFile> caller;  ///< the script of the same component that runs this one; or null
     ast::Script tree;
-    Scope scope;  ///< of the variables between the items
+    Scope scope;  ///< the variables between the items
 
-    /** The letters of an item. */
+    /** The source of an item. */
     std::string textOf(const ast::Item& item) const { return text.substr(item.begin, item.size); }
 
     struct Excerpt {
         std::string letters;
         ast::Place at;  ///< of the first of them
     };
-    /** The letters of an item of `tree`, with the comment before it. */
+    /** The source of an item of `tree`, with the comment before it. */
     Excerpt withComment(const ast::Item& item) const;
 };
 typedef std::shared_ptr<const SourceFile> SourceFilePtr;

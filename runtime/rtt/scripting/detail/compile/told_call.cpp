@@ -29,7 +29,7 @@ bool ToldCall::get() const {
     return value();
 }
 
-/** Also of a call that returns true: what it has to say was kept from the log. */
+/** Also logs the reasons of a call that returns true, because they were kept out of the log. */
 void ToldCall::tell(const std::string& reasons) const {
     if (ignored_ && FailureReport::isStrict() && !value()) throw FailedCall(place_, reasons);
     logFailure(oroforge::diag::Severity::Warning, place_, reasons);

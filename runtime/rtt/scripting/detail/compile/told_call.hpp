@@ -12,8 +12,8 @@
 namespace RTT::scripting::detail {
 
 /**
- * The call of an operation that gives reasons if it returns false (internal::FailureReport): they are logged with the place of
- * the call. Where that is strict, and the script ignores the result, the statement fails.
+ * Calls an operation that gives reasons when it returns false (internal::FailureReport), and logs them with the place
+ * of the call. If failures are strict and the script ignores the result, the statement fails.
  */
 class ToldCall final : public internal::DataSource<bool> {
 public:

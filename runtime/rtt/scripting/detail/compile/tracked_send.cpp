@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/compile/told_send.hpp>
+#include <rtt/scripting/detail/compile/tracked_send.hpp>
 
 #include <rtt/internal/EngineGate.hpp>
 #include <rtt/internal/FailureReport.hpp>
@@ -17,10 +17,10 @@ using oroforge::diag::Severity;
 
 namespace {
 
-// What a script sent before its end gets so long to come to its own.
+// How long the end of a script waits for calls that it sent.
 constexpr std::chrono::seconds kPatience(1);
 
-/** In the queue of an engine, in place of the call. */
+/** Takes the place of the call in the queue of an engine. */
 class ToldMessage final : public base::DisposableInterface {
 public:
     ToldMessage(SentCall& call, std::shared_ptr<SentOutcome> outcome)
@@ -44,7 +44,7 @@ public:
     bool isError() const override { return held_->isError(); }
 
 private:
-    SentCall::shared_ptr call_;  // the reference of the queue
+    SentCall::shared_ptr call_;  // the reference that the queue owned
     const SentCall::shared_ptr held_;
     const std::shared_ptr<SentOutcome> outcome_;
 };
@@ -106,7 +106,7 @@ void SentCalls::add(std::shared_ptr<SentOutcome> outcome) {
 }
 
 bool SentCalls::settle() {
-    // A component that only wants to log does not stand still for it: it may have to execute the call itself.
+    // A component must not wait just to log a failure, because it may have to execute the call itself.
     const bool waits = FailureReport::isStrict() || !internal::EngineGate::ofThisThread();
     const auto end = std::chrono::steady_clock::now() + (waits ? kPatience : std::chrono::seconds(0));
     bool good = true;
@@ -115,38 +115,38 @@ bool SentCalls::settle() {
     return good;
 }
 
-ToldSend::ToldSend(const internal::CalleeBase* callee, CallPlace place, std::shared_ptr<LastSent> last,
-                   std::shared_ptr<SentCalls> calls, bool forgotten)
+TrackedSend::TrackedSend(const internal::CalleeBase* callee, CallPlace place, std::shared_ptr<LastSent> last,
+                         std::shared_ptr<SentCalls> calls, bool forgotten)
     : callee_(callee),
       place_(std::move(place)),
       last_(std::move(last)),
       calls_(std::move(calls)),
       forgotten_(forgotten) {}
 
-base::DisposableInterface* ToldSend::queued(SentCall& call) {
+base::DisposableInterface* TrackedSend::queued(SentCall& call) {
     const auto outcome = std::make_shared<SentOutcome>(place_, !forgotten_);
     if (calls_) calls_->add(outcome);
     if (last_) last_->set(outcome);
     return new ToldMessage(call, outcome);
 }
 
-ToldCollect::ToldCollect(internal::DataSource<SendStatus>* collect, std::shared_ptr<LastSent> last, bool ignored,
-                         bool elsewhere)
+TrackedCollect::TrackedCollect(internal::DataSource<SendStatus>* collect, std::shared_ptr<LastSent> last, bool ignored,
+                               bool elsewhere)
     : collect_(collect), last_(std::move(last)), ignored_(ignored), elsewhere_(elsewhere) {}
 
-bool ToldCollect::evaluate() const {
+bool TrackedCollect::evaluate() const {
     if (!collect_->evaluate()) return false;
     check();
     return true;
 }
 
-SendStatus ToldCollect::get() const {
+SendStatus TrackedCollect::get() const {
     const SendStatus status = collect_->get();
     check();
     return status;
 }
 
-void ToldCollect::check() const {
+void TrackedCollect::check() const {
     if (collect_->value() != SendSuccess) return;
     const std::shared_ptr<SentOutcome> outcome = last_->get();
     const std::string failure = outcome ? outcome->ask() : std::string();
@@ -157,12 +157,15 @@ void ToldCollect::check() const {
     throw failed;
 }
 
-ToldCollect* ToldCollect::clone() const { return new ToldCollect(collect_->clone(), last_, ignored_, elsewhere_); }
+TrackedCollect* TrackedCollect::clone() const {
+    return new TrackedCollect(collect_->clone(), last_, ignored_, elsewhere_);
+}
 
-ToldCollect* ToldCollect::copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const {
+TrackedCollect* TrackedCollect::copy(
+    std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const {
     base::DataSourceBase*& made = alreadyCloned[this];
-    if (!made) made = new ToldCollect(collect_->copy(alreadyCloned), last_, ignored_, elsewhere_);
-    return static_cast<ToldCollect*>(made);
+    if (!made) made = new TrackedCollect(collect_->copy(alreadyCloned), last_, ignored_, elsewhere_);
+    return static_cast<TrackedCollect*>(made);
 }
 
 }  // namespace RTT::scripting::detail

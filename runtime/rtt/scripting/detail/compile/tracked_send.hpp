@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls that a script sends, of operations that give reasons if they return false: told with the place where they were sent.
-#ifndef ORO_SCRIPTING_DETAIL_TOLD_SEND_HPP
-#define ORO_SCRIPTING_DETAIL_TOLD_SEND_HPP
+// Reports failures of calls that a script sends, with the place where they were sent.
+#ifndef ORO_SCRIPTING_DETAIL_TRACKED_SEND_HPP
+#define ORO_SCRIPTING_DETAIL_TRACKED_SEND_HPP
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/internal/DataSource.hpp>
@@ -20,23 +20,24 @@
 
 namespace RTT::scripting::detail {
 
-/** How a call ends that was sent. The script that sent it may be told of a failure, if that is strict; else, and if it does not
-    ask, the log is. Any thread. */
+/** The outcome of a sent call. If failures are strict, the script that sent it may ask for its failure; otherwise, or
+    if it does not ask, the failure is logged. Any thread. */
 class SentOutcome {
 public:
-    /** `keeps`: a failure waits for somebody who asks. */
+    /** `keeps`: a failure is kept for ask(). */
     SentOutcome(CallPlace place, bool keeps) : place(std::move(place)), keeps_(keeps) {}
     ~SentOutcome();
     SentOutcome(const SentOutcome&) = delete;
     SentOutcome& operator=(const SentOutcome&) = delete;
 
-    /** The call is over. */
+    /** Notes that the call has ended. */
     void end(const std::string& reasons, bool failed);
-    /** Waits for the end. Why it failed, for the first one who asks; empty: it did not. */
+    /** Waits for the end. Returns why the call failed, to the first caller only; empty if it did not fail. */
     std::string ask();
-    /** At the end of the script, which waits until `end`: false, and told, if it failed and nobody has asked. */
+    /** Waits, at the end of the script, until `end`. If the call failed and nobody has asked, reports it and returns
+        false. */
     bool settle(std::chrono::steady_clock::time_point end);
-    /** True if there is nothing to be told. */
+    /** True if there is nothing to report. */
     bool isGood();
 
     const CallPlace place;
@@ -48,16 +49,16 @@ private:
     std::mutex mutex_;
     std::condition_variable ended_;
     bool over_ = false;
-    std::string failure_;  // that nobody has asked for yet
-    std::string kept_;     // that is not in the log yet
+    std::string failure_;  // not asked for yet
+    std::string kept_;     // not logged yet
 };
 
-/** The call that was sent last at some place, or by some handle. Any thread. */
+/** The last call that was sent at a place or with a handle. Any thread. */
 class LastSent {
 public:
     std::shared_ptr<SentOutcome> get() const;
     void set(std::shared_ptr<SentOutcome> outcome);
-    /** Where one may be told: from then on. */
+    /** Notes that the script may ask, from now on. */
     void use() { used_ = true; }
     bool isUsed() const { return used_; }
 
@@ -67,24 +68,24 @@ private:
     std::shared_ptr<SentOutcome> outcome_;
 };
 
-/** What the statements of a script sent. One thread. */
+/** The calls that the statements of a script sent. For one thread. */
 class SentCalls {
 public:
     void add(std::shared_ptr<SentOutcome> outcome);
-    /** Waits a little for those under way: their component may be gone after the script. False, and told, if one failed, that is
-        strict, and the script does not know of it. */
+    /** Waits a little for calls that have not ended, because their component may be destroyed after the script. If
+        failures are strict and one failed without the script asking, reports it and returns false. */
     bool settle();
 
 private:
     std::vector<std::shared_ptr<SentOutcome>> all_;
 };
 
-/** Sees to it that calls which are sent at one place are told, in the thread that executes them. */
-class ToldSend final : public internal::Sending::Watcher {
+/** Reports failures of calls that are sent at one place, in the thread that executes them. */
+class TrackedSend final : public internal::Sending::Watcher {
 public:
-    /** `calls` may be null. Nobody collects what is `forgotten`. */
-    ToldSend(const internal::CalleeBase* callee, CallPlace place, std::shared_ptr<LastSent> last,
-             std::shared_ptr<SentCalls> calls, bool forgotten);
+    /** `calls` may be null. `forgotten`: the call is never collected. */
+    TrackedSend(const internal::CalleeBase* callee, CallPlace place, std::shared_ptr<LastSent> last,
+                std::shared_ptr<SentCalls> calls, bool forgotten);
 
     internal::Sending announcement() { return {callee_, this}; }
     base::DisposableInterface* queued(internal::SentCall& call) override;
@@ -97,19 +98,19 @@ private:
     const bool forgotten_;
 };
 
-/** Collects. Where failures are strict, one of a call whose result is ignored fails the statement. */
-class ToldCollect final : public internal::DataSource<SendStatus> {
+/** Collects a call. If failures are strict and the result is ignored, a failure of the call fails the statement. */
+class TrackedCollect final : public internal::DataSource<SendStatus> {
 public:
-    /** `elsewhere`: where it collects is another place than where it was sent. */
-    ToldCollect(internal::DataSource<SendStatus>* collect, std::shared_ptr<LastSent> last, bool ignored,
-                bool elsewhere);
+    /** `elsewhere`: it is collected at another place than where it was sent. */
+    TrackedCollect(internal::DataSource<SendStatus>* collect, std::shared_ptr<LastSent> last, bool ignored,
+                   bool elsewhere);
 
     bool evaluate() const override;
     SendStatus get() const override;
     SendStatus value() const override { return collect_->value(); }
     const SendStatus& rvalue() const override { return collect_->rvalue(); }
-    ToldCollect* clone() const override;
-    ToldCollect* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const override;
+    TrackedCollect* clone() const override;
+    TrackedCollect* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const override;
 
 private:
     void check() const;

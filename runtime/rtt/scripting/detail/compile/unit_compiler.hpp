@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Makes the code of one piece of script. The functions are in compile_*.cpp, by subject.
+// Compiles one piece of script. Its functions are in compile_*.cpp, by subject.
 #ifndef ORO_SCRIPTING_DETAIL_UNIT_HPP
 #define ORO_SCRIPTING_DETAIL_UNIT_HPP
 
@@ -17,49 +17,50 @@
 
 namespace RTT::scripting::detail {
 
-/** Thrown, within the compiler, after an error has been reported. */
+/** Thrown within the compiler after an error was reported. */
 struct Unresolved {};
 
 struct Compiler::State {
-    explicit State(Surroundings surroundings) : where(std::move(surroundings)) {}
+    explicit State(CompileContext context) : where(std::move(context)) {}
 
-    Surroundings where;
-    /** All of them belong to all code that was made. They do not own each other, as a chain of thousands would be destroyed
-        by recursion. */
+    CompileContext where;
+    /** All compiled code owns all activations. They do not own each other, because a chain of thousands would be
+        destroyed by recursion. */
     struct Activations {
-        /** Null while it is being compiled. */
+        /** The activation of each function; null while it is being compiled. */
         std::map<const FunctionDefinition*, std::unique_ptr<Activation>> of;
     };
     const std::shared_ptr<Activations> activations = std::make_shared<Activations>();
-    std::vector<std::shared_ptr<const FunctionDefinition>> calls;  ///< of a function that is checked, directly
-    std::set<const FunctionDefinition*> failed;                    ///< have errors, which were reported
-    unsigned quiet = 0;                                            ///< warnings are not given
-    bool callsOnly = false;                                        ///< of functions that are called, there is no code
+    std::vector<std::shared_ptr<const FunctionDefinition>> calls;  ///< direct calls of a function that is checked
+    std::set<const FunctionDefinition*> failed;                    ///< functions with errors, which were reported
+    unsigned quiet = 0;                                            ///< if not 0, no warnings are given
+    bool callsOnly = false;                                        ///< called functions are not compiled
 
-    /** That of this root, made when it is first asked for; null if the function calls itself. Throws Unresolved if it has
-        errors. */
+    /** The activation in this root, made at the first request; null if the function calls itself. Throws Unresolved if
+        it has errors. */
     Activation* activate(const std::shared_ptr<const FunctionDefinition>& definition);
-    /** Compiles those that it calls, and what they call in turn, so that nothing is compiled by recursion. */
+    /** Compiles the functions that it calls, and those that they call, without recursion. */
     void activateCalls(const FunctionDefinition& definition);
-    /** Null if there are errors, which are reported. */
+    /** Reports errors and then returns null. */
     std::unique_ptr<Activation> compile(const FunctionDefinition& definition);
 };
 
-class Unit {
+class UnitCompiler {
 public:
-    /** `function` is null for all but bodies of functions. */
-    Unit(Compiler::State& state, const Surroundings& where, Code& code, Scope& scope, Activation* function = nullptr)
+    /** `function` is null unless this is the body of a function. */
+    UnitCompiler(Compiler::State& state, const CompileContext& where, Code& code, Scope& scope,
+                 Activation* function = nullptr)
         : state_(state), where_(where), code_(code), scope_(&scope), function_(function) {}
 
-    // All of these report what is wrong; those that return a value throw Unresolved then.
+    // All of these report errors; those that return a value then throw Unresolved.
     // -- Statements (compile_statement.cpp, compile_declaration.cpp) -----------------------------------------
     /** Goes on with the next statement after an error. */
     void block(const ast::Block& block);
     void statement(const ast::Statement& statement);
     void begin(ast::Place at) { code_.beginStatement(at); }
-    /** The last instruction. */
+    /** Adds the last instruction. */
     void end();
-    /** Arguments, result and statements. */
+    /** Compiles arguments, result and statements. */
     void function(const ast::Function& function, bool withBody);
     void declare(const ast::Declaration& declaration, bool again = false);
     /** A new variable of that type. */
@@ -68,19 +69,19 @@ public:
 
     // -- Expressions -----------------------------------------------------------------------------------------
     Operand expression(const ast::Expression& expression);
-    /** Sees to it that the value is at an address. Direct kinds only. */
+    /** Loads the value to an address. Direct kinds only. */
     Operand load(Operand operand);
-    /** Loaded and converted. */
+    /** Loads and converts the value. */
     Operand loadAs(Operand operand, Kind kind);
-    /** A small number as one that instructions compute with; others as they are. */
+    /** Widens a small number to a kind with which instructions compute; leaves others as they are. */
     Operand promoted(Operand operand);
-    /** As a condition. */
+    /** Compiles a condition. */
     Operand truth(const ast::Expression& expression);
     /** A source of the value. */
     base::DataSourceBase::shared_ptr sourceOf(const Operand& operand);
-    /** Evaluates it for what it does. */
+    /** Evaluates it for its effects. */
     void discard(const Operand& operand);
-    /** Assigns, converted if needed. `what` is for messages: "variable 'x'". */
+    /** Assigns a value, converted if needed. `what` is for messages: "variable 'x'". */
     void store(const Operand& to, Operand value, const std::string& what);
 
     const types::TypeInfo& type(const ast::Identifier& name);
@@ -97,7 +98,7 @@ private:
     };
     struct Callable {
         OperationInterfacePart* part = nullptr;
-        Service* of = nullptr;  ///< whose operation it is; null for what is global
+        Service* of = nullptr;  ///< the owner of the operation; null if it is global
         std::shared_ptr<const FunctionDefinition> function;
     };
 
@@ -146,7 +147,7 @@ private:
     bool valueNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
     bool resultNamed(const std::vector<Node>& nodes, const Parts& parts, Operand& found);
     Operand members(Operand of, const Parts& parts, std::size_t from);
-    /** What the name was declared as; where an alias is used, before that. Null if there is none. */
+    /** The declaration of the name (in an alias: before the alias); null if there is none. */
     const Scope::Entry* declared(const std::string& name) const;
     unsigned lineOfLaterFunction(const ast::Identifier& name) const;
     Operand valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name);
@@ -154,7 +155,7 @@ private:
     bool leadsToCome(const Parts& parts) const;
     std::string missing(const Node& last, const ast::Name& name) const;
     void doubt(const Node& last, const ast::Name& name) const;
-    /** True if somebody may add that name before the script comes there. */
+    /** True if the name may be added before the script reaches this place. */
     bool isToCome(const Node& last, const ast::Name& name) const;
     [[noreturn]] void unknownName(const std::vector<Node>& nodes, const ast::Name& name);
     std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
@@ -181,11 +182,11 @@ private:
                     const std::vector<Operand>& values);
     Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
                 const std::function<Source()>& make);
-    /** Does what `convert` does, and reports the conversions that lose something or cannot be. */
+    /** Calls `convert` and reports conversions that lose something or are impossible. */
     template <class Convert>
     auto watched(ast::Place at, Convert convert);
     void warnOfConversion(ast::Place at, const std::string& from, const std::string& to);
-    /** Not where an alias is used: it was said where that is declared. */
+    /** Warns, but not where an alias is used, because its declaration has got the warning. */
     void warn(ast::Place at, const char* code, const std::string& message, const std::string& hint = "") const;
 
     // compile_send.cpp
@@ -194,10 +195,10 @@ private:
     Source told(Source call, const Callable& called, const ast::Name& name, ast::Place at) const;
     [[noreturn]] void failUnsent(const ast::Identifier& handle);
     CallPlace placeOfCall(ast::Place at) const;
-    std::shared_ptr<ToldSend> toldSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
-                                       bool forgotten);
+    std::shared_ptr<TrackedSend> trackedSend(const Callable& called, ast::Place at, std::shared_ptr<LastSent> last,
+                                             bool forgotten);
     void sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
-                const std::shared_ptr<ToldSend>& told);
+                const std::shared_ptr<TrackedSend>& told);
     Operand command(const Callable& called, const ast::Name& name, ast::Place at);
     Operand sent(const Callable& called, const ast::Name& name, ast::Place at);
     Operand sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at);
@@ -209,27 +210,26 @@ private:
         return {alias_ ? alias_->file : where_.file, at.line, at.column};
     }
     std::size_t emit(Action act, const void* a = nullptr, const void* b = nullptr, void* to = nullptr);
-    /** For instructions that refer to it. */
+    /** Keeps a source for instructions that refer to it. */
     base::DataSourceBase* keep(Source source);
 
     Compiler::State& state_;
-    const Surroundings& where_;
+    const CompileContext& where_;
     Code& code_;
     Scope* scope_;
     Activation* function_;
-    std::vector<std::vector<std::size_t>>
-        breaks_;                           // of the loops around: jumps to be landed; 'break' stands in loops only
-    unsigned executions_ = 0;              // operations and functions called, variables assigned to by expressions
-    unsigned aliases_ = 0;                 // being looked up
-    const ast::Name* text_ = nullptr;      // an argument that has to be a text
-    std::set<const ast::Name*> ignored_;   // calls whose value nobody looks at
-    const Scope::Entry* alias_ = nullptr;  // the innermost of them
-    const ast::Identifier* used_alias_ = nullptr;  // the outermost of them
-    unsigned alias_uses_ = 0;                      // in that one
+    std::vector<std::vector<std::size_t>> breaks_;  // jumps out of each loop around, without targets yet
+    unsigned executions_ = 0;                       // number of calls, and of assignments inside expressions
+    unsigned aliases_ = 0;                          // number of aliases being resolved
+    const ast::Name* text_ = nullptr;               // an argument that must be a text
+    std::set<const ast::Name*> ignored_;            // calls whose value is ignored
+    const Scope::Entry* alias_ = nullptr;           // the innermost alias
+    const ast::Identifier* used_alias_ = nullptr;   // the outermost alias
+    unsigned alias_uses_ = 0;                       // number of aliases used in that one
 };
 
 template <class Convert>
-auto Unit::watched(ast::Place at, Convert convert) {
+auto UnitCompiler::watched(ast::Place at, Convert convert) {
     const types::detail::ConversionWatch watch;
     const types::detail::RefusalWatch refusals;
     auto made = convert();

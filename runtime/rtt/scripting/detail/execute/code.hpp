@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A piece of script in executable form: instructions on addresses, with everything they refer to.
+// A compiled piece of script: instructions on addresses, with everything to which they refer.
 #ifndef ORO_SCRIPTING_DETAIL_CODE_HPP
 #define ORO_SCRIPTING_DETAIL_CODE_HPP
 
@@ -19,21 +19,21 @@ namespace RTT::scripting::detail {
 class Process;
 struct Instruction;
 
-/** Does what the instruction says; returns the one to go on with, or null if the process stops here for now. What it throws
-    ends the statement. */
+/** Executes the instruction and returns the next one, or null if the process stops for now. An exception ends the
+    statement. */
 typedef const Instruction* (*Action)(const Instruction& self, Process& process);
 
 struct Instruction {
     Action act;
-    const void* a;  ///< what the action reads; for jumps see `offset`
+    const void* a;  ///< the operand that the action reads; jumps use `offset`
     union {
         const void* b;
-        std::ptrdiff_t offset;  ///< of a jump: instructions from this one to its target
+        std::ptrdiff_t offset;  ///< the distance of a jump, in instructions
     };
-    void* to;  ///< what it changes
+    void* to;  ///< the operand that it writes
 };
 
-/** A number or truth value that an expression computes on its way. */
+/** An intermediate number or truth value of an expression. */
 union Cell {
     bool truth;
     char letter;
@@ -46,8 +46,8 @@ union Cell {
 };
 
 /**
- * One program, function body, condition, … Made once; belongs to one Process at a time, since its instructions contain the
- * addresses of its variables. Does not move once it is made.
+ * The code of a program, function body, condition and so on. It belongs to one Process at a time, because its
+ * instructions contain the addresses of its variables. It does not change or move after it was made.
  */
 class Code {
 public:
@@ -59,29 +59,29 @@ public:
     /** The last instruction ends the process or returns from the function. */
     std::size_t size() const { return instructions_.size(); }
 
-    /** Where the statement of that instruction begins. */
+    /** The place of the instruction's statement. */
     ast::Place placeOf(const Instruction* at) const;
     /** True for the first instruction of a statement. */
     bool beginsStatement(const Instruction* at) const;
-    /** The first instruction of that statement. */
+    /** The first instruction of the same statement. */
     const Instruction* statementOf(const Instruction* at) const;
-    /** Where to go on if `at` fails; null if nothing catches it. */
+    /** The instruction to continue at if `at` fails; null if nothing catches the failure. */
     const Instruction* handlerOf(const Instruction* at) const;
     std::size_t statementCount() const { return marks_.size(); }
 
     // -- For the compiler -----------------------------------------------------------------------------------
     std::size_t add(const Instruction& instruction);
     Instruction& at(std::size_t index) { return instructions_[index]; }
-    /** The statement at `place` begins with the next instruction. */
+    /** Begins the statement at `place` with the next instruction. */
     void beginStatement(ast::Place place);
-    /** What fails in [from, until) goes on at `handler`. Inner ones are added first. */
+    /** Lets failures in [from, until) continue at `handler`. Inner guards are added first. */
     void guard(std::size_t from, std::size_t until, std::size_t handler);
     Cell* newCell();
-    /** The last instruction becomes the one with that index. No jumps lead from and to those between. */
+    /** Moves the last instruction to that index. There must be no jumps from or to the instructions between. */
     void moveLast(std::size_t to);
-    /** Takes back what was added since its size was `size`. */
+    /** Removes the instructions from index `size` on. */
     void truncate(std::size_t size);
-    /** Keeps it alive as long as the code. */
+    /** Keeps an object as long as the code. */
     template <class Owned>
     void keep(Owned owned) {
         kept_.push_back(std::make_shared<Owned>(std::move(owned)));

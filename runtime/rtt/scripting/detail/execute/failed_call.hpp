@@ -13,34 +13,39 @@
 
 namespace RTT::scripting::detail {
 
-/** The place of a call in a script, with its line for messages, which no thread of a component reads from the file. */
+/** The place of a call in a script. It has the line for messages, because threads of components must not read the file.
+     */
 struct CallPlace {
     oroforge::diag::Location where;
-    std::string line;  ///< empty: not known
+    std::string line;  ///< empty if unknown
 };
 
-/** Empty if the text has no such line. */
+/** The line of that number; empty if the text has no such line. */
 std::string lineOf(const std::string& text, unsigned line);
 
-/** Tells of a call that failed, as the log has it: a warning, or an error. */
+/** Logs a failed call as a warning or error. */
 void logFailure(oroforge::diag::Severity severity, const CallPlace& place, const std::string& reasons);
 
-/** A call that fails its statement: what has to be told first is its place, not that of what called the function it is in. */
+/** The failure of a call that fails its statement. It is reported at its own place, not where its function was called.
+     */
 class FailedCall : public std::runtime_error {
 public:
     FailedCall(CallPlace place, const std::string& reasons) : std::runtime_error(reasons), place_(std::move(place)) {}
 
-    /** On its way out of a function, say: `what` is so at a place that the one who catches this knows. */
+    /** Notes that the exception leaves a function, or other code that `what` names; the code that catches it knows the
+        place. */
     void leaves(std::string what) { left_ = std::move(what); }
-    /** If it has left one, that was here. A place without file is one of whoever tells of this, unless it is said later. */
+    /** Sets the place of what it left. A place without a file belongs to the code that reports this, unless isFrom()
+        sets it. */
     void passes(CallPlace here);
-    /** The file of the places without one, and its text. */
+    /** Sets the file, and its text, of places without one. */
     void isFrom(const oroforge::diag::FileName& file, const std::string& text);
 
     const CallPlace& place() const { return place_; }
-    /** `whole`: what failed for this reason, at `where`; empty: the statement there. */
+    /** Reports it. `whole` names what failed for this reason at `where`; empty means the statement there. */
     void report(oroforge::diag::Sink& sink, const oroforge::diag::Location& where, const std::string& whole) const;
-    /** The lines of these places that are known; `text`: what is known of `file` besides. Nothing of them is read from disk. */
+    /** Adds the known lines of its places to the sources; `text` is the known text of `file`. Reads nothing from disk.
+         */
     void addLines(oroforge::diag::SourceCache& sources, const std::string& file, const std::string& text) const;
 
 private:

@@ -4,7 +4,7 @@
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/os/TimeService.hpp>
-#include <rtt/scripting/detail/compile/told_send.hpp>
+#include <rtt/scripting/detail/compile/tracked_send.hpp>
 #include <rtt/types/detail/refusal_watch.hpp>
 
 namespace RTT::scripting::detail {
@@ -55,7 +55,7 @@ const Instruction* await(const Instruction& self, Process& process) {
 }
 
 const Instruction* announce(const Instruction& self, Process&) {
-    auto* const told = static_cast<ToldSend*>(self.to);
+    auto* const told = static_cast<TrackedSend*>(self.to);
     internal::Sending::announce(told ? told->announcement() : internal::Sending());
     return &self + 1;
 }

@@ -10,9 +10,9 @@
 namespace RTT::scripting::detail {
 namespace instructions {
 
-// What each of them uses of its Instruction is said in brackets.
+// The brackets name the members of Instruction that each one uses.
 
-/** The end of a program, or of a function [none]. */
+/** Ends a program or a function [none]. */
 const Instruction* leave(const Instruction& self, Process& process);
 const Instruction* yield(const Instruction& self, Process& process);
 /** `nothing`. */
@@ -29,19 +29,19 @@ const Instruction* enter(const Instruction& self, Process& process);
 const Instruction* evaluate(const Instruction& self, Process& process);
 /** Executes the ActionInterface `to`. */
 const Instruction* perform(const Instruction& self, Process& process);
-/** Seconds since the epoch, to the double `to`. */
+/** Stores the seconds since the epoch in the double `to`. */
 const Instruction* now(const Instruction& self, Process& process);
 /** Evaluates the DataSource<SendStatus> `to`; yields, to be executed again, until it is not SendNotReady. */
 const Instruction* await(const Instruction& self, Process& process);
 
-/** The ToldSend `to` reports how the next call that is sent ends; null: nothing reports it. */
+/** Lets the TrackedSend `to` report the outcome of the next call that is sent; null for none. */
 const Instruction* announce(const Instruction& self, Process& process);
-/** The script collects another call from now on than the one in the LastSent `to`. */
+/** Forgets the call in the LastSent `to`, because the script collects another one from now on. */
 const Instruction* forgetSent(const Instruction& self, Process& process);
 
 const Instruction* failEvaluation(Process& process);
 
-/** The value of the DataSourceBase `a`, of type T, to `to`. */
+/** Copies the value, of type T, of the DataSourceBase `a` to `to`. */
 template <class T>
 const Instruction* load(const Instruction& self, Process& process) {
     auto* const source = const_cast<base::DataSourceBase*>(static_cast<const base::DataSourceBase*>(self.a));
@@ -52,7 +52,7 @@ const Instruction* load(const Instruction& self, Process& process) {
     return process.proceed(&self + 1);
 }
 
-/** The value at `a` to the AssignableDataSource<T> `to`. */
+/** Assigns the value at `a` to the AssignableDataSource<T> `to`. */
 template <class T>
 const Instruction* store(const Instruction& self, Process&) {
     static_cast<internal::AssignableDataSource<T>*>(self.to)->set(*static_cast<const T*>(self.a));

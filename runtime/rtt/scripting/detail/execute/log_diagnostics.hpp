@@ -8,7 +8,7 @@
 
 namespace RTT::scripting::detail {
 
-/** One message of all errors, and one of all that is no error, with the lines of the texts. */
+/** Logs one message with all errors and one with all other diagnostics, with source lines. */
 void logDiagnostics(const oroforge::diag::Sink& sink, oroforge::diag::SourceCache& sources);
 
 }  // namespace RTT::scripting::detail

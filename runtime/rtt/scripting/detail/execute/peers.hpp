@@ -14,12 +14,12 @@ class TaskContext;
 namespace scripting {
 namespace detail {
 
-/** The components, other than its own, whose attributes and properties a piece of script reads and writes at their addresses. */
+/** The other components whose attributes and properties a piece of script accesses by address. */
 class Peers {
 public:
-    /** While it is compiled. */
+    /** Called while the script is compiled. */
     void add(const TaskContext& component);
-    /** The name of one that was destroyed; null if there is none. Any thread; real-time safe. */
+    /** The name of a peer that was destroyed; null if there is none. Any thread; real-time safe. */
     const std::string* lost() const {
         for (const Peer& peer : peers_)
             if (peer.gate->closed()) return &peer.name;

@@ -18,7 +18,7 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-constexpr unsigned kMostYields = 10000;  // of runToEnd()
+constexpr unsigned kMostYields = 10000;  // in runToEnd()
 
 }  // namespace
 
@@ -64,7 +64,7 @@ Process::Outcome Process::run() {
     finishing_ = false;
     const Outcome outcome = execute([](const Instruction*) { return false; });
     if (!finishing_) return outcome;
-    // pause() was called within a statement: to its end.
+    // pause() was called within a statement, so executes the rest of it.
     execute([this](const Instruction* next) { return codeOf(function_).beginsStatement(next); });
     if (outcome_ == Outcome::Yielded) outcome_ = Outcome::Paused;
     return outcome_;
@@ -118,7 +118,7 @@ const Instruction* Process::stop(Outcome outcome, const Instruction* next) {
 }
 
 void Process::show(const Instruction* at) {
-    // Of a function, its caller is shown: the place is one of this code.
+    // Within a function, shows its outermost caller, because the place must be in this code.
     for (const Activation* inner = function_; inner; inner = inner->caller) at = inner->returnTo - 1;
     shown_.store(at, std::memory_order_relaxed);
 }
@@ -133,8 +133,8 @@ const Instruction* Process::pauseAt(const Instruction* next) {
 }
 
 const Instruction* Process::loseSight(const std::string& peer) {
-    message_ =
-        "component '" + peer + "' is gone, whose attributes or properties are used here; load this again without it";
+    message_ = "component '" + peer +
+               "' was destroyed, but its attributes or properties are used here; load this again without it";
     failed_ = true;
     return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
@@ -146,7 +146,7 @@ const Instruction* Process::exceed() {
 }
 
 const Instruction* Process::fail(std::string message) {
-    internal::Sending::announce({});  // what it was about to send
+    internal::Sending::announce({});  // forgets the announced call
     message_ = std::move(message);
     return catchFailure();
 }
@@ -171,7 +171,8 @@ void Process::report(oroforge::diag::Sink& sink, const oroforge::diag::FileName&
 
 namespace {
 
-/** The one that this thread executes is in Exception: what it called of itself threw. Its programs stand still. */
+/** True if the component that this thread executes is in Exception, because its own code threw. Its programs then stop.
+     */
 bool componentFailed() {
     const internal::EngineGate::Step* const step = internal::EngineGate::Step::innermost();
     const ExecutionEngine* const engine = step ? step->engine() : nullptr;
@@ -205,7 +206,7 @@ const Instruction* Process::catchFailure() {
     return stop(Outcome::Failed, codeOf(function_).statementOf(at_));
 }
 
-/** Nothing catches that. */
+/** Fails without a chance to catch it. */
 const Instruction* Process::interrupt(const char* why) {
     message_ = why;
     failed_ = interrupted_ = true;

@@ -15,8 +15,8 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-// The word state_: one of the states, with what the next step has to do before it goes on. Only the engine's thread takes
-// away what is asked for, all others ask; each does so with one atomic operation on what it has seen.
+// The word state_ has a state and the requests for the next step. Only the engine's thread removes requests; other
+// threads add them. Each does so with one atomic operation on the value that it has read.
 enum State : unsigned { Stopped, Paused, Running, Failed };
 constexpr unsigned kState = 3;
 constexpr unsigned kRestart = 4;  // begin with the first statement
@@ -24,7 +24,7 @@ constexpr unsigned kPause = 8;    // become Paused
 constexpr unsigned kStep = 16;    // execute a statement, and stay Paused
 
 State stateOf(unsigned word) { return static_cast<State>(word & kState); }
-/** There is nothing to do, and nothing is asked for. */
+/** True if there is nothing to do and no request. */
 bool isAtRest(unsigned word) { return word == Stopped || word == Paused || word == Failed; }
 
 }  // namespace
@@ -45,7 +45,8 @@ Program::~Program() {
     if (ExecutionEngine* const engine = getEngine()) engine->removeFunction(this);
 }
 
-/** `rule` says what comes after what is now; if that is the same, or it gives false, nothing is changed. */
+/** Changes the state by `rule`, which gives the new value for the present one; no change if it gives the same value or
+    false. */
 template <class Rule>
 bool Program::change(Rule rule) {
     if (!isLoaded()) return false;
@@ -67,7 +68,7 @@ bool Program::start() {
             case Paused: next = Running; return true;
             case Running:
                 next = now & ~(kPause | kStep);
-                return (now & kPause) != 0;  // takes back what was not done yet
+                return (now & kPause) != 0;  // cancels a pause that has not taken effect
             case Failed: break;
         }
         return false;
@@ -123,7 +124,7 @@ std::string Program::getError() const {
 }
 
 bool Program::execute() {
-    const auto alive = weak_from_this().lock();  // one of its own statements may unload it
+    const auto alive = weak_from_this().lock();  // because one of its own statements may unload it
     while (executeOnce()) {
     }
     return true;
@@ -148,7 +149,7 @@ bool Program::executeOnce() {
     return settle(now == Running ? process_.run() : process_.runStatement());
 }
 
-/** What becomes of the state, unless somebody stopped or restarted the program meanwhile. */
+/** Sets the new state, unless another thread stopped or restarted the program meanwhile. */
 bool Program::settle(Process::Outcome outcome) {
     if (outcome == Process::Outcome::Failed) reportFailure();
     unsigned now = state_.load(), next = now;
@@ -158,7 +159,7 @@ bool Program::settle(Process::Outcome outcome) {
         switch (outcome) {
             case Process::Outcome::Finished: next = Stopped; break;
             case Process::Outcome::Failed: next = Failed; break;
-            // It may have been told to pause by somebody who changed his mind: then it goes on at once.
+            // If the pause was cancelled meanwhile, the program continues at once.
             case Process::Outcome::Paused:
             case Process::Outcome::Yielded: next = now & kPause ? Paused | (now & kStep) : state; break;
         }
@@ -183,9 +184,9 @@ void Program::reportFailure() {
 }
 
 ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file, std::string text,
-                                const Surroundings& where) {
+                                const CompileContext& where) {
     const std::string& name = tree.name.text;
-    Surroundings here = where;
+    CompileContext here = where;
     here.peers = std::make_shared<Peers>();
     Compiler compiler(here);
     std::unique_ptr<Code> code = compiler.program(tree.body, "program '" + name + "'", file.scope);
@@ -205,7 +206,8 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
 
 namespace {
 
-/** Code that calls an operation of the service keeps this, but not the program: programs may command each other. */
+/** Code that calls an operation of the service keeps this but not the program, because programs may command each other.
+     */
 template <class Function>
 struct OfProgram {
     boost::weak_ptr<ProgramInterface> program;
@@ -223,7 +225,7 @@ Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskC
     service->doc("The program '" + program->getName() + "' of a script.");
     const auto add = [&](const char* name, auto function) -> auto& {
         auto& operation = service->addOperation(name, OfProgram<decltype(function)>{program, function});
-        // C++ may call it with the program as first argument.
+        // C++ code may call it with the program as first argument.
         service->addMemberOverloads<ProgramInterface>(name, function);
         return operation;
     };

@@ -19,17 +19,17 @@ namespace RTT::scripting::detail {
 
 class Program final : public ProgramInterface {
 public:
-    typedef decltype(Surroundings::roundLimit) RoundLimit;
-    /** Where its text stands. */
+    typedef decltype(CompileContext::roundLimit) RoundLimit;
+    /** The text and its place. */
     struct Text {
         oroforge::diag::FileName file;
         std::string letters;
-        ast::Place at;  ///< of the first of them; {0, 0} if that is not known
+        ast::Place at;  ///< its beginning; {0, 0} if unknown
     };
 
     Program(std::string name, std::string component, Text text, std::unique_ptr<Code> code, RoundLimit limit,
             std::shared_ptr<const Peers> peers);
-    /** Takes it out of its engine. */
+    /** Removes it from its engine. */
     ~Program() override;
 
     bool execute() override;
@@ -58,17 +58,17 @@ private:
     const Text text_;
     const std::unique_ptr<const Code> code_;
     const RoundLimit limit_;
-    Process process_;               // touched in the engine's thread only, but for pause() and place()
-    std::atomic<unsigned> state_;   // a Status, and what is asked for
-    mutable os::Mutex error_lock_;  // not taken unless something failed
+    Process process_;               // used only in the engine's thread, except for pause() and place()
+    std::atomic<unsigned> state_;   // a Status and requests
+    mutable os::Mutex error_lock_;  // locked only after a failure
     std::string error_;
 };
 
-/** Compiles; null, with the errors in `*where.sink`, if that fails. `text` are the letters of the item. */
+/** Compiles a program from `text`, the source of the item. Reports errors to `*where.sink` and then returns null. */
 ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file, std::string text,
-                                const Surroundings& where);
+                                const CompileContext& where);
 
-/** The service by which others command a program; not added to the component yet. */
+/** The service with the commands of a program; not added to the component. */
 Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskContext& owner);
 
 }  // namespace RTT::scripting::detail

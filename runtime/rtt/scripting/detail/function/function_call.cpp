@@ -32,7 +32,7 @@ bool isFatal(const ExecutionEngine& engine) {
     return task && task->base::TaskCore::inFatalError();
 }
 
-/** What keeps the component from executing a function. */
+/** Why the component does not execute a function. */
 std::string whyRefused(const EngineGate& gate) {
     const EngineGate::Visit visit(gate);
     if (!visit.engine()) return "the component was destroyed";
@@ -68,7 +68,7 @@ void intrusive_ptr_release(FunctionCall* call) {
 
 bool FunctionCall::begin(const std::vector<Source>& values) {
     State now = state_.load();
-    // The engine may still have one that was given up.
+    // The engine may still have a call that was given up.
     if (now == Waiting || (now == Refused && !isUnused())) return false;
     if (!state_.compare_exchange_strong(now, Waiting)) return false;
     process_.restart();
@@ -139,8 +139,8 @@ void FunctionCall::wait() {
     while (!over()) {
         if (interruption && interruption->asked())
             throw internal::Interrupted("interrupted while waiting for " + owner_->describe() + ", which goes on");
-        // finish() tells the engine of the thread that sent, and threads that execute none. Nobody tells that the owner is
-        // lost, nor an engine that collects what another one sent.
+        // finish() wakes the engine of the thread that sent, and threads without an engine. Nothing wakes this thread
+        // if the owner is destroyed, or if another engine collects than the one that sent.
         const bool told = !own || own == waiting_.get();
         const std::int64_t soon =
             rtos_get_time_ns() + (interruption ? Interruption::kLook : (told ? 100 : 1) * kMillisecond);
@@ -155,7 +155,7 @@ void FunctionCall::wait() {
     }
 }
 
-/** Nobody will execute it any more. */
+/** True if it will not be executed any more. */
 bool FunctionCall::isLost() const {
     const EngineGate::Visit visit(*owner_->gate);
     return !visit.engine() || isFatal(*visit.engine());
@@ -172,7 +172,7 @@ void FunctionCall::reportFailure() const {
     oroforge::diag::Sink sink;
     process_.report(sink, owner_->file, owner_->describe());
     oroforge::diag::SourceCache lines;
-    // No thread of a component reads files for this.
+    // Threads of components must not read files.
     const auto text = owner_->text.lock();
     lines.add(owner_->file, text && process_.failedCall() ? *text : "");
     logDiagnostics(sink, lines);
@@ -190,7 +190,7 @@ void FunctionCall::checkFailure() const {
 
 // -- The thread that executes ---------------------------------------------------------------------------------------
 
-/** Until its end or a `yield`; true at the end. */
+/** Executes until the end or a `yield`; true at the end. */
 bool FunctionCall::executePart() {
     executing_ = true;
     process_.setRoundLimit(owner_->roundLimit ? owner_->roundLimit->rvalue() : 0);
@@ -199,7 +199,7 @@ bool FunctionCall::executePart() {
     return outcome_ != Outcome::Yielded;
 }
 
-/** By the caller, in the thread of the owner. */
+/** Executes the function in the calling thread, which is that of the owner. */
 void FunctionCall::executeHere() {
     std::optional<Interruption::Listener> listener;
     if (Interruption::ofScript()) listener.emplace([this] { process_.pause(); });
@@ -216,7 +216,7 @@ void FunctionCall::executeHere() {
     if (interrupted) throw internal::Interrupted(owner_->describe() + " was interrupted");
 }
 
-/** For a while, as a step of the component would be over. */
+/** Executes messages for a while, as between two steps of the component. */
 void FunctionCall::serveMessages() {
     owner_->gate->engine()->waitForMessages([] { return false; }, rtos_get_time_ns() + kMillisecond);
 }
@@ -224,19 +224,19 @@ void FunctionCall::serveMessages() {
 void FunctionCall::executeAndDispose() {
     const shared_ptr queued(this, false);
     if (executePart()) return settle();
-    // The rest is for the steps of the component. The reference is the engine's.
+    // Steps of the component execute the rest. The engine owns the reference.
     listed_ = true;
     intrusive_ptr_add_ref(this);
     ExecutionEngine* const engine = owner_->gate->engine();
     if (engine && engine->runFunction(this)) return goOn();
-    if (!listed_) return;  // it was told already
+    if (!listed_) return;  // already finished
     listed_ = false;
     const shared_ptr refused(this, false);
     settle();
 }
 
 bool FunctionCall::execute() {
-    // A call that it makes waits, and the component goes on with what others wait for: but not with this.
+    // A call inside the function waits, and the component executes other functions meanwhile, but not this one.
     if (executing_) return true;
     const shared_ptr alive(this);
     if (executePart()) return false;
@@ -244,7 +244,7 @@ bool FunctionCall::execute() {
     return true;
 }
 
-/** Asks for a next step where nobody else may do so. */
+/** Asks for a next step if nothing else does. */
 void FunctionCall::goOn() {
     ExecutionEngine* const engine = owner_->gate->engine();
     base::ActivityInterface* const activity = engine ? engine->getActivity() : nullptr;
@@ -269,13 +269,13 @@ void FunctionCall::dispose() {
     settle();
 }
 
-/** If it has not come to its end, nobody will execute the rest. */
+/** Fails the call if it has not ended, because the rest will not be executed. */
 void FunctionCall::settle() {
     finish(outcome_ == Outcome::Yielded ? Refused : outcome_ == Outcome::Failed ? Failed : Done);
 }
 
 void FunctionCall::finish(State state) {
-    // As soon as the state is seen, the other thread may begin anew.
+    // As soon as the other thread sees the state, it may begin a new call.
     const boost::intrusive_ptr<const EngineGate> waiting = waiting_;
     if (state == Failed && sent_) reportFailure();
     State now = Waiting;

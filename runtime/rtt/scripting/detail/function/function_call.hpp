@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The execution of a script's function for somebody who is not a script of the same component.
+// Executes a function of a script for callers other than scripts of the same component.
 #ifndef ORO_SCRIPTING_DETAIL_FUNCTION_CALL_HPP
 #define ORO_SCRIPTING_DETAIL_FUNCTION_CALL_HPP
 
@@ -19,27 +19,27 @@ namespace RTT::scripting::detail {
 
 class FunctionPool;
 
-/** What all executions of a function have in common. */
+/** What all executions of a function share. */
 struct FunctionOwner {
     std::string function, component;
     oroforge::diag::FileName file;
-    std::weak_ptr<const std::string> text;                  ///< of the file
-    boost::intrusive_ptr<const internal::EngineGate> gate;  ///< of the engine that executes it
-    decltype(Surroundings::roundLimit) roundLimit;
-    std::atomic<bool> warned{false};  ///< that it yields where nobody expects it
+    std::weak_ptr<const std::string> text;                  ///< the text of the file
+    boost::intrusive_ptr<const internal::EngineGate> gate;  ///< the gate of the engine that executes it
+    decltype(CompileContext::roundLimit) roundLimit;
+    std::atomic<bool> warned{false};  ///< a warning was given that it yields unexpectedly
 
     /** "function 'f' of component 'c'" */
     std::string describe() const { return "function '" + function + "' of component '" + component + "'"; }
 };
 
 /**
- * An activation of a function with the one who executes it: the caller itself in the thread of the owner, otherwise the
- * owner's engine, first as a message and then, if it yields, as a function in the steps to come, which goes on also while
- * the component waits for another one. Used for one call after the
- * other. Referred to by the source that calls, by handles, and by the engine while it has it; goes back to its pool when
- * nobody does any more. Nothing here allocates unless it says so, or the function or what it calls does.
+ * An activation of a function and its execution. In the thread of the owner, the caller executes it. Otherwise the
+ * owner's engine does, first as a message and then, if it yields, as a function in later steps, even while the
+ * component waits for another one. It is reused for one call after another. The source that calls, handles, and the
+ * engine refer to it; without references it goes back to its pool. Functions here do not allocate unless they say so,
+ * or the called function does.
  *
- * State Waiting belongs to the thread that executes, every other state to the one that calls. finish() hands it over.
+ * In state Waiting it belongs to the thread that executes, in other states to the caller. finish() hands it over.
  */
 class FunctionCall final : public base::DisposableInterface, public base::ExecutableInterface {
 public:
@@ -51,23 +51,25 @@ public:
     ~FunctionCall() override;
 
     const FunctionOwner& owner() const { return *owner_; }
-    /** Of the types that the function takes, for begin(). */
+    /** Values of the types that the function takes, for begin(). */
     const std::vector<Source>& arguments() const { return activation_->arguments; }
-    /** Null for void. To be read after call(), or when collect() gave SendSuccess. */
+    /** The result; null for void. Read it after call(), or when collect() gave SendSuccess. */
     const Source& result() const { return activation_->result; }
 
-    /** Takes the values of these sources, which have been evaluated, as arguments. False if it is being executed. */
+    /** Copies the values of these sources, which were evaluated, to the arguments. False if it is being executed. */
     bool begin(const std::vector<Source>& values);
-    /** After begin(): executes it and waits for its end. `caller`, the gate of the component that calls, or null, matters to
-        threads that stand for that component. Throws std::runtime_error if the function fails, SendError if it is not
-        executed; blocks. */
+    /**
+     * After begin(): executes it and waits for its end. `caller`, the gate of the calling component or null, matters to
+     * threads that act for that component. Throws std::runtime_error if the function fails, SendError if it is not
+     * executed; blocks.
+     */
     void call(const internal::EngineGate* caller);
-    /** After begin(): has it executed by its engine, also in the thread of that. False if it is refused. */
+    /** After begin(): sends it to its engine, even from the thread of that. False if it is refused. */
     bool send(const internal::EngineGate* caller);
-    /** What became of it; waits for its end if `wait`. Throws as call() does if it failed. */
+    /** The status; with `wait`, waits for the end. Throws as call() does if it failed. */
     SendStatus collect(bool wait);
 
-    // For the engine.
+    // Called by the engine.
     void executeAndDispose() override;
     void dispose() override;
     bool isError() const override { return state_.load() == Failed; }
@@ -77,7 +79,7 @@ public:
 
     friend void intrusive_ptr_add_ref(FunctionCall* call) { call->references_.fetch_add(1, std::memory_order_relaxed); }
     friend void intrusive_ptr_release(FunctionCall* call);
-    /** Nobody but one handle or source refers to it. */
+    /** True if only one handle or source refers to it. */
     bool isUnused() const { return references_.load(std::memory_order_acquire) == 1; }
 
 private:
@@ -98,19 +100,19 @@ private:
 
     const std::shared_ptr<FunctionOwner> owner_;
     const std::unique_ptr<Activation> activation_;
-    const Source noResult_;  // what the result is before a call
+    const Source noResult_;  // the result before a call
     Process process_;
     Process::Outcome outcome_ = Process::Outcome::Yielded;
-    std::atomic<bool> executing_{false};  // further down the stack of the thread that executes
-    bool listed_ = false;                 // among the functions of the engine, or on its way there
-    bool sent_ = false;                   // maybe nobody will ever ask what became of it
+    std::atomic<bool> executing_{false};  // it is on the stack of the thread that executes
+    bool listed_ = false;                 // in the functions of the engine, or about to be
+    bool sent_ = false;                   // it may never be collected
     boost::intrusive_ptr<const internal::EngineGate>
-        waiting_;  // of the engine whose thread waits; null: done_ is enough
+        waiting_;  // the engine whose thread waits; null if done_ is enough
     internal::WaitPoint done_;
     std::atomic<State> state_{Idle};
     std::atomic<int> references_{0};
-    std::shared_ptr<FunctionPool> pool_;  // null while it is in there
-    FunctionCall* next_ = nullptr;        // in there
+    std::shared_ptr<FunctionPool> pool_;  // null while it is in the pool
+    FunctionCall* next_ = nullptr;        // the next one in the pool
 };
 
 }  // namespace RTT::scripting::detail

@@ -17,11 +17,11 @@ using base::DataSourceBase;
 
 namespace {
 
-// Of functions. A chain of those that call each other would be compiled again with each that is added to it.
+// The most functions compiled at once: a chain of functions would be compiled again for each that is added to it.
 constexpr std::size_t kMostAtOnce = 50;
 
-/** The function is executed by the engine of its component. */
-Surroundings ofItself(Surroundings where, oroforge::diag::Sink& sink) {
+/** The context for a function that the engine of its component executes. */
+CompileContext ofItself(CompileContext where, oroforge::diag::Sink& sink) {
     where.caller = where.component->engine();
     where.sink = &sink;
     return where;
@@ -40,7 +40,7 @@ void checkCount(std::size_t wanted, std::size_t received) {
     throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
 }
 
-/** What a function gives that returns nothing: for Void = void. */
+/** The source for a function that returns nothing, for Void = void. */
 template <class Void>
 class NoValue final : public internal::DataSource<Void> {
 public:
@@ -168,7 +168,7 @@ DataSourceBase::shared_ptr UnexecutedPart::produceCollect(const Args& args,
 }
 
 bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scope, Service* scripting,
-                 const Surroundings& where) {
+                 const CompileContext& where) {
     Service* const home = homeOf(scope, scripting, *where.component);
     const OperationInterfacePart* const taken = home ? home->getPart(definition.name) : nullptr;
     if (!taken || dynamic_cast<const FunctionSignature*>(taken)) return true;
@@ -179,7 +179,7 @@ bool hasFreeName(const FunctionDefinition& definition, ast::Function::Scope scop
 }
 
 bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Function::Scope scope, Service& scripting,
-                 const Surroundings& where) {
+                 const CompileContext& where) {
     if (!hasFreeName(*definition, scope, &scripting, where)) return false;
     const std::string& name = definition->name;
     const oroforge::diag::Location place = placeOf(*definition);
@@ -190,7 +190,7 @@ bool addFunction(std::shared_ptr<const FunctionDefinition> definition, ast::Func
     const bool isSmall = definition->size <= kMostAtOnce;
     const auto pool = std::make_shared<FunctionPool>(std::move(definition), where);
     if (isSmall) {
-        // Finds the same, and the first one who calls it need not wait until it is compiled.
+        // Reports the same errors, and compiles the function so that the first caller need not wait.
         if (!pool->take(*where.sink)) return false;
     } else {
         for (const auto& each : found.all()) where.sink->add(each);

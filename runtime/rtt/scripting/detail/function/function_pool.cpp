@@ -15,7 +15,8 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** What this thread is compiling. A function that has been redefined may come to call itself by the name of its operation. */
+/** The functions that this thread is compiling: after a redefinition, a function may call itself by the name of its
+    operation. */
 struct Making {
     const FunctionPool* const pool;
     const Making* const outer;
@@ -33,7 +34,7 @@ thread_local const Making* Making::innermost = nullptr;
 
 }  // namespace
 
-FunctionPool::FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const Surroundings& where)
+FunctionPool::FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const CompileContext& where)
     : definition_(std::move(definition)),
       functions_(where.functions && !definition_->functions ? *where.functions : Functions()),
       where_(where),
@@ -76,7 +77,7 @@ FunctionCall* FunctionPool::make(oroforge::diag::Sink& sink) {
         return nullptr;
     }
     const Making making(this);
-    Surroundings where = where_;
+    CompileContext where = where_;
     where.sink = &sink;
     const auto peers = where.peers = std::make_shared<Peers>();
     std::unique_ptr<Activation> activation = Compiler(std::move(where)).function(*definition_);
@@ -91,7 +92,7 @@ FunctionCall::shared_ptr FunctionPool::take(oroforge::diag::Sink& sink) {
 }
 
 FunctionCall::shared_ptr FunctionPool::take() {
-    // What it converts was told where it was defined.
+    // Warnings about conversions were given where it was defined.
     const types::detail::ConversionWatch unheard;
     oroforge::diag::Sink sink;
     FunctionCall::shared_ptr call = take(sink);

@@ -11,22 +11,24 @@
 
 namespace RTT::scripting::detail {
 
-/** The executions of one function: compiles another one when all are taken. */
+/** The executions of one function. Compiles another one when all are in use. */
 class FunctionPool : public std::enable_shared_from_this<FunctionPool> {
 public:
-    /** Keeps the functions that can be called by it. */
-    FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const Surroundings& where);
+    /** Keeps the functions that it can call. */
+    FunctionPool(std::shared_ptr<const FunctionDefinition> definition, const CompileContext& where);
     ~FunctionPool();
     FunctionPool(const FunctionPool&) = delete;
     FunctionPool& operator=(const FunctionPool&) = delete;
 
     const std::shared_ptr<FunctionOwner>& owner() const { return owner_; }
     const FunctionDefinition& definition() const { return *definition_; }
-    /** One that nobody else has; null, with the errors in `sink`, if it does not compile. Any thread; allocates, blocks. */
+    /** An unused execution. If the function does not compile, reports errors to `sink` and returns null. Any thread;
+        allocates, blocks. */
     FunctionCall::shared_ptr take(oroforge::diag::Sink& sink);
     /** The same; throws std::runtime_error with the first of the errors. */
     FunctionCall::shared_ptr take();
-    /** By the last one who has it. Any thread; real-time safe, unless the pool is gone but for this. */
+    /** Called when the last reference is gone. Any thread; real-time safe, unless this was the last reference to the
+        pool. */
     static void giveBack(FunctionCall* call) noexcept;
 
 private:
@@ -35,11 +37,11 @@ private:
 
     const std::shared_ptr<const FunctionDefinition> definition_;
     const Functions functions_;
-    Surroundings where_;
+    CompileContext where_;
     const std::shared_ptr<FunctionOwner> owner_;
     os::Mutex lock_;
-    FunctionCall* free_ = nullptr;                  // under the lock
-    std::atomic<FunctionCall*> returned_{nullptr};  // anybody adds, takeFree() takes all
+    FunctionCall* free_ = nullptr;                  // guarded by the lock
+    std::atomic<FunctionCall*> returned_{nullptr};  // any thread adds, takeFree() takes all
 };
 
 }  // namespace RTT::scripting::detail

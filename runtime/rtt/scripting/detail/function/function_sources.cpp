@@ -28,7 +28,7 @@ FunctionUse FunctionUse::copy(CopyMap& cloned) const {
 
 namespace {
 
-/** Has an execution of its own, so that the call finds one at any time. */
+/** Has its own execution, so that a call always finds one. */
 class CallAction final : public base::ActionInterface {
 public:
     CallAction(FunctionUse use, FunctionCall::shared_ptr call, DataSourceBase::shared_ptr result)
@@ -111,7 +111,7 @@ public:
           blocking_(std::move(blocking)) {}
     SendStatus get() const override {
         const FunctionCall::shared_ptr call = handle_->get();
-        // The handle of another function has another result than the variable was made for.
+        // A handle of another function may have a result of another type than the variable.
         if (!call || (variable_ && &call->owner() != owner_.get())) return status_ = SendFailure;
         status_ = call->collect(!blocking_ || blocking_->get());
         if (status_ == SendSuccess && variable_) {
@@ -142,7 +142,7 @@ DataSourceBase::shared_ptr makeCallSource(FunctionUse use) {
     FunctionCall::shared_ptr call = use.pool->take();
     if (!call->result()) return new VoidCallSource<void>(new CallAction(std::move(use), std::move(call), nullptr));
     const types::TypeInfo* const type = call->result()->getTypeInfo();
-    // A variable as made for programs: copies of the expression get a result of their own.
+    // A variable as in programs, so that copies of the expression have their own results.
     const std::unique_ptr<base::AttributeBase> holder(type->buildVariable("result"));
     const DataSourceBase::shared_ptr result = holder->getDataSource();
     auto action = std::make_unique<CallAction>(std::move(use), std::move(call), result);

@@ -16,25 +16,25 @@ namespace RTT::scripting::detail {
 typedef internal::DataSource<FunctionCall::shared_ptr> FunctionHandle;
 typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 
-/** Who calls a function with what. */
+/** The use of a function: the caller and the arguments. */
 struct FunctionUse {
     std::shared_ptr<FunctionPool> pool;
-    std::vector<base::DataSourceBase::shared_ptr> arguments;  ///< of the types that the function takes
+    std::vector<base::DataSourceBase::shared_ptr> arguments;  ///< with the types that the function takes
     boost::intrusive_ptr<const internal::EngineGate> caller;  ///< or null
 
-    /** Throws std::runtime_error if one of them has no value. */
+    /** Throws std::runtime_error if an argument has no value. */
     void evaluateArguments() const;
     FunctionUse copy(CopyMap& cloned) const;
 };
 
-/** A source, of the type of the result, that calls with each evaluation. Throws what FunctionCall::call() throws. */
+/** A source, with the type of the result, that calls at each evaluation. Throws what FunctionCall::call() throws. */
 base::DataSourceBase::shared_ptr makeCallSource(FunctionUse use);
 
-/** A source that sends with each evaluation; its value is the handle. Evaluation is false, and the handle null, if the
-    function was refused, or if too many of the calls it sent are not done. */
+/** A source that sends at each evaluation; its value is the handle. If the function is refused, or too many sent calls
+    are not done, evaluation is false and the handle null. */
 FunctionHandle::shared_ptr makeSendSource(FunctionUse use);
 
-/** A source that collects with each evaluation, and assigns the result to `variable` unless that is null. */
+/** A source that collects at each evaluation, and assigns the result to `variable` unless that is null. */
 base::DataSourceBase::shared_ptr makeCollectSource(std::shared_ptr<FunctionOwner> owner,
                                                    FunctionHandle::shared_ptr handle,
                                                    base::DataSourceBase::shared_ptr variable,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// From the tree of a state machine to one that can be executed.
+// Makes state machines from their trees.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_BUILD_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_BUILD_HPP
 
@@ -9,20 +9,21 @@
 
 namespace RTT::scripting::detail {
 
-/** Whether states, transitions and sub machines fit together. False, with all errors in `*where.sink`, if they do not. The names
-    in programs and conditions are looked up by makeMachine(). */
-bool checkMachineType(const MachineType& type, const MachineTypes& known, const Surroundings& where);
+/** Checks that states, transitions and sub machines fit together; reports all errors to `*where.sink`. makeMachine()
+    resolves the names in programs and conditions. */
+bool checkMachineType(const MachineType& type, const MachineTypes& known, const CompileContext& where);
 
-/** Whether the type is known, and each of its parameters is given once. */
+/** Checks that the type is known and each of its parameters is given once. */
 bool checkInstance(const ast::Instance& instance, const MachineTypes& known, const oroforge::diag::FileName& file,
-                   const Surroundings& where);
+                   const CompileContext& where);
 
 /**
- * The machine and its sub machines, not loaded into the engine. Its service is one of the component from then on, since its
- * programs may refer to it. Null, with all errors in `*where.sink`, if it cannot be made. `file` is that of `root`.
+ * Makes the machine and its sub machines, without loading them into the engine. The component gets its service, because
+ * its programs may refer to that. If it cannot be made, reports all errors to `*where.sink` and returns null. `file` is
+ * the file of `root`.
  */
 StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known, const SourceFile& file,
-                            const Surroundings& where);
+                            const CompileContext& where);
 
 }  // namespace RTT::scripting::detail
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Transitions that wait for a call of an operation, or for new data on a port.
+// Builds transitions that wait for a call of an operation or for new data on a port.
 #include <rtt/scripting/detail/machine/machine_builder.hpp>
 
 #include <rtt/TaskContext.hpp>
@@ -23,7 +23,7 @@ std::string counted(std::size_t number, const std::string& of) {
     return std::to_string(number) + " " + of + (number == 1 ? "" : "s");
 }
 
-/** Null if nobody can listen to it. */
+/** The signal of an operation; null if it has none. */
 std::shared_ptr<internal::SignalBase> signalOf(const OperationInterfacePart& operation) {
     const auto local = operation.getLocalOperation();
     const auto* const caller = dynamic_cast<const base::OperationCallerInterface*>(local.get());
@@ -32,7 +32,7 @@ std::shared_ptr<internal::SignalBase> signalOf(const OperationInterfacePart& ope
 
 }  // namespace
 
-/** What the path in front of the name of an operation or port leads to. */
+/** What the path before the name of an operation or port leads to. */
 MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
     Source here{where_.component, where_.component->provides()};
     const std::size_t own = tree.event[0].text == "this" || tree.event[0].text == "task" ||
@@ -85,7 +85,8 @@ void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& sou
               (isOutput ? "; it is an output port" : oroforge::diag::didYouMean(name.text, names)));
 }
 
-/** Null, and an error, if `to` is no variable or its type does not fit. */
+/** Assigns an argument to a variable. If `to` is not a variable or its type does not fit, reports an error and returns
+    null. */
 ActionPtr MachineBuilder::assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from,
                                      const Scope& scope) {
     const std::size_t errors = where_.sink->errorCount();

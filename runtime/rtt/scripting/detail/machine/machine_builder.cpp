@@ -31,7 +31,7 @@ void MachineBuilder::error(ast::Place place, const char* code, const std::string
     where_.sink->error(at(place), code, message);
 }
 
-// A type that is defined anew may refer to the former one, and that to this one.
+// A redefined type may refer to the former one, which may refer to the new one.
 bool MachineBuilder::isPartOfItself() const {
     for (const MachineBuilder* outer = context_.outer; outer; outer = outer->context_.outer)
         if (outer->tree_.type.text == tree_.type.text) return true;
@@ -89,7 +89,7 @@ void MachineBuilder::declare(const std::vector<const ast::Statement*>& statement
             model_->initial.push_back(std::move(values));
 }
 
-// Those are computed when the machine is made, and may depend on parameters.
+// Constants are computed when the machine is made, and may depend on parameters.
 bool MachineBuilder::hasConstants() const {
     const auto isConstant = [](const ast::StatementPtr& statement) {
         const auto* const declaration = std::get_if<ast::Declaration>(&statement->what);
@@ -179,9 +179,9 @@ GuardPtr MachineBuilder::guard(const ast::Expression& condition, const Scope& sc
 }
 
 StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known, const SourceFile& file,
-                            const Surroundings& where) {
+                            const CompileContext& where) {
     if (!checkInstance(root, known, file.name, where)) return nullptr;
-    Surroundings here = where;
+    CompileContext here = where;
     here.peers = std::make_shared<Peers>();
     const MachineBuilder::Context context{known, file.scope, here, *where.component->provides(), nullptr};
     return MachineBuilder(root, context).build();

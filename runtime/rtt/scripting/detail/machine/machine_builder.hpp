@@ -21,23 +21,23 @@ namespace RTT::scripting::detail {
  *     variables    parameters, values of parameters, everything else that is declared
  *     sub machines
  *     states       programs, conditions, transitions
- *     machine      and, now that there is one, its events
+ *     machine      and then its events
  *
- * Every program and condition has a compiler of its own: one may begin while another has yielded.
+ * Each program and condition has its own compiler, because one may begin while another has yielded.
  */
 class MachineBuilder {
 public:
-    /** What an instance stands in. */
+    /** The context of an instance. */
     struct Context {
         const MachineTypes& known;
-        const Scope& scope;           ///< of the values of parameters
-        const Surroundings& where;    ///< of the same
-        Service& service;             ///< gets the one of the machine
-        const MachineBuilder* outer;  ///< builds the machine it is part of; or null
+        const Scope& scope;           ///< for the values of parameters
+        const CompileContext& where;  ///< for the same
+        Service& service;             ///< gets the service of the machine
+        const MachineBuilder* outer;  ///< builds the outer machine; or null
     };
 
     MachineBuilder(const ast::Instance& instance, const Context& context);
-    /** Null if there was an error. */
+    /** The machine; null if there was an error. */
     StateMachinePtr build();
 
 private:
@@ -54,7 +54,7 @@ private:
     void makeSubMachines();
     void makeStates();
     void fillState(const ast::State& tree, MachineState& state);
-    /** Null if there is nothing to be executed. */
+    /** A routine for the code; null if there is nothing to execute. */
     RoutinePtr routine(std::unique_ptr<Code> code, CodeRoutine::Pace pace) const;
     RoutinePtr program(const std::unique_ptr<ast::Block>& block, const std::string& name, const Scope& scope) const;
     GuardPtr guard(const ast::Expression& condition, const Scope& scope) const;
@@ -86,14 +86,14 @@ private:
     const Context& context_;
     const MachineType& type_;
     const ast::StateMachine& tree_;
-    Surroundings where_;  // of the text of the type
+    CompileContext where_;  // for the text of the type
     Scope scope_;
     MachineSlot slot_;
     std::unique_ptr<MachineModel> model_;
     std::map<std::string, MachineState*> states_;
     std::map<base::InputPortInterface*, std::shared_ptr<PortReader>> readers_;
     std::vector<Listening> listening_;
-    std::vector<std::unique_ptr<Scope>> state_scopes_;  // each sees those of the states before
+    std::vector<std::unique_ptr<Scope>> state_scopes_;  // each sees those of earlier states
 };
 
 }  // namespace RTT::scripting::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What can be said of a state machine without looking at a component.
+// Checks of a state machine that need no component.
 #include <rtt/scripting/detail/machine/machine_build.hpp>
 
 #include <diag/nearest_match.hpp>
@@ -31,7 +31,7 @@ std::vector<const ast::Declarator*> parametersOf(const ast::StateMachine& tree) 
 
 class Check {
 public:
-    Check(const MachineType& type, const MachineTypes& known, const Surroundings& where)
+    Check(const MachineType& type, const MachineTypes& known, const CompileContext& where)
         : tree_(*type.tree), file_(type.file->name), known_(known), where_(where) {}
 
     bool all() {
@@ -115,19 +115,19 @@ private:
     const ast::StateMachine& tree_;
     const diag::FileName file_;
     const MachineTypes& known_;
-    const Surroundings& where_;
+    const CompileContext& where_;
     std::map<std::string, ast::Place> states_;
     std::vector<std::string> names_;
 };
 
 }  // namespace
 
-bool checkMachineType(const MachineType& type, const MachineTypes& known, const Surroundings& where) {
+bool checkMachineType(const MachineType& type, const MachineTypes& known, const CompileContext& where) {
     return Check(type, known, where).all();
 }
 
 bool checkInstance(const ast::Instance& instance, const MachineTypes& known, const diag::FileName& file,
-                   const Surroundings& where) {
+                   const CompileContext& where) {
     const auto at = [&](ast::Place place) { return diag::Location{file, place.line, place.column}; };
     const auto found = known.find(instance.type.text);
     if (found == known.end()) {

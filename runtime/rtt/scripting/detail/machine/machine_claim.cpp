@@ -11,11 +11,11 @@
 namespace RTT::scripting::detail {
 
 namespace {
-constexpr std::int64_t kSlice = 1000000;  // between two looks, in ns
+constexpr std::int64_t kSlice = 1000000;  // between two attempts, in ns
 constexpr unsigned kTries = 1000;
 }  // namespace
 
-// Who has the machine may be waiting for an operation of the component that this thread executes.
+// The thread that has the machine may be waiting for an operation of the component that this thread executes.
 void MachineClaim::wait(std::int64_t patience) {
     for (unsigned tries = kTries; tries != 0; --tries)
         if (take()) return;

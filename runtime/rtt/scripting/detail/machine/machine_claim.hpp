@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Which thread has a state machine: the engine's in a cycle, or one that gives a command.
+// Exclusive use of a state machine, by the engine's thread in a cycle or by a thread that gives a command.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_CLAIM_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_CLAIM_HPP
 
@@ -11,18 +11,19 @@
 
 namespace RTT::scripting::detail {
 
-/** The thread that has it; null if none. Taken with acquire, given back with release: who takes it sees what the last one did. */
+/** The thread that has the machine, or null. Taken with acquire and given back with release, so a thread that takes it
+    sees what the last one did. */
 typedef std::atomic<std::uintptr_t> MachineOwner;
 
-/** Has the machine, if it converts to true, as long as it lives. The same thread may have it several times, which happens when
-    a program of the machine gives it a command. */
+/** Has the machine while it exists, if it converts to true. A thread may have it several times, because programs of the
+    machine may give it commands. */
 class MachineClaim {
 public:
     /** Never waits; real-time safe. */
     static MachineClaim now(MachineOwner& owner) { return MachineClaim(owner, 0); }
-    /** Waits for some microseconds: other threads rarely have it for longer. */
+    /** Waits some microseconds, because other threads rarely have it longer. */
     static MachineClaim soon(MachineOwner& owner) { return MachineClaim(owner, -1); }
-    /** Waits for other threads, at most so long, and executes messages of the component that this thread is executing. */
+    /** Waits at most `ns` for other threads, and executes messages of the component that this thread executes. */
     static MachineClaim within(MachineOwner& owner, std::int64_t ns) { return MachineClaim(owner, ns); }
     ~MachineClaim() {
         if (taken_) owner_.store(0, std::memory_order_release);
@@ -31,7 +32,7 @@ public:
     MachineClaim& operator=(const MachineClaim&) = delete;
 
     explicit operator bool() const { return taken_ || nested_; }
-    /** This thread has it already, further up the stack. */
+    /** True if a caller further up the stack has it already. */
     bool nested() const { return nested_; }
 
 private:
@@ -45,7 +46,7 @@ private:
         nested_ = !taken_ && holder == self;
         return taken_ || nested_;
     }
-    /** Negative: some microseconds. */
+    /** Waits; a negative time means some microseconds. */
     void wait(std::int64_t patience);
 
     MachineOwner& owner_;

@@ -4,7 +4,7 @@
 
 namespace RTT::scripting::detail {
 
-CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace)
+CodeRoutine::CodeRoutine(std::unique_ptr<const Code> code, const CompileContext& where, Pace pace)
     : code_(std::move(code)),
       file_(where.file),
       limit_(where.roundLimit),
@@ -32,7 +32,7 @@ oroforge::diag::Location CodeRoutine::where() const {
     return {file_, place.line, place.column};
 }
 
-CodeGuard::CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where)
+CodeGuard::CodeGuard(std::unique_ptr<const Code> code, const bool* result, const CompileContext& where)
     : routine_(std::move(code), where, CodeRoutine::Pace::AtOnce), result_(result) {}
 
 Guard::Truth CodeGuard::check(unsigned) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Programs, conditions and ports, as a state machine uses them.
+// Programs, conditions and ports of a state machine.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_CODE_HPP
 
@@ -17,13 +17,13 @@
 
 namespace RTT::scripting::detail {
 
-typedef decltype(Surroundings::roundLimit) RoundLimit;
+typedef decltype(CompileContext::roundLimit) RoundLimit;
 
 class CodeRoutine final : public Routine {
 public:
-    /** At once: run() goes on where it yields, see Process::runToEnd(). */
+    /** AtOnce: run() continues after yields, see Process::runToEnd(). */
     enum class Pace { StepByStep, AtOnce };
-    CodeRoutine(std::unique_ptr<const Code> code, const Surroundings& where, Pace pace = Pace::StepByStep);
+    CodeRoutine(std::unique_ptr<const Code> code, const CompileContext& where, Pace pace = Pace::StepByStep);
     void restart() override { process_.restart(); }
     Outcome run() override;
     Outcome runStatement() override;
@@ -45,8 +45,8 @@ private:
 
 class CodeGuard final : public Guard {
 public:
-    /** `result` is where the code leaves its truth. */
-    CodeGuard(std::unique_ptr<const Code> code, const bool* result, const Surroundings& where);
+    /** The code stores its result at `result`. */
+    CodeGuard(std::unique_ptr<const Code> code, const bool* result, const CompileContext& where);
     Truth check(unsigned round) override;
     oroforge::diag::Location where() const override { return routine_.where(); }
     std::string failure() const override { return routine_.failure(); }
@@ -57,10 +57,10 @@ private:
     bool failed_ = false;
 };
 
-/** A port that transitions ask for new data; read once in a round. May outlive the port, which has no more data then. */
+/** Reads a port for transitions, once in a round. If it outlives the port, there is no more data. */
 class PortReader {
 public:
-    /** `sample` is a value of the port's type. */
+    /** `sample` is storage of the port's type. */
     PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample);
     bool hasNewData(unsigned round);
     const std::string& name() const { return name_; }

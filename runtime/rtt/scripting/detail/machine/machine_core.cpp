@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Commands, and which of them counts in a cycle.
+// Commands, and their effects in a cycle.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
 namespace RTT::scripting::detail {
@@ -24,7 +24,7 @@ bool MachineCore::pause() {
 }
 
 bool MachineCore::step() {
-    // After a pause that has not taken effect.
+    // A step may follow a pause that has not taken effect.
     unsigned requests = requests_.load(std::memory_order_relaxed);
     while ((requests & kPause) && !(requests & kStop)) {
         if (requests & kStep) return false;
@@ -131,7 +131,7 @@ bool MachineCore::assign(Routine* values) {
     Routine* left = values;
     if (left) left->restart();
     if (finish(left)) return true;
-    // Those of scripts go on where they yield.
+    // Routines of scripts continue after yields.
     if (left) fail(left->where(), "an initial value has to be there at once, but a function that gives it yields");
     return false;
 }
@@ -155,7 +155,7 @@ bool MachineCore::activate() {
     }
     setStatus(Status::activating);
     current_ = model_.first;
-    left_ = true;  // none was entered
+    left_ = true;  // no state was entered
     aim(*model_.first, false);
     updateInTransition();
     executePending();
@@ -200,7 +200,7 @@ bool MachineCore::reset() {
 void MachineCore::beginStop() {
     const StatusValue now = status_.load();
     if (now == Status::stopped || now == Status::stopping) return;
-    // What had begun before an error is over. Otherwise only what may be interrupted is.
+    // An error ends everything that had begun; otherwise only what may be interrupted ends.
     if (now == Status::error) drop();
     handle_ = run_ = nullptr;
     setStatus(Status::stopping);
@@ -229,7 +229,7 @@ bool MachineCore::deactivate() {
     const StatusValue now = status_.load();
     if (now == Status::inactive) return false;
     if (!within()) {
-        // Nothing more can be asked of an exit program that did not come to its end.
+        // An exit program that did not end is given up.
         if (now == Status::deactivating) drop();
         beginDeactivation();
     } else if (now != Status::deactivating) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a state machine does in which order. One thread at a time; StateMachine sees to that.
+// The order of execution in a state machine. Used by one thread at a time, which StateMachine ensures.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_CORE_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_CORE_HPP
 
@@ -14,7 +14,7 @@
 
 namespace RTT::scripting::detail {
 
-/** Is told what a machine does. Called in the thread that executes it. */
+/** Observes a machine. Called in the thread that executes it. */
 class MachineObserver {
 public:
     virtual ~MachineObserver();
@@ -26,22 +26,22 @@ public:
 /**
  * One cycle of a machine that is running:
  *
- *     pending work    if something of it is left, the cycle ends
+ *     pending work    if some of it is left, the cycle ends
  *     transitions     of the state, then those of the machine, in the order of the text; the first that may be taken.
  *                     If there is none: `handle` and `run`
  *     pending work
  *
- * and this is pending work, in this order; what a program leaves for later, it leaves with all that follows:
+ * Pending work is, in this order; if a program yields, it and all that follows stay pending:
  *
- *     entry                  if it was left by an earlier cycle; the work ends there
+ *     entry                  if an earlier cycle left it; the work ends there
  *     transition program     `handle` first, if that has begun
  *     exit                   of the state that is left; its `handle` and `run` are dropped
- *     preconditions          of the state to be entered: where they lead to another one, that takes its place
+ *     preconditions          of the state to be entered; they may replace it by another state
  *     entry                  of the state that is entered; the work ends there
  *     handle, run
  *
- * Commands come from programs too, while these are being executed ("within" below), and from events during calls.
- * Real-time safe, apart from what the script calls, and failures.
+ * Commands may also come from programs while they are executed ("within" below), and from events during calls.
+ * Real-time safe, apart from what the script calls, and from failures.
  */
 class MachineCore {
 public:
@@ -56,14 +56,14 @@ public:
     bool inTransition() const { return in_transition_.load(std::memory_order_acquire); }
     unsigned line() const { return line_.load(std::memory_order_relaxed); }
     void setTraced(bool on) { traced_.store(on, std::memory_order_relaxed); }
-    // Take effect in the next cycle.
+    // These take effect in the next cycle.
     bool pause();
     bool step();
     bool stop();
 
     // -- The thread that has the machine --------------------------------------------------------------------
     void cycle();
-    /** cycle() would do nothing. */
+    /** True if cycle() would do nothing. */
     bool isIdle() const;
     bool activate();
     bool automatic();
@@ -71,9 +71,9 @@ public:
     bool reset();
     bool deactivate();
     bool requestState(MachineState& target);
-    /** The operation was called; true if a transition follows. */
+    /** Handles a call of an operation; true if a transition follows. */
     bool happened(MachineEvent& event);
-    /** For the end of the machine: goes to the final state, as stop() and the next cycle do. */
+    /** Goes to the final state, as stop() and the next cycle do, because the machine will be destroyed. */
     void stopNow();
 
 private:
@@ -81,7 +81,8 @@ private:
         const MachineSelection* selection = nullptr;
         MachineState* state = nullptr;
     };
-    /** Not taken yet. Of several, kStop is the first: stop() takes back what was asked before, and a pause waits for it. */
+    /** Requests that have not taken effect. kStop is the first: stop() cancels earlier requests, and a later pause
+        waits for it. */
     enum Request : unsigned { kPause = 1, kStep = 2, kStop = 4 };
     class Looking;
 
@@ -91,7 +92,7 @@ private:
     void takeRequests();
     void beginStop();
     void continueStop();
-    /** deactivate() was called by what was being executed. */
+    /** Leaves the state if the executed program called deactivate(). */
     void leaveIfAsked() {
         if (leave_ && !within()) beginDeactivation();
     }
@@ -108,7 +109,7 @@ private:
     void schedule(Routine*& slot, Routine* routine);
     void scheduleRest();
     void enter(MachineState& state);
-    /** Next comes `program`, if there is one, and the way to that state. `always`: whatever its preconditions say. */
+    /** Schedules `program`, if there is one, and the way to that state. `always`: ignores its preconditions. */
     void go(Routine* program, MachineState& to, bool always = false);
     void aim(MachineState& to, bool always);
     bool decide();
@@ -123,7 +124,7 @@ private:
     // machine_transitions.cpp: where to go
     void look();
     bool lookAtNext();
-    /** `present`: where it stays if nothing is selected. */
+    /** `present` is the state in which it stays if nothing is selected. */
     Choice choose(const MachineTransition& transition, MachineState& present);
     bool holds(Guard& guard);
     bool preconditionsHold(const MachineState& state);
@@ -140,26 +141,26 @@ private:
     std::atomic<bool> in_transition_{false};
     std::atomic<bool> traced_{false};
 
-    // Pending; null if not.
-    bool entering_ = false;  // locals_ and entry_, of the present state
+    // Pending work; null if there is none.
+    bool entering_ = false;  // locals_ and entry_ of the present state are pending
     Routine* locals_ = nullptr;
     Routine* entry_ = nullptr;
     Routine* program_ = nullptr;
     MachineState* next_ = nullptr;
-    bool decided_ = false;     // the preconditions of next_ do not lead elsewhere
-    std::size_t detours_ = 0;  // on the way to next_
-    Routine* exit_ = nullptr;  // of the present state, on the way to next_
+    bool decided_ = false;     // the preconditions of next_ hold
+    std::size_t detours_ = 0;  // number of detours on the way to next_
+    Routine* exit_ = nullptr;  // exit of the present state, on the way to next_
     Routine* handle_ = nullptr;
     Routine* run_ = nullptr;
 
     Routine* executing_ = nullptr;
-    bool looking_ = false;  // within a condition
-    bool entered_ = false;  // within this pending work
+    bool looking_ = false;  // evaluating a condition
+    bool entered_ = false;  // a state was entered in this pending work
     bool leave_ = false;    // deactivate() was called within a program
     bool left_ = false;     // the exit of the present state was executed, or failed
     bool single_ = false, stepped_ = false;
     unsigned round_ = 0;
-    std::size_t looked_at_ = 0;  // transitions, in this round
+    std::size_t looked_at_ = 0;  // number of transitions checked in this round
 };
 
 }  // namespace RTT::scripting::detail

@@ -9,7 +9,7 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** What a signal calls. May outlive the machine, and with it the event. */
+/** The connection that a signal calls. May outlive the machine and the event. */
 class Listener final : public internal::SignalBase::Connection {
 public:
     Listener(std::shared_ptr<EventQueue> queue, OperationEvent& event) : queue_(std::move(queue)), event_(event) {}
@@ -80,7 +80,8 @@ void EventQueue::called(OperationEvent& event, void* const* arguments) {
     ask();
 }
 
-/** Refused: the component has failed for good or is gone, or takes what waits in its next step. */
+/** Sends a message to take the calls. If it is refused, the component has failed for good, is gone, or takes them in
+    its next step. */
 void EventQueue::ask() {
     if (asked_.exchange(true)) return;
     self_ = shared_from_this();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls of operations on their way to a state machine.
+// Passes calls of operations to a state machine.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_EVENT_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_EVENT_HPP
 
@@ -27,7 +27,7 @@ public:
     typedef base::DataSourceBase::shared_ptr Source;
     static constexpr unsigned kMostWaiting = 16;
 
-    /** One that waits for the machine, with its arguments. */
+    /** A call that waits for the machine, with its arguments. */
     struct Call {
         OperationEvent* event = nullptr;
         std::vector<Source> arguments;
@@ -35,15 +35,15 @@ public:
         Call* next = nullptr;
     };
 
-    /** `arguments` take those of a call; `assign` copies them to variables of the script. */
+    /** `arguments` store those of a call; `assign` copies them to variables of the script. */
     OperationEvent(std::vector<Source> arguments, std::vector<ActionPtr> assign);
     void receive() override;
-    /** From now on, as long as this exists, calls become events of the machine. */
+    /** Makes calls events of the machine, as long as this exists. */
     void listenTo(internal::SignalBase& signal, std::shared_ptr<EventQueue> queue);
 
-    /** A copy of a call; null if too many wait. Any thread; real-time safe if copying the arguments is. */
+    /** Copies a call; null if too many wait. Any thread; real-time safe if copying the arguments is. */
     Call* keep(void* const* arguments);
-    /** For who has the machine, before receive(). */
+    /** Stores the arguments before receive(). The caller must have the machine. */
     void hold(void* const* arguments);
     void hold(Call& kept);
 
@@ -55,21 +55,21 @@ private:
 };
 
 /**
- * The calls that a machine has not taken yet, in their order. Those of its component's thread are taken at once, unless another
- * thread has the machine; all others wait for a message, or for the next cycle. Nothing here allocates or locks.
+ * The calls that a machine has not taken yet, in order. Calls in its component's thread are taken at once, unless
+ * another thread has the machine; others wait for a message or the next cycle. Neither allocates nor locks.
  */
 class EventQueue final : public base::DisposableInterface, public std::enable_shared_from_this<EventQueue> {
 public:
     explicit EventQueue(boost::intrusive_ptr<const internal::EngineGate> gate) : gate_(std::move(gate)) {}
 
-    /** Before the first call. */
+    /** Sets the machine, before the first call. */
     void leadTo(const StateMachinePtr& machine) { machine_ = machine; }
     /** `event` belongs to the machine. Any thread. */
     void called(OperationEvent& event, void* const* arguments);
 
     // -- The machine -----------------------------------------------------------------------------------------
     bool empty() const { return !last_.load(); }
-    /** Has each of the calls received by `take(event)`. For who has the machine. */
+    /** Calls `take(event)` for each waiting call. The caller must have the machine. */
     template <class Take>
     void takeAll(Take take) {
         OperationEvent::Call* call = takeList();
@@ -80,7 +80,7 @@ public:
             take(*taken.event);
         }
     }
-    /** How many were given up since the last time, because too many were waiting. */
+    /** The number of calls dropped since the last time, because too many were waiting. */
     unsigned takeLost() { return lost_.load(std::memory_order_relaxed) ? lost_.exchange(0) : 0; }
 
     // For the engine.
@@ -93,10 +93,10 @@ private:
 
     const boost::intrusive_ptr<const internal::EngineGate> gate_;
     boost::weak_ptr<StateMachine> machine_;
-    std::atomic<OperationEvent::Call*> last_{nullptr};  // each refers to the one before
+    std::atomic<OperationEvent::Call*> last_{nullptr};  // each refers to the previous one
     std::atomic<unsigned> lost_{0};
-    std::atomic<bool> asked_{false};    // is a message in the engine
-    std::shared_ptr<EventQueue> self_;  // meanwhile
+    std::atomic<bool> asked_{false};    // the engine has the message
+    std::shared_ptr<EventQueue> self_;  // keeps this meanwhile
 };
 
 }  // namespace RTT::scripting::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A state machine as it is executed: states and transitions with their programs and conditions.
+// The executable form of a state machine: states and transitions with their programs and conditions.
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_MODEL_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_MODEL_HPP
 
@@ -19,8 +19,8 @@
 
 namespace RTT::scripting::detail {
 
-/** A program: entry, run, handle, exit, of a transition, or the initial values of variables. Real-time safe, except failure()
-    and where(), and what the script itself calls. */
+/** A program of a state or transition, or the initial values of variables. Real-time safe, except failure() and
+    where(), and what the script itself calls. */
 class Routine {
 public:
     typedef Process::Outcome Outcome;
@@ -28,9 +28,9 @@ public:
     virtual void restart() = 0;
     virtual Outcome run() = 0;
     virtual Outcome runStatement() = 0;
-    /** Between its beginning and its end. */
+    /** True between its beginning and its end. */
     virtual bool started() const = 0;
-    /** The statement that comes next, or failed; at the beginning the first one. */
+    /** The line of the statement that is next, or that failed; at the beginning that of the first one. */
     virtual unsigned line() const = 0;
     virtual oroforge::diag::Location where() const = 0;
     virtual std::string failure() const = 0;
@@ -42,7 +42,7 @@ class Guard {
 public:
     enum class Truth { No, Yes, Failed };
     virtual ~Guard();
-    /** `round` is another one each time the machine looks through its transitions: a port is read once in a round. */
+    /** `round` changes each time the machine checks its transitions; a port is read once in a round. */
     virtual Truth check(unsigned round) = 0;
     virtual oroforge::diag::Location where() const = 0;
     virtual std::string failure() const = 0;
@@ -52,7 +52,7 @@ typedef std::unique_ptr<Guard> GuardPtr;
 class EventQueue;
 struct MachineState;
 
-/** Where a transition leads: to the first of `states` whose preconditions hold. None: the machine stays where it is. */
+/** The target of a transition: the first of `states` whose preconditions hold. Without states, the machine stays. */
 struct MachineSelection {
     std::vector<MachineState*> states;
     RoutinePtr program;  ///< or null
@@ -70,11 +70,11 @@ struct MachineTransition {
 class MachineEvent {
 public:
     virtual ~MachineEvent();
-    /** Gives the variables that the script names the arguments of the call. */
+    /** Assigns the arguments of the call to the variables of the script. */
     virtual void receive() = 0;
 
     MachineTransition transition;
-    const MachineState* state = nullptr;  ///< null: any
+    const MachineState* state = nullptr;  ///< null for any state
 };
 
 struct MachineState final : StateInterface {
@@ -83,16 +83,16 @@ struct MachineState final : StateInterface {
     std::string name;
     RoutinePtr locals;  ///< assigns its variables when it is entered
     RoutinePtr entry, run, handle, exit;
-    std::vector<GuardPtr> preconditions;  ///< hold where a transition leads here
-    /** Looked at after the exit of the state before: the first one that may be taken leads to another state instead. */
+    std::vector<GuardPtr> preconditions;  ///< must hold when a transition leads here
+    /** Checked after the exit of the previous state: the first one that may be taken leads to another state instead. */
     std::vector<MachineTransition> detours;
     std::vector<MachineTransition> transitions;
 };
 
 struct MachineModel {
-    std::string name;  ///< with the names of the machines it is part of
+    std::string name;  ///< with the names of its outer machines
     std::string text;
-    unsigned firstLine = 1;           ///< of the text, in its file
+    unsigned firstLine = 1;           ///< the first line of the text in its file
     std::vector<RoutinePtr> initial;  ///< parameters and variables, in this order
     std::deque<MachineState> states;
     std::vector<MachineTransition> transitions;  ///< from any state
@@ -100,9 +100,9 @@ struct MachineModel {
     MachineState* last = nullptr;
     std::vector<StateMachinePtr> children;
     std::vector<std::unique_ptr<MachineEvent>> events;
-    std::shared_ptr<EventQueue> queue;  ///< of the events; null if there are none
+    std::shared_ptr<EventQueue> queue;  ///< for the events; null if there are none
     Service::shared_ptr service;
-    SourceFilePtr source;  ///< of the type; or null
+    SourceFilePtr source;  ///< the file of the type; or null
 };
 
 }  // namespace RTT::scripting::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What has to be executed, in its order.
+// Executes pending work in order.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
 namespace RTT::scripting::detail {
@@ -10,7 +10,7 @@ void MachineCore::schedule(Routine*& slot, Routine* routine) {
     if (routine) routine->restart();
 }
 
-// Of the present state; what has begun goes on.
+// Schedules `handle` and `run` of the present state; what has begun goes on.
 void MachineCore::scheduleRest() {
     MachineState& state = *current_.load(std::memory_order_relaxed);
     if (!handle_ || !handle_->started()) schedule(handle_, state.handle.get());
@@ -64,13 +64,13 @@ void MachineCore::updateInTransition() {
     in_transition_.store(entering_ || program_ || next_ || exit_, std::memory_order_release);
 }
 
-// True if nothing is left of it.
+// Executes a routine; true if nothing is left of it.
 bool MachineCore::finish(Routine*& slot) {
     Routine* const routine = slot;
     if (!routine) return true;
     if (stepped_ || leave_) return false;
     executing_ = routine;
-    // Others ask for it while a call blocks.
+    // Other threads may ask for the line while a call blocks.
     if (const unsigned line = routine->line()) line_.store(line, std::memory_order_relaxed);
     const Routine::Outcome outcome = single_ ? routine->runStatement() : routine->run();
     executing_ = nullptr;
@@ -87,7 +87,7 @@ bool MachineCore::finish(Routine*& slot) {
     return !leave_;
 }
 
-/** Whether the state to be entered has preconditions that lead to another one. False if that cannot be told. */
+/** Checks whether preconditions of the state to be entered lead to another one. False if that fails. */
 bool MachineCore::decide() {
     decided_ = true;
     ++round_;
@@ -115,7 +115,7 @@ bool MachineCore::finishTransition() {
             if (!finish(locals_) || !finish(entry_)) return false;
             entering_ = false;
             entered_ = true;
-            // Otherwise it begins with start().
+            // Otherwise start() begins `run`.
             const StatusValue now = status_.load(std::memory_order_relaxed);
             if (now != Status::activating && now != Status::resetting)
                 schedule(run_, current_.load(std::memory_order_relaxed)->run.get());
@@ -135,7 +135,7 @@ bool MachineCore::finishTransition() {
     return true;
 }
 
-// True if nothing is left. `run` is executed once at most: it may ask for itself.
+// True if nothing is left. Executes `run` at most once, because it may request itself again.
 bool MachineCore::executePending() {
     entered_ = false;
     for (bool ran = false;;) {
@@ -152,7 +152,7 @@ bool MachineCore::executePending() {
 
 void MachineCore::fail(const oroforge::diag::Location& where, const std::string& why) {
     drop();
-    // A pause or step that was asked for before must not hide it.
+    // An earlier pause or step must not hide the error.
     requests_.fetch_and(kStop, std::memory_order_relaxed);
     setStatus(Status::error);
     observer_.failed(where, why);

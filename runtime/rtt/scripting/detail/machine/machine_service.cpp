@@ -85,7 +85,7 @@ const Question kQuestions[] = {
 }  // namespace
 
 void addMachineOperations(Service& service, const MachineSlot& slot) {
-    // C++ may call all of them with the machine as first argument.
+    // C++ code may call all of them with the machine as first argument.
     for (const Command& command : kCommands) {
         service.addOperation(command.name, Call<bool>{slot, command.function}).doc(command.doc);
         service.addMemberOverloads<StateMachine>(command.name, command.function);

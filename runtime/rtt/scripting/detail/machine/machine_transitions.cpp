@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where to go: transitions, events, requests.
+// Selects the next state by transitions, events and requests.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
 #include <algorithm>
 
 namespace RTT::scripting::detail {
 
-/** While a condition is evaluated, which may call what calls this machine. */
+/** Marks that a condition is being evaluated, which may call code that commands this machine. */
 class MachineCore::Looking {
 public:
     explicit Looking(MachineCore& core) : core_(core) { core_.looking_ = true; }
@@ -47,7 +47,7 @@ MachineCore::Choice MachineCore::choose(const MachineTransition& transition, Mac
     if (!selection) return {};
     if (selection->states.empty()) return {selection, &present};
     for (MachineState* state : selection->states) {
-        // A machine that stays does not enter.
+        // A machine that stays does not enter the state again.
         if (state == &present || preconditionsHold(*state)) return {selection, state};
         if (status_.load(std::memory_order_relaxed) == Status::error) break;
     }
@@ -116,7 +116,7 @@ bool MachineCore::requestState(MachineState& target) {
     if (&target == model_.last) decided_ = true;
     if (now == Status::stopped) setStatus(Status::resetting);
     tell("was asked to go to", target.name);
-    // Within its own programs it cannot, and a machine that is paused stands still.
+    // Events cause no transition within the machine's own programs or while it is paused.
     if (within() || now == Status::paused) return true;
     executePending();
     settle();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a scripting service keeps: programs and state machines by name, and what scripts have defined.
+// The contents of a scripting service: programs and state machines by name, and definitions of scripts.
 #ifndef ORO_SCRIPTING_DETAIL_LOADED_HPP
 #define ORO_SCRIPTING_DETAIL_LOADED_HPP
 
@@ -24,7 +24,7 @@ namespace RTT::scripting {
 
 namespace detail {
 
-/** By name. Thread safe. */
+/** Items by name. Thread safe. */
 template <class T>
 class Registry {
 public:
@@ -38,19 +38,19 @@ public:
         const std::lock_guard<std::mutex> lock(mutex_);
         items_.erase(name);
     }
-    /** Null if there is none. */
+    /** The item of that name; null if there is none. */
     Pointer find(const std::string& name) const {
         const std::lock_guard<std::mutex> lock(mutex_);
         const auto found = items_.find(name);
         return found == items_.end() ? nullptr : found->second;
     }
-    /** What a function of the item returns; `otherwise` if there is none. */
+    /** Calls a function of the item and returns the result; `otherwise` if there is no such item. */
     template <class Result, class Function>
     Result ask(const std::string& name, Result otherwise, Function function) const {
         const Pointer item = find(name);
         return item ? std::invoke(function, *item) : otherwise;
     }
-    /** In alphabetical order. */
+    /** All names in alphabetical order. */
     std::vector<std::string> names() const {
         const std::lock_guard<std::mutex> lock(mutex_);
         std::vector<std::string> names;
@@ -63,7 +63,7 @@ private:
     std::map<std::string, Pointer> items_;
 };
 
-/** What was unloaded and may still be executed: it has itself as long as that lasts. Thread safe. */
+/** Items that were unloaded and may still be executed; they refer to themselves as long as they are. Thread safe. */
 class Retired {
 public:
     typedef boost::shared_ptr<base::ExecutableInterface> Pointer;
@@ -72,14 +72,16 @@ public:
         const std::lock_guard<std::mutex> lock(mutex_);
         items_.push_back(std::move(item));
     }
-    /** What does not have itself: nobody can tell when it is not executed any more. */
+    /** Keeps an item that does not refer to itself, for ever, because the end of its execution is unknown. */
     void keep(Pointer item) {
         const std::lock_guard<std::mutex> lock(mutex_);
         kept_.push_back(std::move(item));
     }
-    /** Destroys those that nobody else has. Also within a step: the engine does not look at what was taken from it. */
+    /** Destroys items without other references. May be called within a step, because the engine does not use items that
+        were removed from it. */
     void dropUnused() {
-        // Destroyed without the lock, as that may unload others; and again, because those may have had others.
+        // Destroyed without the lock, because that may unload other items; repeated, because these may have owned
+        // others.
         for (std::vector<Pointer> unused = takeUnused(); !unused.empty(); unused = takeUnused()) unused.clear();
     }
 
@@ -102,9 +104,9 @@ private:
 struct ScriptingService::Loaded {
     explicit Loaded(boost::weak_ptr<Service> of) : component(std::move(of)) {}
 
-    const boost::weak_ptr<Service> component;  ///< has an owner as long as that is not under destruction
+    const boost::weak_ptr<Service> component;  ///< has an owner unless that is being destroyed
     detail::Registry<ProgramInterface> programs;
-    detail::Registry<StateMachine> machines;  ///< the root machines, and those below them as "root.sub"
+    detail::Registry<StateMachine> machines;  ///< the root machines, and machines below them as "root.sub"
     detail::Definitions definitions;
     Property<unsigned int> stepBudget{
         "StepBudget", "How often loops of a program, function or state machine may go round in one step; 0: no limit",

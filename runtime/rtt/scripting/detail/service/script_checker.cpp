@@ -23,7 +23,7 @@ namespace {
 const char* const kProgram = "program";
 const char* const kMachine = "state machine";
 
-/** Of errors that are none if somebody adds a name, or a type, in time. */
+/** Codes of errors that vanish if a name or type is added in time. */
 const char* const kUnknownNames[] = {"OPS110", "OPS132", "OPS133", "OPS134", "OPS146",
                                      "OPS148", "OPS305", "OPS311", "OPS312", "OPS317"};
 const char* const kUnknownTypes[] = {"OPS110", "OPS146", "OPS317"};
@@ -37,7 +37,7 @@ const std::string* definedBy(const ast::Item& item) {
     return nullptr;
 }
 
-/** True if it waits for nothing but its calls. */
+/** True if it waits only for its calls. */
 bool isPlain(const ast::Statement& statement) {
     return std::holds_alternative<ast::Declaration>(statement.what) ||
            std::holds_alternative<ast::Do>(statement.what) || std::holds_alternative<ast::Try>(statement.what);
@@ -92,7 +92,7 @@ void ScriptChecker::missWhatIsDefinedBy(const ast::Item& item) {
     if (const std::string* const name = definedBy(item)) miss(*name);
 }
 
-/** By scripts that are checked after this one, which runs before them. */
+/** Expects the definition in scripts that are checked later, because this one runs before them. */
 void ScriptChecker::expectWhatIsDefinedBy(const ast::Item& item) {
     if (const std::string* const name = definedBy(item)) expected_.definitions.insert(*name);
 }
@@ -104,7 +104,7 @@ bool ScriptChecker::gap() {
 }
 
 bool ScriptChecker::mayHave(const TaskContext* owner, const std::string& name, bool isFirst) {
-    // Functions, programs and state machines are those of the component; functions may be global.
+    // Functions, programs and state machines belong to the component; functions may be global.
     const bool isOwn = owner == &component_ || !owner;
     if (isOwn && (missed_.count(name) || expected_.definitions.count(name) || expected_.components.count(name)))
         return gap();
@@ -117,7 +117,7 @@ bool ScriptChecker::isToCome(const std::string& peer) { return expected_.compone
 
 bool ScriptChecker::mayReplace(const std::string& function, bool isOfThis) {
     if (expected_.names || replaced_.count(function)) return gap();
-    // One that this script defines again has the operation it had before.
+    // A function that this script redefines keeps its operation.
     return !isOfThis && (bodies_.count(function) || expected_.definitions.count(function)) && gap();
 }
 
@@ -125,7 +125,7 @@ bool ScriptChecker::isCertain(const diag::Diagnostic& error) const {
     if (error.severity != diag::Severity::Error) return true;
     if (expected_.names && isOneOf(kUnknownNames, error)) return false;
     if (expected_.types && isOneOf(kUnknownTypes, error)) return false;
-    // A handle may belong to an operation that is not there yet.
+    // A handle may belong to an operation that does not exist yet.
     return !(incomplete_ && error.code == "OPS148");
 }
 
@@ -135,8 +135,8 @@ void ScriptChecker::keepWhatIsCertain(diag::Sink& found) {
     sink_ = {};
 }
 
-Surroundings ScriptChecker::unevaluated(const Functions& functions) {
-    Surroundings where = inEngine(functions);
+CompileContext ScriptChecker::unevaluated(const Functions& functions) {
+    CompileContext where = inEngine(functions);
     where.checkOnly = true;
     where.toCome = this;
     return where;
@@ -148,14 +148,14 @@ bool ScriptChecker::take(const ast::Item&, const ast::StatementPtr& statement) {
 }
 
 bool ScriptChecker::isFree(const char* kind, const char* code, const ast::Identifier& name) {
-    if (expected_.names) return true;  // a statement before may have unloaded the other one
+    if (expected_.names) return true;  // an earlier statement may have unloaded it
     if (!isNew(kind, code, name)) return false;
     const char* const other = kind == kProgram ? kMachine : kProgram;
     if (hasDefined(other, name.text)) {
         hasDefined(other, name.text, &refuse(kind, code, name, nameTaken(component_, other)));
         return false;
     }
-    // A component that has run this script may have it looked through again.
+    // The component may have run this script already.
     const auto scripting =
         boost::dynamic_pointer_cast<ScriptingService>(component_.provides()->getService("scripting"));
     const bool scripted = scripting && (scripting->hasProgram(name.text) || scripting->hasStateMachine(name.text));
@@ -168,13 +168,13 @@ bool ScriptChecker::take(const ast::Item& item, const ast::Function& function) {
     if (!isNew("function", "OPS201", function.name)) return false;
     auto functions = definitions_.functions();
     auto definition = definitionOf(item, function, *functions);
-    const Surroundings where = unevaluated(*functions);
+    const CompileContext where = unevaluated(*functions);
     Service* const scripting = component_.provides()->getService("scripting").get();
-    // Unless a statement before may have removed the other one.
+    // An earlier statement may have removed the existing operation.
     if (!expected_.names && !hasFreeName(*definition, function.scope, scripting, where)) return false;
     const std::unique_ptr<Activation> pattern = Compiler(where).check(*definition);
     if (!pattern) return false;
-    functions.reset();  // else it is copied
+    functions.reset();  // otherwise it would be copied
     addOperation(definition, *pattern);
     bodies_[function.name.text] = &function.body;
     definitions_.define(std::move(definition));
@@ -186,7 +186,7 @@ void ScriptChecker::addOperation(const std::shared_ptr<const FunctionDefinition>
     const Service::shared_ptr scripting = component_.provides()->getService("scripting");
     Service* const home = homeOf(definition->tree->scope, scripting.get(), component_);
     if (!home) return miss(definition->name);
-    if (home->getPart(definition->name)) return;  // of a script before: mayReplace()
+    if (home->getPart(definition->name)) return;  // from an earlier script, see mayReplace()
     home->add(definition->name, new UnexecutedPart(definition, pattern));
     operations_.emplace_back(home->provides(), definition->name);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Looks through a script without executing it.
+// Checks a script without executing it.
 #ifndef ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
 #define ORO_SCRIPTING_DETAIL_SCRIPT_CHECKER_HPP
 
@@ -24,12 +24,12 @@ class ScriptChecker final : private ScriptReader, private NamesToCome {
 public:
     ScriptChecker(TaskContext& component, std::shared_ptr<SourceFile> file, CallForecast& forecast,
                   Expectations& expected);
-    /** Of a script that the outer one runs; `certain`: whenever that runs itself. */
+    /** Checks a script that the outer one runs; `certain`: always when the outer one runs. */
     ScriptChecker(ScriptChecker& outer, std::shared_ptr<SourceFile> file, bool certain);
     /** Removes the operations of functions, and the services of programs and state machines. */
     ~ScriptChecker() override;
 
-    /** All that is certain. */
+    /** Returns the diagnostics that are certain. */
     oroforge::diag::Sink check();
 
 private:
@@ -45,21 +45,21 @@ private:
     bool tellsDoubts() const override { return expected_.doubts; }
     void miss(const std::string& name) override { missed_.insert(name); }
     bool gap();
-    /** What an item that could not be made would have defined. */
+    /** Notes the names that an item with errors would have defined. */
     void missWhatIsDefinedBy(const ast::Item& item);
     void expectWhatIsDefinedBy(const ast::Item& item);
-    /** For calls by path, and those that send. */
+    /** Adds the operation of a function, for calls by path and for sending. */
     void addOperation(const std::shared_ptr<const FunctionDefinition>& definition, const Activation& pattern);
-    /** For a program or a state machine. */
+    /** True if the name is free for a program or state machine. */
     bool isFree(const char* kind, const char* code, const ast::Identifier& name);
-    Surroundings unevaluated(const Functions& functions);
+    CompileContext unevaluated(const Functions& functions);
     void keepWhatIsCertain(oroforge::diag::Sink& found);
     bool isCertain(const oroforge::diag::Diagnostic& error) const;
-    // What calls lead to.
+    // The effects of calls.
     enum class Made {
         Yes,
-        Perhaps,  ///< it names what may be there when the script runs
-        No        ///< an error is told
+        Perhaps,  ///< it uses names that may exist when the script runs
+        No        ///< an error was reported
     };
     void foresee(const std::vector<FoundCall>& calls, Made made, oroforge::diag::Sink& found);
     void foresee(const FoundCall& call, oroforge::diag::Sink& found);
@@ -69,16 +69,16 @@ private:
     bool isOwnOperation(const ast::Name& name) const;
 
     ScriptChecker* const outer_ = nullptr;  // the script that runs this one
-    const bool certain_ = true;             // whenever the first of them runs
-    unsigned followed_ = 0;                 // by the first of them
+    const bool certain_ = true;             // runs whenever the outermost one runs
+    unsigned followed_ = 0;                 // number of scripts that the outermost one follows
     CallForecast& forecast_;
     Expectations& expected_;
     Definitions definitions_;
     std::vector<std::string> services_;
     std::vector<std::pair<boost::shared_ptr<Service>, std::string>> operations_;
     std::map<std::string, const ast::Block*> bodies_;  // of functions and programs of this script
-    std::set<const ast::Block*> entered_;              // of these
-    std::set<std::string> replaced_;                   // functions that scripts which this one ran defined
+    std::set<const ast::Block*> entered_;              // bodies that were entered
+    std::set<std::string> replaced_;                   // functions defined by scripts that this one runs
     std::set<std::string> missed_;                     // names that the script would have declared
     bool incomplete_ = false;                          // something was not compiled
 };

@@ -10,7 +10,7 @@
 
 namespace RTT::scripting::detail {
 
-/** Calls `error(place, code, message)` for all that does not belong into such a script. */
+/** Calls `error(place, code, message)` for everything that such a script may not have. */
 template <class Items, class Error>
 void checkContents(const Items& items, Contents contents, Error error) {
     if (contents == Contents::Everything) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What the calls of a script that is checked lead to.
+// The effects of calls in a script that is checked.
 #include <rtt/scripting/detail/service/script_checker.hpp>
 
 #include <rtt/TaskContext.hpp>
@@ -17,7 +17,7 @@ namespace diag = oroforge::diag;
 
 namespace {
 
-// Scripts that run each other again and again are looked through no more often.
+// A limit, for scripts that run each other again and again.
 constexpr unsigned kMostFollowed = 500;
 
 bool isOneOf(const std::string& word, std::initializer_list<const char*> words) {
@@ -34,7 +34,8 @@ std::vector<const std::string*> textsOf(const ast::Expressions& arguments) {
     return texts;
 }
 
-/** Null if the path leads to none; `known` is false if it leads to what is not there. */
+/** The operation at the path; null if there is none. `known` is false if the path leads to something that does not
+    exist. */
 OperationInterfacePart* operationAt(TaskContext& component, const std::vector<ast::Identifier>& path, bool& known) {
     TaskContext* task = &component;
     Service::shared_ptr service = component.provides();
@@ -60,30 +61,30 @@ OperationInterfacePart* operationAt(TaskContext& component, const std::vector<as
 
 }  // namespace
 
-/** A name without argument list may be a value. */
+/** False for values, which are names without an argument list. */
 bool ScriptChecker::isCallOfOperation(const FoundCall& call) const {
     const auto& path = call.name->parts;
-    // A variable; or a handle, of a call that was made before.
+    // It is a variable, or a handle of an earlier call.
     if (file_->scope.find(path.front().text)) return false;
     if (path.size() > 1 && isOneOf(path.back().text, {"collect", "collectIfDone"})) return false;
     if (call.name->called) return true;
     if (path.size() == 1 && bodies_.count(path.front().text)) return true;
     bool known = false;
     if (operationAt(component_, path, known)) return true;
-    // `arm.configure` of an arm that is to come is a statement, `arm.speed` would be none.
+    // For an arm that does not exist yet, `arm.configure` is a statement, but `arm.speed` would not be one.
     return !known && call.ignored;
 }
 
 void ScriptChecker::foresee(const std::vector<FoundCall>& calls, Made made, diag::Sink& found) {
     for (FoundCall call : calls) {
-        // What comes of a statement with an error nobody knows: only what it would have made is expected.
+        // The effects of a statement with an error are unknown, so only its declarations are expected.
         if (made == Made::No && !isOwnOperation(*call.name)) continue;
         call.certain = call.certain && made == Made::Yes;
         if (isCallOfOperation(call)) foresee(call, found);
     }
 }
 
-/** True if it names an operation or a function that is there, without a path. */
+/** True if it names an existing operation or function without a path. */
 bool ScriptChecker::isOwnOperation(const ast::Name& name) const {
     bool known = false;
     return name.parts.size() == 1 &&
@@ -123,7 +124,7 @@ void ScriptChecker::foresee(const FoundCall& call, diag::Sink& found) {
         found.error(at(place), problem.code, problem.text);
 }
 
-/** What the other script defines is there afterwards. */
+/** Checks a script that this one runs; its definitions then exist. */
 void ScriptChecker::follow(const std::string& script, bool certain, diag::Sink& found) {
     ScriptChecker* first = this;
     while (first->outer_) first = first->outer_;
@@ -140,7 +141,7 @@ void ScriptChecker::follow(const std::string& script, bool certain, diag::Sink& 
     replaced_.insert(inner.replaced_.begin(), inner.replaced_.end());
 }
 
-/** True for this script, and for one that leads to it. */
+/** True for this script and for those around it. */
 bool ScriptChecker::isWithin(const std::string& script) const {
     std::error_code unknown;
     for (const ScriptChecker* each = this; each; each = each->outer_)

@@ -22,7 +22,7 @@ using internal::Interruption;
 namespace {
 
 constexpr unsigned kMostYields = 10000;
-// What a statement waits for is rarely there at once: after so many yields it waits a little with each.
+// After so many yields of a statement, each further one waits a little.
 constexpr unsigned kEagerYields = 100;
 constexpr std::chrono::microseconds kPause(100);
 
@@ -35,10 +35,11 @@ bool hasAlias(const Scope* scope) {
 
 bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/** The functions that a function may call: those that its text names. With all of them, a script that is run again and again
-    would have each function keep all of its predecessors. */
+/** The functions that a function may call, which are those that its text names. With all functions, a script that is
+    run repeatedly would make each function keep all of its predecessors. */
 std::shared_ptr<const Functions> callableIn(const std::string& text, const Scope& scope, const Functions& known) {
-    if (hasAlias(&scope)) return std::make_shared<Functions>(known);  // an alias may call what the text does not name
+    if (hasAlias(&scope))
+        return std::make_shared<Functions>(known);  // an alias may call functions that the text does not name
     auto callable = std::make_shared<Functions>();
     for (auto at = text.begin(); at != text.end();) {
         const auto begin = std::find_if(at, text.end(), isOfName);
@@ -74,7 +75,7 @@ bool ScriptReader::execute(const Code& code) {
     Interruption* const interruption = Interruption::ofThisThread();
     const Interruption::Region region(interruption, Interruption::Region::Script);
     const Interruption::Listener listener([&process] { process.pause(); });
-    // Whoever can interrupt it may wait as long as he likes.
+    // A user who can interrupt the script may wait without limit.
     const bool patient = interruption && interruption->isPatient();
     unsigned counted = 0;
     for (unsigned yields = 0; patient || counted <= kMostYields; yields += yields != kEagerYields) {
@@ -133,8 +134,8 @@ std::shared_ptr<const MachineType> ScriptReader::typeOf(const ast::Item& item, c
     return made;
 }
 
-Surroundings ScriptReader::surroundings(ExecutionEngine* caller) {
-    Surroundings where;
+CompileContext ScriptReader::context(ExecutionEngine* caller) {
+    CompileContext where;
     where.component = &component_;
     where.caller = caller;
     where.file = file_->name;
@@ -143,14 +144,14 @@ Surroundings ScriptReader::surroundings(ExecutionEngine* caller) {
     return where;
 }
 
-Surroundings ScriptReader::atTopLevel() {
-    Surroundings where = surroundings(internal::GlobalEngine::Instance());
+CompileContext ScriptReader::atTopLevel() {
+    CompileContext where = context(internal::GlobalEngine::Instance());
     where.sent = sent_;
     return where;
 }
 
-Surroundings ScriptReader::inEngine(const Functions& functions) {
-    Surroundings where = surroundings(component_.engine());
+CompileContext ScriptReader::inEngine(const Functions& functions) {
+    CompileContext where = context(component_.engine());
     where.functions = &functions;
     return where;
 }

@@ -25,7 +25,7 @@ namespace {
 constexpr unsigned kDeepest = 50;
 
 thread_local const ScriptRunner* innermost = nullptr;
-// Scripts went too deep: none of them goes on, because each might try again and again.
+// Scripts were nested too deeply. All of them end, because each might try again and again.
 thread_local bool unwinding = false;
 
 }  // namespace
@@ -98,7 +98,7 @@ bool ScriptRunner::take(const ast::Item& item, const ast::Function& function) {
     auto functions = service_.loaded_->definitions.functions();
     auto definition = definitionOf(item, function, *functions);
     if (!addFunction(definition, function.scope, service_, limited(*functions))) return false;
-    functions.reset();  // else it is copied
+    functions.reset();  // otherwise it would be copied
     service_.loaded_->definitions.define(std::move(definition));
     return true;
 }
@@ -145,8 +145,8 @@ bool ScriptRunner::isFree(const char* kind, const char* code, const ast::Identif
     return false;
 }
 
-Surroundings ScriptRunner::limited(const Functions& functions) {
-    Surroundings where = inEngine(functions);
+CompileContext ScriptRunner::limited(const Functions& functions) {
+    CompileContext where = inEngine(functions);
     where.roundLimit = service_.loaded_->roundLimit();
     return where;
 }

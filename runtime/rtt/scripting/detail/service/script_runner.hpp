@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Runs the text of a script: parses it, then takes one item after the other.
+// Runs a script: parses it, then handles one item after another.
 #ifndef ORO_SCRIPTING_DETAIL_SCRIPT_RUNNER_HPP
 #define ORO_SCRIPTING_DETAIL_SCRIPT_RUNNER_HPP
 
@@ -16,22 +16,22 @@ class ScriptingService;
 
 namespace detail {
 
-/** Statements see the variables of the script of the same component that runs this one, in the same thread. */
+/** Statements see the variables of the script that runs this one, if it is in the same component and thread. */
 class ScriptRunner final : private ScriptReader {
 public:
-    /** `name` stands for the text in messages. The service has an owner. */
+    /** Messages call the text `name`. The service must have an owner. */
     ScriptRunner(ScriptingService& service, oroforge::diag::FileName name, std::string text);
     ~ScriptRunner() override;
 
-    /** True if all of it was executed; otherwise the log says why it was not. */
+    /** True if all of it was executed; otherwise logs the reason. */
     bool run(Contents contents);
-    /** Of those in the log, with its place; empty if there was none. */
+    /** The first error in the log, with its place; empty if there was none. */
     const std::string& firstError() const { return first_error_; }
 
-    /** Where that file is: as it is called or, if there is none, beside the script that this thread is running. */
+    /** The path of a file: as given or, if it does not exist, beside the script that this thread is running. */
     static std::string locate(const std::string& file);
 
-    /** Scripts went too deep: all of them end, which was told once. */
+    /** True if scripts were nested too deeply; all of them end, which was reported once. */
     static bool isUnwinding();
 
 private:
@@ -44,18 +44,18 @@ private:
     bool take(const ast::Item& item, const ast::StateMachine& type) override;
     bool take(const ast::Item& item, const ast::Instance& machine) override;
     bool checkDepth();
-    /** The programs and state machines of this text. */
+    /** Unloads the programs and state machines of this text. */
     void unload();
     void checkContents(Contents contents);
     bool isFree(const char* kind, const char* code, const ast::Identifier& name);
-    /** With the step budget. */
-    Surroundings limited(const Functions& functions);
-    /** Into the log. */
+    /** The context with the step budget. */
+    CompileContext limited(const Functions& functions);
+    /** Logs the diagnostics. */
     void report();
 
     ScriptingService& service_;
-    const ScriptRunner* const outer_;               // the one that this thread is in the midst of
-    const unsigned depth_;                          // how many of those there are
+    const ScriptRunner* const outer_;               // the script that this thread was running
+    const unsigned depth_;                          // the number of scripts around this one
     std::vector<std::string> programs_, machines_;  // loaded so far
     std::string first_error_;
 };

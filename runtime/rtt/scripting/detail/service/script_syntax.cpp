@@ -18,7 +18,7 @@ void checkSyntax(const std::string& file, oroforge::diag::Sink& sink) {
 
 namespace {
 
-/** Of what calls lead to nothing is known. */
+/** A forecast that knows no operation. */
 class NoForecast final : public CallForecast {
 public:
     CallProblem foresee(const ForeseenCall&, Expectations&) override { return {}; }
@@ -30,7 +30,7 @@ void checkAlone(const std::string& file, const std::string& component, Contents 
     const auto text = readScript(file, sink);
     if (!text) return;
     TaskContext stand(component);
-    // The component may have others of these names.
+    // The real component may have other operations of these names.
     for (const std::string& operation : stand.provides()->getOperationNames())
         stand.provides()->removeOperation(operation);
     stand.provides()->addService(Service::shared_ptr(new ScriptingService(&stand)));

@@ -11,15 +11,14 @@
 
 namespace RTT::scripting::detail {
 
-/** What a text may have. */
+/** What a script may contain. */
 enum class Contents { Everything, Programs, StateMachines };
 
-/** Reports what can be told of a script file without the component that it is for: that it cannot be read, or its syntax
-    errors, all of them. */
+/** Reports that a script file cannot be read, or all of its syntax errors. */
 RTT_API void checkSyntax(const std::string& file, oroforge::diag::Sink& sink);
 
-/** Reports more: what is wrong whatever interface the component has that is called so and does not exist, as a transition to a
-    state that its machine does not have. Not real-time safe; executes nothing. */
+/** Also reports errors that do not depend on the component, which has that name and does not exist: for example a
+    transition to an unknown state. Not real-time safe; executes nothing. */
 RTT_API void checkAlone(const std::string& file, const std::string& component, Contents contents,
                         oroforge::diag::Sink& sink);
 

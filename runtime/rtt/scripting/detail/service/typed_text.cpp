@@ -7,7 +7,7 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/check.hpp>
-#include <rtt/scripting/detail/compile/unit.hpp>
+#include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <exception>
 #include <utility>
@@ -19,11 +19,11 @@ namespace {
 /** The code of an expression that is evaluated once. */
 struct Evaluation {
     std::unique_ptr<Code> code;
-    base::DataSourceBase::shared_ptr value;  ///< once the code was executed; null for void
+    base::DataSourceBase::shared_ptr value;  ///< valid after the code was executed; null for void
 };
 
-/** Of a type that no variable can be made of, the value is what the expression itself gives. */
-base::DataSourceBase::shared_ptr keepValue(Unit& unit, const Operand& operand) {
+/** A copy of the value; the source of the expression itself if its type has no variables. */
+base::DataSourceBase::shared_ptr keepValue(UnitCompiler& unit, const Operand& operand) {
     if (operand.kind == Kind::None) {
         unit.discard(operand);
         return nullptr;
@@ -38,19 +38,19 @@ base::DataSourceBase::shared_ptr keepValue(Unit& unit, const Operand& operand) {
     return source;
 }
 
-/** No code after an error, which is reported. */
+/** Compiles an expression; after an error, which is reported, there is no code. */
 Evaluation evaluationOf(Compiler::State& state, Scope& scope, const ast::Expression& expression) {
     oroforge::diag::Sink& sink = *state.where.sink;
     const std::size_t errors = sink.errorCount();
     Evaluation result{std::make_unique<Code>(), nullptr};
     result.code->keep(state.activations);
-    Unit unit(state, state.where, *result.code, scope);
+    UnitCompiler unit(state, state.where, *result.code, scope);
     try {
         unit.begin(expression.at);
         result.value = keepValue(unit, unit.expression(expression));
         unit.end();
     } catch (const Unresolved&) {
-        // Reported.
+        // The error was reported.
     } catch (const std::exception& thrown) {
         sink.error({state.where.file, expression.at.line, expression.at.column}, "OPS119",
                    std::string("cannot be compiled: ") + thrown.what());
@@ -72,7 +72,7 @@ bool TypedText::run(TypedInput::Answer& answer, std::ostream& out) {
     for (const ast::Item& item : file_->tree.items) {
         answer_ = {};
         if (gate_->closed()) {
-            error(item.at, "OPS415", "the component is gone, which a statement before this one has destroyed");
+            error(item.at, "OPS415", "an earlier statement has destroyed the component");
             return false;
         }
         if (!take(item)) return false;
@@ -95,7 +95,7 @@ bool TypedText::take(const ast::Item&, const ast::StatementPtr& statement) {
 }
 
 bool TypedText::evaluate(const ast::Expression& expression) {
-    Compiler::State state(surroundings(internal::GlobalEngine::Instance()));
+    Compiler::State state(context(internal::GlobalEngine::Instance()));
     const Evaluation evaluation = evaluationOf(state, scope_, expression);
     if (!evaluation.code || !execute(*evaluation.code)) return false;
     answer(evaluation.value);
@@ -125,7 +125,7 @@ bool TypedText::declare(const ast::Statement& statement, const ast::Declaration&
     return true;
 }
 
-/** What was declared becomes an attribute of the component. */
+/** Makes a declared variable an attribute of the component. */
 void TypedText::publish(const ast::Declarator& declarator) {
     const Scope::Entry* const entry = scope_.findHere(declarator.name.text);
     if (!entry || !entry->source || gate_->closed()) return;
@@ -138,7 +138,7 @@ void TypedText::publish(const ast::Declarator& declarator) {
     if (copy && copy->update(entry->source.get())) answer(copy);
 }
 
-/** The service gets the item alone, at the place it has in the whole text. */
+/** Passes the item alone to the service, with its place in the whole text. */
 bool TypedText::define(const ast::Item& item) {
     std::string text = file_->text.substr(0, item.begin + item.size);
     for (std::size_t i = 0; i != item.begin; ++i)
@@ -154,7 +154,7 @@ bool TypedText::define(const ast::Item& item) {
               "the service 'scripting' of component '" + component_.getName() + "' belongs to another process");
         return false;
     }
-    // Where it has been checked, little is left to fail; that is in the log.
+    // After the check little can fail, and the log reports that.
     return checkScriptText(text, file_->name, component_, *out_) && service->evalInternal(file_->name, text);
 }
 

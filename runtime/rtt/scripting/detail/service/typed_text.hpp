@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One text that was typed at a console: executes it and tells what it gave.
+// Executes a text that was typed at a console and returns its result.
 #ifndef ORO_SCRIPTING_DETAIL_TYPED_TEXT_HPP
 #define ORO_SCRIPTING_DETAIL_TYPED_TEXT_HPP
 
@@ -16,14 +16,14 @@ namespace RTT::scripting::detail {
 
 class TypedText final : private ScriptReader {
 public:
-    /** Declarations go to `scope`, which outlives this. */
+    /** Declarations go to `scope`, which must outlive this. */
     TypedText(TaskContext& component, std::shared_ptr<SourceFile> file, Scope& scope);
     ~TypedText() override;
 
-    /** False if something went wrong; messages() says what, and `out` as far as the service "scripting" has to say it. */
+    /** False after an error, which is in messages() or, from the service "scripting", in `out`. */
     bool run(TypedInput::Answer& answer, std::ostream& out);
     const oroforge::diag::Sink& messages() const { return sink_; }
-    /** The tree of the file is needed as long as the scope. */
+    /** True if the scope needs the tree of the file. */
     bool hasAliases() const { return has_aliases_; }
 
 private:
@@ -41,7 +41,8 @@ private:
     bool define(const ast::Item& item);
     void answer(const Source& value);
 
-    const boost::intrusive_ptr<const internal::EngineGate> gate_;  // of the component, which a statement may destroy
+    const boost::intrusive_ptr<const internal::EngineGate>
+        gate_;  // the gate of the component, which a statement may destroy
     Scope& scope_;
     std::ostream* out_ = nullptr;
     TypedInput::Answer answer_;

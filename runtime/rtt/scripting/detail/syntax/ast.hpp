@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What the parser makes of a script: its text as a tree, with places, before any name is looked up.
+// The syntax tree of a script, with places, before any name is resolved.
 #ifndef ORO_SCRIPTING_DETAIL_AST_HPP
 #define ORO_SCRIPTING_DETAIL_AST_HPP
 
@@ -12,7 +12,7 @@
 namespace RTT::scripting::detail {
 namespace ast {
 
-/** In the text of the script; lines and columns count from 1, columns in bytes. */
+/** A place in the script; lines and columns count from 1, columns in bytes. */
 struct Place {
     unsigned line = 0, column = 0;
 };
@@ -32,16 +32,16 @@ typedef std::variant<bool, char, int, unsigned int, long long, unsigned long lon
 struct Literal {
     Value value;
 };
-/** The word `time`: seconds now. */
+/** The word `time`: the present time in seconds. */
 struct CurrentTime {};
-/** `a.b.c`, `a.b.c(…)`, `KDL.Vector(…)`, `ints[](…)`, `vector<double>(…)`: what it is depends on what is there at run time. A
-    type name with template arguments is one part. */
+/** `a.b.c`, `a.b.c(…)`, `KDL.Vector(…)`, `ints[](…)`, `vector<double>(…)`: its meaning depends on the names at run
+    time. A type name with template arguments is one part. */
 struct Name {
     std::vector<Identifier> parts;  ///< at least one
-    bool called = false;            ///< has an argument list, maybe an empty one
+    bool called = false;            ///< has an argument list, perhaps an empty one
     Expressions arguments;
 };
-/** `of.member`, where `of` is no plain name. */
+/** `of.member`, where `of` is not a plain name. */
 struct Member {
     ExpressionPtr of;
     Identifier member;
@@ -53,7 +53,8 @@ struct Unary {
     char op;  ///< '+', '-', '!'
     ExpressionPtr operand;
 };
-/** Operators in a row, from left to right: `((first op right) op right) …`. As long as the script has it, and not deep. */
+/** Operators in a row, from left to right: `((first op right) op right) …`. A list, so that long rows are not nested.
+     */
 struct Binary {
     struct Step {
         std::string op;  ///< && || != == >= > <= < + - % * /
@@ -93,7 +94,7 @@ struct Declaration {
     Identifier type;
     std::vector<Declarator> names;
 };
-/** An expression whose value, if any, is not used; also after `do`, `set`, `call`. */
+/** An expression whose value is not used; also after `do`, `set`, `call`. */
 struct Do {
     ExpressionPtr expression;
 };
@@ -129,7 +130,7 @@ struct Statement {
 };
 
 struct Function {
-    enum class Scope { Local, Exported, Global };  ///< Local: without a word, or with `local`
+    enum class Scope { Local, Exported, Global };  ///< Local: without a keyword, or with `local`
     struct Argument {
         Identifier type, name;
         ExpressionPtr size;  ///< of `name(size)`; or null
@@ -146,7 +147,7 @@ struct Program {
     Block body;
 };
 
-/** `select A or B`, `{ program } select A`: where to go. With no state, the machine stays. */
+/** `select A or B`, `{ program } select A`: the next state. Without a state, the machine stays. */
 struct Selection {
     Place at;
     std::vector<Identifier> states;
@@ -186,11 +187,11 @@ struct StateMachine {
     Place end;                         ///< its '}'
     std::vector<StatementPtr> locals;  ///< Declarations, in the order of the text
     std::vector<Instance> subMachines;
-    std::vector<Transition> transitions;  ///< those that hold in every state
+    std::vector<Transition> transitions;  ///< transitions from every state
     std::vector<State> states;
 };
 
-/** One thing a file can hold at its top level, in the order of the text. */
+/** An item at the top level of a file. */
 struct Item {
     Place at, end;                                                               ///< first and last letter
     std::size_t begin = 0, size = 0;                                             ///< its bytes in the text

@@ -8,14 +8,14 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-// Not those of <cctype>: they depend on the locale.
+// Not from <cctype>, which depends on the locale.
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isWordLetter(char c) { return isLetter(c) || isDigit(c) || c == '_'; }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool isTypeLetter(char c) { return isWordLetter(c) || std::string_view("-/<>.[]").find(c) != std::string_view::npos; }
 
-/** Longer ones are no names of types, but many comparisons. */
+/** A longer text with '<' and '>' is not the name of a type but many comparisons. */
 constexpr std::size_t kMaxTemplate = 200;
 
 }  // namespace
@@ -47,7 +47,7 @@ Token Lexer::next() {
     return punctuation();
 }
 
-/** False at a comment that does not end. */
+/** Skips blanks and comments; false at a comment that does not end. */
 bool Lexer::skipBlanks() {
     while (at_ < text_.size()) {
         const char c = text_[at_];
@@ -87,7 +87,7 @@ std::size_t Lexer::endOfWord(std::size_t from) const {
     return from;
 }
 
-/** Of `<double>` if '(' follows; otherwise `from`. */
+/** The end of `<double>` if '(' follows; otherwise `from`. */
 std::size_t Lexer::endOfTemplate(std::size_t from) const {
     if (at(from) != '<' || !(isLetter(at(from + 1)) || at(from + 1) == '/')) return from;
     unsigned depth = 0;
@@ -133,7 +133,7 @@ Token Lexer::typeName(const Token& token) {
     return take(TokenKind::TypeWord, begins ? endOfTypeName(at_) : at_);
 }
 
-/** With all letters that follow: whether they are a suffix is not decided here. */
+/** The end of a number with all following letters, which need not be a valid suffix. */
 std::size_t Lexer::endOfNumber(std::size_t from) const {
     if (at(from) == '0' && (at(from + 1) == 'x' || at(from + 1) == 'X')) return endOfWord(from);
     while (isDigit(at(from))) ++from;
@@ -185,7 +185,7 @@ Token Lexer::punctuation() {
     }
 }
 
-/** One byte, or all of a row that are no ASCII. */
+/** The end of one stray byte, or of a row of bytes that are not ASCII. */
 std::size_t Lexer::endOfStray(std::size_t from) const {
     const auto foreign = [this](std::size_t i) { return (static_cast<unsigned char>(at(i)) & 0x80U) != 0; };
     if (!foreign(from)) return from + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Cuts a script into tokens, one at a time, because what a type name is depends on where it stands.
+// Cuts a script into tokens, one at a time, because type names depend on their context.
 #ifndef ORO_SCRIPTING_DETAIL_LEXER_HPP
 #define ORO_SCRIPTING_DETAIL_LEXER_HPP
 
@@ -10,15 +10,15 @@
 
 namespace RTT::scripting::detail {
 
-/** Cheap to copy: who wants to look ahead reads from a copy. Reports nothing; what is wrong is a token, too. */
+/** Cheap to copy, so code looks ahead with a copy. Reports no errors: malformed text is a token, too. */
 class Lexer {
 public:
     /** The text must outlive it. A byte order mark at its beginning is skipped. */
     explicit Lexer(std::string_view text);
 
     Token next();
-    /** What begins where `token` does, read as the name of a type: letters, digits and _ - / < > . [ ] ::.
-        Empty if there is none. next() goes on behind it. */
+    /** Reads the text at `token` as the name of a type: letters, digits and _ - / < > . [ ] ::. Empty if there is none.
+        next() continues after it. */
     Token typeName(const Token& token);
 
     std::string_view text(const Token& token) const { return text_.substr(token.begin, token.end - token.begin); }

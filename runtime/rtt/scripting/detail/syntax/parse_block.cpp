@@ -39,7 +39,7 @@ ast::Block Parser::body() {
     return result;
 }
 
-/** `else` and `catch`, which may stand on a new line and behind a ';'. */
+/** Accepts `else` and `catch`, which may be on a new line and after a ';'. */
 bool Parser::acceptContinuation(std::string_view word) {
     if (at(TokenKind::Semicolon)) {
         const Token next = following();
@@ -48,7 +48,7 @@ bool Parser::acceptContinuation(std::string_view word) {
     return acceptWord(word);
 }
 
-/** Where it was opened goes to `open`, unless the '{' is missing. False if failed. */
+/** Accepts '{' and stores it in `open`, unless it is missing. False if failed. */
 bool Parser::openBraces(Token& open) {
     open = token();
     if (accept(TokenKind::OpenBrace)) return true;
@@ -63,7 +63,7 @@ bool Parser::openBraces(Token& open) {
     return true;
 }
 
-/** At something that stands in no block: a '}' is missing. */
+/** True at something that cannot be in a block, because a '}' is missing. */
 bool Parser::blockEndsHere() const {
     if (in_machine_ && token().newLine && (atState() || atStateItem())) return true;
     return machineEndsHere();
@@ -71,7 +71,7 @@ bool Parser::blockEndsHere() const {
 
 void Parser::closeBraces(const Token& open) {
     if (failed() || accept(TokenKind::CloseBrace) || open.kind != TokenKind::OpenBrace) return;
-    const bool known = assumed_at_ == token().begin;  // it was missing in an inner block, too
+    const bool known = assumed_at_ == token().begin;  // reported for an inner block
     const ast::Place openPlace{open.line, open.column};
     if (at(TokenKind::End)) {
         if (auto* error = fail("'}'", "OPS009")) error->note(location(openPlace), "opened here");

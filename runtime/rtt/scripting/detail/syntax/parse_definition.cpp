@@ -13,7 +13,7 @@ bool isLiteral(TokenKind kind) {
 
 }  // namespace
 
-/** At what can only stand at the top level. */
+/** True at what can only be at the top level. */
 bool Parser::atDefinition() const {
     for (const std::string_view word :
          {"program", "function", "export", "global", "local", "StateMachine", "RootMachine"})
@@ -21,7 +21,7 @@ bool Parser::atDefinition() const {
     return false;
 }
 
-/** At `function f`, or at `double f(` or `double f {`. */
+/** True at `function f`, `double f(` or `double f {`. */
 bool Parser::atFunction() const {
     for (const std::string_view word : {"function", "export", "global", "local"})
         if (atWordBeforeName(word)) return true;
@@ -31,7 +31,7 @@ bool Parser::atFunction() const {
     const Token name = ahead.next();
     if (name.kind != TokenKind::Word || name.newLine || !standsAsName(name)) return false;
     const Token open = ahead.next();
-    // `While true {` and the like are no functions.
+    // Not a function: `While true {` and the like.
     for (const std::string_view value : {"true", "false", "not"})
         if (open.kind == TokenKind::OpenBrace && text(name) == value) return false;
     if (open.kind == TokenKind::OpenParen) return !isLiteral(ahead.next().kind);

@@ -40,7 +40,7 @@ Operator binaryOperator(TokenKind kind, std::string_view text) {
     return {0, nullptr};
 }
 
-/** What to write instead, for those who are used to other languages: `found` stands where a value is expected, right behind `before`. */
+/** What to write instead of operators of other languages, where `found` is in the place of a value after `before`. */
 const char* habit(const Token& found, std::string_view before) {
     const auto endsWith = [before](std::string_view end) {
         return before.size() >= end.size() && before.substr(before.size() - end.size()) == end;
@@ -70,7 +70,7 @@ Parser::Tree Parser::tree(ast::Place at, ast::Place begin, unsigned height, What
     return result;
 }
 
-/** Null if failed. */
+/** Parses an expression; null if failed. */
 ast::ExpressionPtr Parser::expression() { return assignment().expression; }
 
 Parser::Tree Parser::assignment() {
@@ -84,7 +84,7 @@ Parser::Tree Parser::assignment() {
     return tree(at, to.begin, height, ast::Assignment{std::move(to.expression), std::move(value.expression)});
 }
 
-/** Of operators that bind at least that much. */
+/** Parses operators that bind at least that strongly. */
 Parser::Tree Parser::binary(int least) {
     Tree left = unary();
     unsigned height = left.height;
@@ -108,7 +108,7 @@ Parser::Tree Parser::binary(int least) {
 
 /** Each sign at most once, in this order. */
 Parser::Tree Parser::unary() {
-    // `i++` at the end of a line is not meant to go on in the next one.
+    // `i++` at the end of a line does not continue in the next one.
     const bool sign = token().kind == TokenKind::Plus || token().kind == TokenKind::Minus;
     if (sign && repeated() && lastEnd() == token().begin && following().newLine) return primary();
     const ast::Place plus = place();
@@ -117,7 +117,7 @@ Parser::Tree Parser::unary() {
     const bool hasMinus = accept(TokenKind::Minus);
     const ast::Place negation = place();
     const bool hasNot = accept(TokenKind::Not) || acceptWord("not");
-    // Its magnitude alone is no int.
+    // Its magnitude alone does not fit into an int.
     ast::Value least;
     const bool isLeast = hasMinus && !hasNot && at(TokenKind::Number) && readLeast(text(), least);
     if (isLeast) advance();
@@ -197,7 +197,7 @@ Parser::Tree Parser::literal() {
         problem = readLetter(text(), value.emplace<char>());
     }
     if (failed()) return {};
-    // The script goes on as if it were right.
+    // Parsing continues as if it were right.
     if (problem)
         report({at.line, at.column + static_cast<unsigned>(problem->offset)}, problem->code,
                std::move(problem->message));
@@ -233,7 +233,7 @@ Parser::Tree Parser::named() {
     return tree(begin, begin, height, std::move(name));
 }
 
-/** With its parentheses. False if failed. */
+/** Parses arguments with their parentheses. False if failed. */
 bool Parser::arguments(ast::Expressions& to, unsigned& height) {
     const Token open = token();
     accept(TokenKind::OpenParen);
@@ -252,7 +252,7 @@ bool Parser::enter() {
     return false;
 }
 
-/** Once for each item: what encloses it is too deep for the same reason. */
+/** Reports once per item, because enclosing expressions are too deep for the same reason. */
 void Parser::failTooDeep() {
     if (std::exchange(too_deep_, true)) {
         giveUp();

@@ -30,7 +30,7 @@ Problem within(unsigned long long magnitude, std::string_view number, ast::Value
     return {};
 }
 
-/** Seconds per unit: divided by, which rounds correctly. */
+/** Units per second, as a divisor, because division rounds correctly. */
 double unitsPerSecond(const std::string& unit) {
     if (unit == "s") return 1;
     if (unit == "ms") return 1e3;
@@ -83,7 +83,7 @@ int digitOf(char c) {
     return 16;
 }
 
-/** The value of the digits from `at` on, at most `most` of them; moves `at` behind them. */
+/** The value of at most `most` digits from `at` on; moves `at` behind them. */
 unsigned numeral(std::string_view text, std::size_t& at, int base, std::size_t most) {
     unsigned value = 0;
     const std::size_t end = std::min(text.size(), at + most);
@@ -92,7 +92,7 @@ unsigned numeral(std::string_view text, std::size_t& at, int base, std::size_t m
     return value;
 }
 
-/** The letter that the escape at `at` (a '\') stands for; moves `at` behind it. */
+/** Reads the letter of the escape at `at` (a '\'); moves `at` behind it. */
 Problem readEscape(std::string_view body, std::size_t& at, char& letter) {
     static constexpr char names[] = "nrtabfv\\\"'?", letters[] = "\n\r\t\a\b\f\v\\\"'?";
     const std::size_t begin = at++;

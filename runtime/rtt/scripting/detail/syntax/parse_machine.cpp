@@ -12,7 +12,7 @@ namespace {
 
 using oroforge::diag::Diagnostic;
 
-/** At a word that begins no item of a list. */
+/** Suggests a similar word where a word does not begin an item of a list. */
 void suggest(Diagnostic* error, const Token& token, std::string_view text, const std::vector<std::string>& words) {
     const bool known = std::find(words.begin(), words.end(), text) != words.end();
     if (error && !known && token.kind == TokenKind::Word)
@@ -65,7 +65,7 @@ bool Parser::machineEndsHere() const { return atDefinition() && !following().new
 
 bool Parser::stateEndsHere() const { return atState() || machineEndsHere(); }
 
-/** At `entry {`, `transitions {`, `transition select S`, …, which are no statements. */
+/** True at `entry {`, `transitions {`, `transition select S` and the like, which are not statements. */
 bool Parser::atStateItem() const {
     if (!at(TokenKind::Word)) return false;
     const Token next = following();
@@ -123,7 +123,8 @@ void Parser::stateProgram(ast::State& state) {
              "const", "alias"});
 }
 
-/** `precondition a`, `preconditions { a; if b then select S }`. The first one may have the next item of the state behind it. */
+/** `precondition a`, `preconditions { a; if b then select S }`. After the first form, the next item of the state may
+    follow. */
 void Parser::preconditions(ast::State& state) {
     const bool list = atWord("preconditions");
     advance();
@@ -138,7 +139,8 @@ void Parser::preconditions(ast::State& state) {
     }
 }
 
-/** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered instead. */
+/** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered instead.
+     */
 void Parser::precondition(ast::State& state) {
     ast::Transition detour;
     detour.at = place();

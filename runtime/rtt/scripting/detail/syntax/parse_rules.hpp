@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The grammar, a function for each rule. Precedences are those of the original: && binds less than ||, % less than *.
+// The grammar, with a function for each rule. Precedences are those of the original: && binds weaker than ||, % than *.
 #ifndef ORO_SCRIPTING_DETAIL_PARSE_RULES_HPP
 #define ORO_SCRIPTING_DETAIL_PARSE_RULES_HPP
 
@@ -19,7 +19,7 @@ public:
     ast::Script script();
 
 private:
-    /** With how deep it is nested, and where its first letter is: `at` of an operation is its operator. */
+    /** An expression with its depth and its first letter, because `at` of an operation is its operator. */
     struct Tree {
         ast::ExpressionPtr expression;
         unsigned height = 0;
@@ -110,7 +110,7 @@ private:
     void item(ast::Script& script);
     void strayBrace();
 
-    /** Goes deeper by one level, until the end of its life. */
+    /** One level of nesting, while it exists. */
     class Level {
     public:
         explicit Level(Parser& parser) : parser_(parser), ok_(parser.enter()) {}
@@ -127,16 +127,16 @@ private:
     void failTooDeep();
 
     unsigned level_ = 0;
-    bool too_deep_ = false;              // has been told for the present item
-    unsigned loops_ = 0;                 // around the present statement
+    bool too_deep_ = false;              // reported for the present item
+    unsigned loops_ = 0;                 // number of loops around the present statement
     bool in_machine_ = false;            // in a state machine
     unsigned assumed_closed_ = 0;        // blocks whose '}' is missing, though it may come later
-    std::size_t assumed_at_ = kNowhere;  // the token they end before
+    std::size_t assumed_at_ = kNowhere;  // the token before which they end
     static constexpr std::size_t kNowhere = ~std::size_t{0};
 };
 
-/** What stands in braces, calling `item` for each piece, until `endsHere`, which means that the '}' is missing. Returns the
-    place of the '}'. */
+/** Parses the contents of braces, with `item` for each piece, up to '}' or to `endsHere`, where the '}' is missing.
+    Returns the place of the '}'. */
 template <class Item>
 ast::Place Parser::inBraces(bool (Parser::*endsHere)() const, Item item) {
     Token open;

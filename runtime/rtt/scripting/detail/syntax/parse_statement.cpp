@@ -14,7 +14,7 @@ std::string pathOf(const ast::Name& name) {
     return path;
 }
 
-/** The keyword that `word` resembles. Before a literal it is one that takes a value, before a block one that has one. */
+/** The keyword that `word` resembles: before a literal one that takes a value, before a block one that has a block. */
 std::string meantKeyword(const std::string& word, bool beforeLiteral, bool beforeBlock) {
     if (word.size() < 3) return word == "If" || word == "IF" ? "; did you mean 'if'?" : "";
     if (word == "import" || word == "require" || word == "select") return "";
@@ -53,7 +53,7 @@ bool beginsPlain(std::string_view word) {
 
 }  // namespace
 
-/** Without the ';' at its end. Null if failed. */
+/** Parses a statement without the ';' at its end. Null if failed. */
 ast::StatementPtr Parser::statement() {
     if (atDeclaration()) return declaration();
     if (atWord("if")) return ifStatement();
@@ -67,7 +67,7 @@ ast::StatementPtr Parser::statement() {
     return plainStatement();
 }
 
-/** `do`, `set` and `call` mean nothing. */
+/** Skips `do`, `set` and `call`, which have no effect. */
 void Parser::plainPrefix() {
     acceptWord("do");
     acceptWord("set");
@@ -114,7 +114,7 @@ ast::StatementPtr Parser::tryStatement() {
     return makeStatement(at, std::move(result));
 }
 
-/** The value stands on the same line. */
+/** Parses `return`; the value must be on the same line. */
 ast::StatementPtr Parser::returnStatement() {
     const ast::Place at = place();
     advance();
@@ -180,7 +180,7 @@ void Parser::forHeader(ast::For& loop) {
     expectClosing(TokenKind::CloseParen, "')'", open);
 }
 
-/** `break` can be a name as well. */
+/** True at the statement `break`, which can also be a name. */
 bool Parser::atBreak() const {
     if (!atWord("break")) return false;
     const Token next = following();
@@ -202,7 +202,7 @@ ast::StatementPtr Parser::breakStatement() {
 
 void Parser::endAfter(const ast::StatementPtr& statement) { explainNameAfter(statement.get(), endStatement()); }
 
-/** `statement` is followed by something that does not fit: was its name meant as a keyword or a type? */
+/** Adds a hint if `statement` is followed by something unexpected because its name was meant as a keyword or a type. */
 void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
     if (!error || !statement) return;
     if (std::holds_alternative<ast::Declaration>(statement->what) && token().kind == TokenKind::OpenBracket)

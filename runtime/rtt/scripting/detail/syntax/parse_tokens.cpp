@@ -18,12 +18,12 @@ constexpr std::string_view kReserved[] = {
     "else",  "false", "for",  "foreach", "if",      "include",       "not",   "nothing", "or",   "return",
     "send",  "set",   "then", "true",    "try",     "until",         "var",   "while",   "yield"};
 
-/** How many tokens it looks ahead for a ')' after an error. */
+/** The number of tokens to look ahead for a ')' after an error. */
 constexpr int kLookAhead = 200;
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/** As a whole, or its beginning. */
+/** The text, or its beginning if it is long. */
 std::string shortened(std::string_view text) {
     constexpr std::size_t most = 24;
     if (text.size() <= most) return std::string(text);
@@ -44,7 +44,7 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
-/** Of UTF-8. */
+/** The first letter of a UTF-8 text. */
 unsigned firstLetter(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
@@ -54,14 +54,14 @@ unsigned firstLetter(std::string_view text) {
     return letter;
 }
 
-/** Blanks other than those of ASCII, and what has no width. */
+/** True for blanks that are not ASCII and for letters without width. */
 bool isInvisible(unsigned letter) {
     return letter == 0xA0 || letter == 0xAD || (letter >= 0x2000 && letter <= 0x200F) ||
            (letter >= 0x2028 && letter <= 0x202F) || (letter >= 0x205F && letter <= 0x2064) || letter == 0x3000 ||
            letter == 0xFEFF;
 }
 
-/** In UTF-8, outside of ASCII. */
+/** A description of letters that are not ASCII. */
 std::string strayLetters(std::string_view text) {
     const unsigned letter = firstLetter(text);
     if (isInvisible(letter)) {
@@ -91,7 +91,7 @@ std::string strayMessage(std::string_view text) {
 }  // namespace
 
 bool isReserved(std::string_view word) {
-    // Most names differ in length or first letter from all of them.
+    // Fast for most names, which differ in length or first letter from all reserved words.
     return std::any_of(std::begin(kReserved), std::end(kReserved), [word](std::string_view reserved) {
         return reserved.size() == word.size() && reserved[0] == word[0] && reserved == word;
     });
@@ -210,7 +210,7 @@ Diagnostic* TokenReader::endStatement() {
 
 Diagnostic* TokenReader::requireEnd() {
     if (failed_ || atStatementEnd()) return nullptr;
-    // The ';' has gone already if there was an error before it.
+    // After an error, the ';' may have been skipped.
     if (previous_.kind == TokenKind::CloseBrace || previous_.kind == TokenKind::Semicolon) return nullptr;
     return fail("a new line or ';' at the end of the statement", "OPS002");
 }
@@ -228,7 +228,7 @@ std::string TokenReader::found() const {
 
 Diagnostic* TokenReader::fail(const std::string& expected, const char* code) {
     if (failed_ || reportLexical()) return nullptr;
-    // Where a line or the script ends too early, the place is behind what was there.
+    // If a line or the script ends too early, the place is after its last token.
     const bool behind = (token_.newLine || token_.kind == TokenKind::End) && previous_.end != previous_.begin;
     const ast::Place last = lastPlace();
     const bool end = token_.kind == TokenKind::End;
@@ -248,14 +248,14 @@ Diagnostic* TokenReader::failWith(const char* code, std::string message) {
 
 Diagnostic* TokenReader::failAt(ast::Place at, const char* code, std::string message) {
     failed_ = true;
-    // What is missing at the end is missed by all that encloses it.
+    // At the end, all enclosing rules miss something, but only one may report it.
     const bool end = token_.kind == TokenKind::End || token_.kind == TokenKind::OpenComment;
     if (end && std::exchange(reported_end_, true)) return nullptr;
     if (std::exchange(reported_at_, token_.begin) == token_.begin) return nullptr;
     return &report(at, code, std::move(message));
 }
 
-/** If the present token is none: says so. */
+/** Reports a malformed token. */
 bool TokenReader::reportLexical() {
     if (token_.kind == TokenKind::Stray) {
         failAt(place(), "OPS003", strayMessage(text()));
@@ -280,12 +280,12 @@ Diagnostic& TokenReader::warn(ast::Place at, const char* code, std::string messa
     return sink_.warning(location(at), code, std::move(message));
 }
 
-/** True if the parentheses that are open are closed within the statement. */
+/** True if the open parentheses are closed within the statement. */
 bool TokenReader::closesSoon() const {
     Lexer ahead = lexer_;
     Token next = token_;
     int open = open_parens_;
-    bool separated = false;  // by the ';' of a `for`, which stands on one line
+    bool separated = false;  // by the ';' of a `for`, which is on one line
     for (int i = 0; i < kLookAhead && open > 0; ++i, next = ahead.next()) {
         if (next.newLine && separated) return false;
         switch (next.kind) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What all rules of the grammar need: the present token, what is said when it does not fit, and where to go on then.
+// What all rules of the grammar need: the present token, errors for unexpected tokens, and recovery.
 #ifndef ORO_SCRIPTING_DETAIL_PARSE_TOKENS_HPP
 #define ORO_SCRIPTING_DETAIL_PARSE_TOKENS_HPP
 
@@ -20,9 +20,9 @@ namespace RTT::scripting::detail {
 bool isReserved(std::string_view word);
 
 /**
- * Reads tokens. After an error it has *failed*: then no token matches and nothing more is reported, so that the rules come
- * to their ends, until a list of statements (or the like) goes on behind the error with recover().
- * A loop over tokens must therefore end when failed().
+ * Reads tokens. After an error it has *failed*: no token matches and nothing more is reported, so that all rules end,
+ * until a list of statements (or the like) continues after the error with recover(). A loop over tokens must therefore
+ * end when failed().
  */
 class TokenReader {
 protected:
@@ -32,71 +32,72 @@ protected:
     /** The present token, whether or not it failed. */
     const Token& token() const { return token_; }
     ast::Place place() const { return {token_.line, token_.column}; }
-    /** Where the last letter of the token before the present one is, and the byte behind it. */
+    /** The place of the last letter of the previous token, and the byte after it. */
     ast::Place lastPlace() const;
     std::size_t lastEnd() const { return previous_.end; }
-    /** The token before the present one is of the same kind. */
+    /** True if the previous token is of the same kind. */
     bool repeated() const { return previous_.end != 0 && previous_.kind == token_.kind; }
     std::string_view text() const { return lexer_.text(token_); }
     std::string_view text(const Token& token) const { return lexer_.text(token); }
 
     bool at(TokenKind kind) const { return !failed_ && token_.kind == kind; }
     bool atWord(std::string_view word) const { return at(TokenKind::Word) && text() == word; }
-    /** At a word that can be a name. */
+    /** True at a word that can be a name. */
     bool atName() const { return at(TokenKind::Word) && !isReserved(text()); }
-    /** At a newline, ';', '}' or the end. */
+    /** True at a newline, ';', '}' or the end. */
     bool atStatementEnd() const;
-    /** The token behind the present one. */
+    /** The next token. */
     Token following() const;
-    /** At this word, with a name behind it: `program p`, but not `program.start()`. */
+    /** True at this word before a name: `program p`, but not `program.start()`. */
     bool atWordBeforeName(std::string_view word) const;
 
-    /** A name, the name of a type, or what somebody took for a name: a reserved word, a number. */
+    /** True for a name, also of a type, and for what users may take for a name: a reserved word or a number. */
     bool standsAsName(const Token& token) const;
 
     void advance();
     bool accept(TokenKind kind);
     bool acceptWord(std::string_view word);
-    /** Fails if it is not there: "expected <what>". */
+    /** Accepts a token, or fails: "expected <what>". */
     bool expect(TokenKind kind, const char* what);
-    /** Fails if it is not there. */
+    /** Accepts this word, or fails. */
     bool expectWord(const char* word);
-    /** The ')' or ']' of what was opened at `open`. */
+    /** Accepts the ')' or ']' for `open`, or fails. */
     bool expectClosing(TokenKind kind, const char* what, const Token& open);
-    /** Fails if the present token is none: "expected <what>". */
+    /** Accepts a name, or fails: "expected <what>". */
     ast::Identifier name(const char* what);
     ast::Identifier typeName();
     /** Goes back to the first letter of the present token and reads it as the name of a type. */
     Token tokenAsType(Lexer& lexer) const { return lexer.typeName(token_); }
     Lexer lexerHere() const { return lexer_; }
-    /** Fails if there is something else on the line, and returns what it reported. A block needs no end. */
+    /** Accepts the end of a statement. If the line goes on, fails and returns the report. A block needs no end. */
     oroforge::diag::Diagnostic* endStatement();
     /** The same, but leaves the ';' where it is. */
     oroforge::diag::Diagnostic* requireEnd();
 
-    /** What the present token is called in messages. */
+    /** The description of the present token in messages. */
     std::string found() const;
-    /** "found …, expected <what>", and fails. Null if it has failed before. */
+    /** Reports "found …, expected <what>" and fails. Null if it has failed already. */
     oroforge::diag::Diagnostic* fail(const std::string& expected, const char* code = "OPS001");
-    /** As fail(), where something new begins: never says that a line ends too early. */
+    /** As fail(), but never says that a line ends too early, because something new begins here. */
     oroforge::diag::Diagnostic* failHere(const std::string& expected);
-    /** As fail(), if the error is in the present token itself. */
+    /** As fail(), for an error in the present token itself. */
     oroforge::diag::Diagnostic* failWith(const char* code, std::string message);
-    /** Reports, but does not fail. */
+    /** Reports an error without failing. */
     oroforge::diag::Diagnostic& report(ast::Place at, const char* code, std::string message);
     oroforge::diag::Diagnostic& warn(ast::Place at, const char* code, std::string message);
     oroforge::diag::Location location(ast::Place at) const { return {name_, at.line, at.column}; }
 
-    /** Fails, but reports nothing. */
+    /** Fails without a report. */
     void giveUp() { failed_ = true; }
 
-    /** A new statement begins here. */
+    /** Begins a statement. */
     void beginStatement() { open_parens_ = 0; }
-    /** If failed: goes to the end of the statement that began at byte `begin`; `else` and `catch` end it or belong to it. */
+    /** If failed: skips to the end of the statement that began at byte `begin`; `else` and `catch` end it or belong to
+        it. */
     void recover(std::size_t begin, bool elseEnds = false);
-    /** Goes on here after an error, as if the token that is missing were there. */
+    /** Continues here after an error, as if the missing token were there. */
     void forget() { failed_ = false; }
-    /** If failed in what stands before a '{': goes there if it is on this line or begins the next. */
+    /** If failed before a '{': skips to it if it is on this line or begins the next. */
     void recoverAtBrace(bool acrossSemicolons = false);
 
 private:

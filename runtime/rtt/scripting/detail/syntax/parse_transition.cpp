@@ -52,7 +52,7 @@ void Parser::event(ast::Transition& transition) {
     }
 }
 
-/** An event can have this name as well. */
+/** True at the keyword `select`, which can also be the name of an event. */
 bool Parser::atSelect() const {
     if (!atWord("select")) return false;
     const TokenKind next = following().kind;

@@ -10,14 +10,14 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** `progam p {` is no function of type progam: the keyword that `word` was to be; empty if that cannot be. `next` reads
-    what is behind it. */
+/** The keyword that `word` was meant to be, because `progam p {` is not a function of type progam; empty if there is
+    none. `next` reads what follows. */
 std::string meantDefinition(std::string_view word, Lexer next) {
     for (const std::string_view known : {"function", "export", "global", "local", "program", "StateMachine"})
         if (word == known) return "";
     next.next();
     if (next.next().kind != TokenKind::OpenBrace) return "";
-    // Types may have names that resemble these: only a slip, or another case, is taken for a keyword.
+    // Types may have similar names, so only a misspelling by one letter, or another case, is taken for a keyword.
     for (const char* const keyword : {"program", "function", "StateMachine"})
         if (oroforge::diag::editDistance(std::string(word), keyword) <= 1) return keyword;
     return "";

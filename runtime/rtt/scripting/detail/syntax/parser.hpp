@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Text to tree. Knows the grammar only: no name is looked up, nothing is executed.
+// Parses a text to a tree. Knows only the grammar: resolves no name and executes nothing.
 #ifndef ORO_SCRIPTING_DETAIL_PARSER_HPP
 #define ORO_SCRIPTING_DETAIL_PARSER_HPP
 
@@ -12,9 +12,11 @@
 
 namespace RTT::scripting::detail {
 
-/** The whole text; every syntax error in it is reported to `sink`, then what is returned must not be executed. `name` stands
-    for the file in messages. Time and memory grow linearly with the text; expressions and blocks nest at most
-    `kMaxNesting` deep; a row of operators has at most `kMaxOperators`, and does not nest. Thread safe; allocates. */
+/**
+ * Parses the whole text and reports all syntax errors to `sink`; if there are any, the result must not be executed.
+ * Messages call the file `name`. Time and memory grow linearly with the text; expressions and blocks nest at most
+ * `kMaxNesting` deep; a row of operators has at most `kMaxOperators`, and does not nest. Thread safe; allocates.
+ */
 ast::Script parse(const std::string& text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink);
 
 constexpr unsigned kMaxNesting = 200;

@@ -10,7 +10,7 @@
 
 namespace RTT::scripting::detail {
 
-/** The content of a script file; nothing if it cannot be read, and why in the sink. */
+/** The content of a script file. If it cannot be read, reports why and returns nothing. */
 std::optional<std::string> readScript(const std::string& file, oroforge::diag::Sink& sink);
 
 }  // namespace RTT::scripting::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The words of a script.
+// The tokens of a script.
 #ifndef ORO_SCRIPTING_DETAIL_TOKEN_HPP
 #define ORO_SCRIPTING_DETAIL_TOKEN_HPP
 
@@ -41,16 +41,16 @@ enum class TokenKind : std::uint8_t {
     LessEqual,
     Greater,
     GreaterEqual,
-    // What is no token:
+    // Malformed text:
     Stray,       ///< bytes that no token begins with
     OpenText,    ///< a text or letter that does not end on its line
     OpenComment  ///< reaches to the end of the script
 };
 
-/** A piece of the script; never longer than a line, OpenComment aside. */
+/** A piece of the script; within one line, except for OpenComment. */
 struct Token {
     TokenKind kind = TokenKind::End;
-    bool newLine = false;  ///< the first of its line
+    bool newLine = false;  ///< the first token of its line
     unsigned line = 1, column = 1;
     std::size_t begin = 0, end = 0;
 };
