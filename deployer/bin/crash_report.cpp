@@ -19,7 +19,7 @@ namespace {
 
 const int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-// Only what a signal handler may call: no allocation, no locks, no stdio.
+// Safe in a signal handler: no allocation, no locks, no stdio.
 class Line {
 public:
     Line& operator<<(const char* text) {
@@ -58,7 +58,7 @@ const char* meaningOf(int signal) {
     }
 }
 
-/** The stack pointer where the signal came; 0 where that is not known. */
+/** The stack pointer at the time of the signal; 0 if unknown. */
 std::uintptr_t stackPointer(const void* context) {
 #if defined(__x86_64__)
     return static_cast<std::uintptr_t>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RSP]);
@@ -72,7 +72,7 @@ std::uintptr_t stackPointer(const void* context) {
 #endif
 }
 
-/** Asks the system, which reads the mask before it refuses to do such a thing with it. */
+/** Tests by a system call that is refused, but only after it has read a signal mask from the address. */
 bool isReadable(std::uintptr_t address) {
     const int kNothing = -1;
     constexpr std::size_t kMaskSize = 8;
@@ -106,23 +106,24 @@ void tell(int signal, siginfo_t* info, void* context) {
     }
     void* frames[64];
     const int count = backtrace(frames, 64);
-    // The first two are this function and the one of the system that called it.
+    // The first two are this function and the system's, which called it.
     const int own = count > 2 ? 2 : 0;
     backtrace_symbols_fd(frames + own, count - own, STDERR_FILENO);
-    // The default action is in force again. Who was here before may have something to do, such as writing the last log lines.
+    // The default action is in force again. The previous handler may have work to do, such as writing the last log
+    // lines.
     const struct sigaction& before = previous[signal];
     if (before.sa_flags & SA_SIGINFO)
         before.sa_sigaction(signal, info, context);
     else if (before.sa_handler != SIG_DFL)
         before.sa_handler(signal);
     else if (info->si_code <= 0)
-        raise(signal);  // a fault comes again by itself when this returns, what was sent does not
+        raise(signal);  // a fault is repeated when this returns, a signal that was sent is not
 }
 
 }  // namespace
 
-void tellCrashes() {
-    static char handlersStack[64 * 1024];  // of this thread; those of components have one
+void reportCrashes() {
+    static char handlersStack[64 * 1024];  // for this thread; threads of components have their own
     stack_t stack;
     std::memset(&stack, 0, sizeof stack);
     if (sigaltstack(nullptr, &stack) == 0 && (stack.ss_flags & SS_DISABLE) != 0) {
@@ -132,7 +133,7 @@ void tellCrashes() {
         sigaltstack(&stack, nullptr);
     }
     void* frame;
-    (void)backtrace(&frame, 1);  // loads what it needs, which it must not do in a handler
+    (void)backtrace(&frame, 1);  // loads a library, which must not happen in a handler
     for (const int signal : kSignals) {
         if (sigaction(signal, nullptr, &previous[signal]) != 0 || previous[signal].sa_handler == SIG_IGN) continue;
         struct sigaction action;

@@ -5,9 +5,9 @@
 
 namespace OCL::deploy {
 
-/** From now on a crash of the process says on standard error in which component it happened, and where, before it has its
-    usual effect. Who handles such a signal already does so afterwards. */
-void tellCrashes();
+/** Installs handlers that write the component and place of a crash to standard error. Then the previous handler runs,
+    or the signal has its usual effect. */
+void reportCrashes();
 
 }  // namespace OCL::deploy
 

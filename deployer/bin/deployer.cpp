@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// deployer-<target>: deploys the files of the command line, and runs them until its console is left or a signal comes.
+// deployer-<target>: deploys the files of the command line and runs until the user leaves the console or a signal
+// comes.
 #include "program.hpp"
 
 #include "../console/kept_terminal.hpp"
@@ -12,7 +13,7 @@
 
 namespace {
 
-/** With a terminal, also after a failure: somebody is there who can look into it. */
+/** On a terminal, stays even after a failure, so that the user can look into it. */
 bool stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending, const OCL::deploy::Options& options,
           bool deployed) {
     if (!deployed && (options.daemon || !OCL::TaskBrowser::onTerminal())) return true;

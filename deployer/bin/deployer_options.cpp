@@ -64,7 +64,7 @@ const struct {
     {"DeployerName", Takes::Words, "name of the deployer; the option's name may be left out"},
 };
 
-// By their numbers.
+// Indexed by level.
 const char* const kLevels[] = {"Never", "Fatal", "Critical", "Error", "Warning", "Info", "Debug", "RealTime"};
 
 po::options_description visibleOptions() {
@@ -101,7 +101,7 @@ bool isScript(const std::string& word) {
                        [&](const std::string& kind) { return word.find('.' + kind) != std::string::npos; });
 }
 
-/** True for what people do not call a component, but a file. */
+/** True if the word looks like the name of a file rather than of a component. */
 bool looksLikeFile(const std::string& word) {
     if (word.find('/') != std::string::npos || word == "." || word == "..") return true;
     const std::size_t dot = word.rfind('.');
@@ -110,10 +110,10 @@ bool looksLikeFile(const std::string& word) {
     return diag::nearestMatch(word.substr(dot + 1), kFileKinds) || std::filesystem::is_regular_file(word, none);
 }
 
-/** Remappings and parameters that ROS launch files add to every command line. */
+/** True for remappings and parameters, which ROS launch files add to every command line. */
 bool isForRos(const std::string& word) { return word[0] == '_' || word.find(":=") != std::string::npos; }
 
-/** Commands that other programs have, and what does the same here. */
+/** Commands of other programs, and what does the same here. */
 const struct {
     std::vector<std::string> words;
     const char* instead;
@@ -123,7 +123,7 @@ const struct {
     {{"stop", "quit", "exit", "kill"}, "the signal SIGTERM, or 'quit' at its console, ends a deployer"},
 };
 
-/** What does what a command of that name would do; empty if it is a name like others. */
+/** What to write instead of a command of that name; empty if there is no such command. */
 std::string insteadOfCommand(const std::string& word) {
     for (const auto& command : kCommands)
         if (std::find(command.words.begin(), command.words.end(), word) != command.words.end()) return command.instead;
@@ -137,7 +137,7 @@ bool isOptionName(const std::string& word) {
     });
 }
 
-/** What follows --DeployerName is meant as a name. */
+/** The names given by --DeployerName. */
 std::vector<std::string> namesByOption(const po::parsed_options& parsed) {
     std::vector<std::string> names;
     for (const po::option& option : parsed.options)
@@ -146,7 +146,8 @@ std::vector<std::string> namesByOption(const po::parsed_options& parsed) {
     return names;
 }
 
-/** Words without an option: files, the name of the deployer, and remappings of ROS launch files, which are ignored. */
+/** Takes the words without an option: files, and the name of the deployer. Remappings of ROS launch files are ignored.
+     */
 void takeWords(const std::vector<std::string>& words, const std::vector<std::string>& names, Options& options,
                std::string& error) {
     std::string name;
@@ -156,7 +157,7 @@ void takeWords(const std::vector<std::string>& words, const std::vector<std::str
             options.files.push_back(word);
         } else if (looksLikeFile(word)) {
             error = "'" + word +
-                    "' is no file to deploy, whose name ends in .xml, .cpf, .ops, .osd or .lua, and no name for the "
+                    "' is neither a file to deploy, which ends in .xml, .cpf, .ops, .osd or .lua, nor a name for the "
                     "deployer";
         } else if (const std::string why = nameFault(word); !why.empty()) {
             error = "'" + printableName(word) + "' is no name for the deployer: " + why;
@@ -249,7 +250,7 @@ std::string likelyOption(const std::string& given) {
 
 bool parseOptions(int argc, char** argv, Options& options, std::string& error) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    words.erase(std::find(words.begin(), words.end(), "--"), words.end());  // the rest is for the runtime
+    words.erase(std::find(words.begin(), words.end(), "--"), words.end());  // words after it are for the runtime
     try {
         po::positional_options_description positions;
         positions.add("DeployerName", -1);

@@ -15,17 +15,17 @@ namespace OCL::deploy {
 struct Options {
     enum Action { Run, ShowHelp, ShowVersion, Explain } action = Run;
     std::string name = "Deployer";
-    std::string warning;  // of what was understood, and perhaps not meant
+    std::string warning;  // about a command line that is valid but may not be meant
     std::string siteFile;
-    std::vector<std::string> files;  // in the order of processing
-    std::vector<std::string> codes;  // to be explained; empty: list them all
+    std::vector<std::string> files;  // in the order of deployment
+    std::vector<std::string> codes;  // to explain; empty: list all
     int logLevel = -1;               // a RTT::LoggerLevel; −1: not given
     bool consoleLog = true;
     bool check = false;
     bool dryRun = false;
     bool strict = false;
     bool lenient = false;
-    std::string graphFile;  // for the graph of the components; empty: none wanted
+    std::string graphFile;  // gets the graph of the components; empty: no graph
     oroforge::report::Format format = oroforge::report::Format::Text;
     bool daemon = false;
     bool realTimeCheck = false;
@@ -35,27 +35,27 @@ struct Options {
     std::size_t maxElements = 0;     // 0: not given
 
     bool endsAtOnce() const { return check || dryRun; }
-    /** The file that is deployed before all others if there is one. */
+    /** The file that is deployed before all others, if it exists. */
     std::string siteFileOrDefault() const { return siteFile.empty() ? name + "-site.cpf" : siteFile; }
 };
 
-/** Reads the command line. False, with the reason, if it cannot be understood. */
+/** Parses the command line. False, with the reason, if it is invalid. */
 bool parseOptions(int argc, char** argv, Options& options, std::string& error);
 
-/** What is said of a program that differs from others with the same command line. */
+/** How a program differs from others with the same command line. */
 struct ProgramText {
     const char* purpose;
-    bool needsFiles;  // has nothing to do without any
+    bool needsFiles;  // without files, it has nothing to do
 };
 
-/** What --help shows. */
+/** The text of --help. */
 std::string usage(const std::string& program, const ProgramText& text);
-/** What --version shows. */
+/** The text of --version. */
 std::string version(const std::string& program);
 /** "2.10.0" */
 std::string programVersion();
 
-/** The program's name and, if there is a "--", what stands after it, else all; a null ends the list. */
+/** The program's name and the words after "--", or all words if there is no "--"; a null ends the list. */
 std::vector<char*> wordsForRuntime(int argc, char** argv);
 
 }  // namespace OCL::deploy

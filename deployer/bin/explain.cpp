@@ -20,7 +20,7 @@ namespace diag = oroforge::diag;
 
 namespace {
 
-/** The letters that a code begins with. */
+/** The letters at the beginning of a code. */
 std::string kindOf(const std::string& code) {
     std::string kind;
     for (const char letter : code) {
@@ -30,7 +30,7 @@ std::string kindOf(const std::string& code) {
     return kind;
 }
 
-/** Of the programs that make packages. */
+/** True for codes of the programs that make packages. */
 bool isOfGenerators(const std::string& code) {
     static const std::set<std::string> kinds = {"EMIT", "OC", "OM", "TK"};
     return kinds.count(kindOf(code)) != 0;

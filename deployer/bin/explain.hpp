@@ -12,10 +12,10 @@ namespace OCL::deploy {
 
 class ProgramReport;
 
-/** What the codes of these programs mean: the texts of deployer/explain/. */
+/** The explanations of the codes of these programs, from deployer/explain/. */
 const oroforge::diag::Explanations& explanations();
 
-/** Prints what these codes of errors mean, without any a list of all. False if one does not exist. */
+/** Prints the explanations of these codes, or a list of all if there are none. False if a code does not exist. */
 bool explain(const std::vector<std::string>& codes, const std::string& program, ProgramReport& report);
 
 }  // namespace OCL::deploy

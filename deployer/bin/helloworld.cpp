@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// helloworld-<target>: a component that has one of everything, and a console to try it with. Nothing to deploy.
+// helloworld-<target>: a component that has one of everything, and a console to try it. It deploys nothing.
 #include <ocl/HelloWorld.hpp>
 #include <ocl/TaskBrowser.hpp>
 #include <rtt/os/main.h>

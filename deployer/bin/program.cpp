@@ -42,7 +42,7 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/** Checks the script first: what is certain to fail is reported before a statement is executed. */
+/** Checks the script first, so that certain failures are reported before a statement is executed. */
 bool runScript(DeploymentComponent& deployer, const std::string& file, const Options& options) {
     if ((endsWith(file, ".lua") || deployer.checkScript(file)) && deployer.runScript(file)) return true;
     if (!options.consoleLog) std::cerr << file << ": error: could not run the script, the log file says why\n";
@@ -61,10 +61,10 @@ bool deployFile(DeploymentComponent& deployer, const std::string& file, const Op
     return false;
 }
 
-/** For the handler of signals: what is being deployed when one comes. */
+/** The message that the signal handler writes if a signal comes during the deployment of a file. */
 char endNotice[512];
 
-void tellOfEnd() {
+void announceEnd() {
     const ssize_t written = write(STDERR_FILENO, endNotice, std::strlen(endNotice));
     (void)written;
 }
@@ -82,19 +82,19 @@ bool deployFiles(DeploymentComponent& deployer, SignalCatcher& ending, const Opt
             "%.360s: a signal came that ends the program, after the present step; a script is stopped after two "
             "seconds, and a second signal ends all at once\n",
             file.c_str());
-        ending.atFirst(&tellOfEnd);
+        ending.atFirst(&announceEnd);
         const std::size_t before = report.errorCount();
         const bool good = deployFile(deployer, file, options, report);
         ending.atFirst(nullptr);
         if (!good && !report.isText() && report.errorCount() == before)
             report.error(file, "could not be deployed; the log says why");
         all = good && all;
-        if (!all && !options.dryRun) return false;  // a dry run tells the errors of all files
+        if (!all && !options.dryRun) return false;  // a dry run reports the errors of all files
     }
     return all;
 }
 
-/** Writes the graph where one is wanted. */
+/** Writes the graph, if one is wanted. */
 bool writeGraph(const DeploymentComponent& deployer, const std::string& file, ProgramReport& report) {
     if (file.empty()) return true;
     std::ofstream out(file);
@@ -103,14 +103,14 @@ bool writeGraph(const DeploymentComponent& deployer, const std::string& file, Pr
     return false;
 }
 
-/** So that somebody sees how much was looked at. */
-void tellSummary(const DeploymentComponent& deployer) {
+/** Shows users how much was checked. */
+void printSummary(const DeploymentComponent& deployer) {
     const std::string planned = deployer.planSummary();
     if (!planned.empty()) std::cout << planned << ": ok; scripts not executed" << std::endl;
 }
 
 int deploy(const Options& options, Stay stay, ProgramReport& report) {
-    // Caught from now on, so that a signal during start-up ends the program in order as well.
+    // Catches signals from now on, so that one during start-up ends the program in order, too.
     std::optional<SignalCatcher> ending;
     ending.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
     std::optional<ScriptEnd> scriptEnd(std::in_place, *ending);
@@ -124,18 +124,18 @@ int deploy(const Options& options, Stay stay, ProgramReport& report) {
                                                  : Purpose::Deploy);
     const bool deployed =
         deployFiles(deployer, *ending, options, report) && writeGraph(deployer, options.graphFile, report);
-    if (options.dryRun && deployed) tellSummary(deployer);
-    scriptEnd.reset();  // those of the shutdown have a limit of their own
+    if (options.dryRun && deployed) printSummary(deployer);
+    scriptEnd.reset();  // scripts of the shutdown have a limit of their own
     bool succeeded = deployed;
     if (!options.endsAtOnce()) {
         succeeded = stay(deployer, *ending, options, deployed) && deployed;
-        ending.reset();  // the next signal ends a shutdown that hangs
+        ending.reset();  // so that the next signal ends a shutdown that hangs
         deployer.shutdownDeployment();
     }
     return succeeded ? 0 : kFailure;
 }
 
-/** The processors that this process may run on. */
+/** The number of processors on which this process may run. */
 int processors() {
     cpu_set_t set;
     CPU_ZERO(&set);
@@ -147,7 +147,7 @@ int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay
         report.error(words.front(), "the runtime does not start");
         return kFailure;
     }
-    tellCrashes();
+    reportCrashes();
     int status = kFailure;
     try {
         status = deploy(options, stay, report);
@@ -158,10 +158,11 @@ int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay
     return status;
 }
 
-/** What is only checked, or ends after its files, is of no use without any: a word is missing, perhaps an empty variable. */
+/** A program that only checks, or ends after its files, needs one: if there is none, perhaps a shell variable is empty.
+     */
 bool hasFiles(const Options& options, const ProgramText& text, std::string& error) {
     const bool needsFiles = options.action == Options::Run && (text.needsFiles || options.endsAtOnce());
-    std::error_code unreadable;  // which is told when it is read
+    std::error_code unreadable;  // reported when it is read
     if (!needsFiles || !options.files.empty() || !options.siteFile.empty() ||
         std::filesystem::exists(options.siteFileOrDefault(), unreadable) || unreadable)
         return true;
@@ -169,8 +170,9 @@ bool hasFiles(const Options& options, const ProgramText& text, std::string& erro
     return false;
 }
 
-/** What is asked for instead of a deployment. */
-int tellOnly(const Options& options, const ProgramText& text, const std::string& program, ProgramReport& report) {
+/** Prints what the options ask for instead of a deployment. */
+int printInformation(const Options& options, const ProgramText& text, const std::string& program,
+                     ProgramReport& report) {
     if (options.action == Options::Explain) return explain(options.codes, program, report) ? 0 : kFailure;
     std::cout << (options.action == Options::ShowHelp ? usage(program, text) : version(program));
     return oroforge::diag::arrived(std::cout, std::cerr, program) ? 0 : kFailure;
@@ -195,7 +197,7 @@ int run(int argc, char** argv, const Options& options, Stay stay, ProgramReport&
         report.error("", error);
         return kFailure;
     }
-    if (options.lockMemory)  // after the fork, which locks do not survive
+    if (options.lockMemory)  // after the fork, because locks are not inherited
         if (const std::string problem = lockMemory(); !problem.empty()) report.warning(problem);
     if (options.logLevel >= 0) RTT::Logger::Instance()->setLogLevel(static_cast<RTT::LoggerLevel>(options.logLevel));
     if (!options.consoleLog) RTT::Logger::Instance()->mayLogStdOut(false);
@@ -221,7 +223,7 @@ int runProgram(int argc, char** argv, const ProgramText& text, Stay stay) {
     }
     if (!options.warning.empty()) report.warning(options.warning);
     if (options.action == Options::Run) return report.finish(run(argc, argv, options, stay, report));
-    const int status = tellOnly(options, text, program, report);
+    const int status = printInformation(options, text, program, report);
     return status == 0 ? 0 : report.finish(status);
 }
 

@@ -27,7 +27,8 @@ namespace documents = oroforge::report;  // report() is a function here
 namespace {
 
 constexpr int kFailure = 255;
-/** Of which repeats are known: a program that runs for months may report something new each second, which the sink counts. */
+/** The number of diagnostics whose repeats are recognised: a program that runs for months may report one each second.
+     */
 constexpr std::size_t kMost = 2 * diag::Sink::kMost;
 
 struct Kept {
@@ -36,7 +37,7 @@ struct Kept {
     std::set<std::string> known;
 };
 
-/** Never destroyed: threads of components report until the very end. */
+/** Never destroyed: threads of components may report until the process ends. */
 Kept& kept() {
     static Kept& all = *new Kept;
     return all;
@@ -96,7 +97,7 @@ void ProgramReport::warning(const std::string& message) {
 
 void ProgramReport::add(diag::Diagnostic diagnostic) {
     if (isText()) return;
-    // The program is no file.
+    // The name of the program is not a file.
     if (diagnostic.where.line == 0 && diagnostic.where.file.str() == program_) diagnostic.where = {};
     Kept& all = kept();
     const std::lock_guard<std::mutex> lock(all.mutex);

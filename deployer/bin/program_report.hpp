@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The option --format: a document for programs of all that is reported.
+// The option --format: a document, for other programs, of everything that is reported.
 #ifndef OROFORGE_DEPLOYER_PROGRAM_REPORT_HPP
 #define OROFORGE_DEPLOYER_PROGRAM_REPORT_HPP
 
@@ -11,7 +11,8 @@
 
 namespace OCL::deploy {
 
-/** What a program reports, as text at once, or kept for a document. One per process. Any thread, unless it says otherwise. */
+/** Reports for a program: prints diagnostics as text at once, or keeps them for a document. One per process. Any thread
+    may call its functions unless they say otherwise. */
 class ProgramReport {
 public:
     /** `program`: its name in messages. */
@@ -22,19 +23,20 @@ public:
 
     const std::string& program() const { return program_; }
     bool isText() const { return format_ == oroforge::report::Format::Text; }
-    /** Keeps diagnostics off the terminal and the console of the log: they are in the document. */
+    /** Keeps diagnostics off the terminal and the log's console, because they are in the document. */
     void onlyInDocument() { alone_ = !isText(); }
-    /** Gives the standard output to the document: what anybody writes there from now on goes to standard error. */
+    /** Reserves standard output for the document: other output to it goes to standard error from now on. */
     void reserveOutput();
 
-    /** A diagnostic of the program itself, without a code. `where`: a file; empty: the command line. */
+    /** Reports an error of the program itself, without a code. `where` is a file, or empty for the command line. */
     void error(const std::string& where, const std::string& message, const std::string& hint = "");
     void warning(const std::string& message);
-    /** As all parts of the runtime do with what they report of files. */
+    /** Reports a diagnostic, as the runtime does for files. */
     void add(oroforge::diag::Diagnostic diagnostic);
     std::size_t errorCount() const;
 
-    /** Writes the document, if one is wanted. Returns the exit status: `status`, or a failure if it cannot be written. */
+    /** Writes the document, if one is wanted. Returns `status`, or the exit status of a failure if it cannot be
+        written. */
     int finish(int status);
 
 private:

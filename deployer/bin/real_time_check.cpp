@@ -33,7 +33,7 @@ namespace {
 
 using RTT::internal::HookInProgress;
 
-/** Tells the program that it was executed anew: what LD_PRELOAD was before, after a '='. */
+/** The variable by which the program knows that it was executed anew: '=' and the previous value of LD_PRELOAD. */
 const char* const kExecutedAnew = "OROFORGE_RT_CHECK_PRELOADED_BEFORE";
 
 decltype(&oroforge_rt_check_begin) beginWatch;
@@ -46,7 +46,8 @@ bool isRealTime(const HookInProgress& hook) {
     return (thread && RTT::os::realTimeWanted(*thread)) || RTT::os::inRealTimeThread();
 }
 
-/** What each step of a component may consist of, in the order of oroforge_rt_place; and what the report calls it. */
+/** The kinds of user code in a step of a component, in the order of oroforge_rt_place, and their names in the report.
+     */
 const struct {
     const char* hook;
     const char* where;
@@ -57,14 +58,14 @@ const struct {
                                  {"a message", "an operation", "operations"},
                                  {"a function", "a script", "scripts"}};
 
-/** OROFORGE_RT_PLACES: none of them. */
+/** The place of the hook; OROFORGE_RT_PLACES if it has none. */
 int placeOf(const HookInProgress& hook) {
     int place = 0;
     while (place != OROFORGE_RT_PLACES && std::strcmp(hook.hook, kPlaces[place].hook) != 0) ++place;
     return place;
 }
 
-/** Before start() it may take its time. */
+/** True if the component runs: before start(), its code need not be real-time safe. */
 bool isRunning(const HookInProgress& hook) {
     using Core = RTT::base::TaskCore;
     return hook.task && hook.task->Core::getTaskState() >= Core::Running;
@@ -74,7 +75,7 @@ void onBegin(const HookInProgress& hook) {
     const int place = placeOf(hook);
     if (place == OROFORGE_RT_PLACES) return;
     const bool realTime = isRunning(hook) && isRealTime(hook);
-    // The logger's line of this thread: a real-time thread has one before it executes anything.
+    // Prepares the logger's buffer of this thread; a real-time thread has one before it executes anything.
     if (realTime) const RTT::Logger::In prepared(kPlaces[place].where);
     beginWatch(hook.component, static_cast<oroforge_rt_place>(place), realTime);
 }
@@ -85,7 +86,7 @@ void onEnd(const HookInProgress& hook) {
 
 const RTT::internal::HookWatch kWatch = {&onBegin, &onEnd};
 
-/** Below the folder of the runtime's library. */
+/** The preloaded library, below the folder of the runtime's library. */
 std::string libraryFile() {
     Dl_info info{};
     if (dladdr(dlsym(RTLD_DEFAULT, "__os_init"), &info) == 0) return {};
@@ -113,7 +114,7 @@ std::string executeAnew(char** words) {
     return "--rt-check cannot execute '" + program + "' anew: " + std::strerror(errno);
 }
 
-/** Programs that a component starts are not checked. */
+/** Restores the environment, so that programs started by components are not checked. */
 void restoreEnvironment(const std::string& preloaded) {
     unsetenv(kExecutedAnew);
     if (preloaded.empty())
@@ -148,7 +149,7 @@ std::string times(unsigned long count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/** No sink: it would take two places for one that are told of in the same words. */
+/** Not a sink, which would drop the second of two places with the same message. */
 using Findings = std::vector<RealTimeFinding>;
 
 void add(void* to, const oroforge_rt_finding* finding) {
@@ -176,7 +177,7 @@ std::string executions(const oroforge_rt_totals& totals) {
     return text;
 }
 
-/** The place that "'function()' (file+0x1234)" or "file+0x1234" ends in; no file if it is none. */
+/** The place at the end of "'function()' (file+0x1234)" or "file+0x1234"; without a file if there is none. */
 std::pair<std::string, unsigned long> placeIn(const std::string& frame) {
     const std::size_t plus = frame.rfind("+0x");
     if (plus == std::string::npos) return {};
@@ -185,7 +186,7 @@ std::pair<std::string, unsigned long> placeIn(const std::string& frame) {
     return {frame.substr(begin, plus - begin), std::strtoul(frame.c_str() + plus + 1, nullptr, 16)};
 }
 
-/** Makes frames notes with file and line, where there is debug information. */
+/** Adds file and line to frames for which there is debug information. */
 void addPlaces(Findings& found) {
     SourceLines lines;
     const auto forEachFrame = [&found](const auto& visit) {
@@ -200,7 +201,7 @@ void addPlaces(Findings& found) {
         if (place.first.empty()) return;
         const SourceLines::Place& known = lines.at(place.first, place.second);
         frame.where = known.where;
-        // A function that its library does not export.
+        // The library does not export the function.
         if (frame.message[0] != '\'' && !known.function.empty())
             frame.message = "'" + known.function + "' (" + frame.message + ")";
     });

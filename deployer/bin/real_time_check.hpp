@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The option --rt-check: what components with a real-time scheduler do in updateHook() that they must not do.
+// The option --rt-check: reports calls that are not real-time safe in components with a real-time scheduler.
 #ifndef OROFORGE_DEPLOYER_REAL_TIME_CHECK_HPP
 #define OROFORGE_DEPLOYER_REAL_TIME_CHECK_HPP
 
@@ -11,13 +11,13 @@ namespace OCL::deploy {
 class ProgramReport;
 
 /**
- * Begins to watch. A library has to stand in front of libc for that, which the dynamic linker arranges when a program
- * starts: the first call executes the program anew, with the same words, and does not return. Empty if the watch has begun,
- * else why it has not.
+ * Starts the check. It needs a library preloaded before libc, which only the dynamic linker can do at program start. So
+ * the first call executes the program anew, with the same words, and does not return. Returns an empty text if the
+ * check has started, otherwise why it has not.
  */
 std::string startRealTimeCheck(char** words);
 
-/** Writes what was found to standard error. True if there was nothing. */
+/** Writes the findings to standard error. True if there are none. */
 bool reportRealTimeCheck(ProgramReport& report);
 
 }  // namespace OCL::deploy

@@ -17,7 +17,7 @@ bool contains(const std::string& text, const char* part) { return text.find(part
 
 bool begins(const std::string& text, const char* part) { return text.compare(0, std::strlen(part), part) == 0; }
 
-/** Of C++ or C: its own library, or templates of its headers. */
+/** True for a frame in the standard library of C++ or C, or in a template of its headers. */
 bool isStandard(const diag::Note& frame) {
     if (contains(frame.where.file.str(), "/include/c++/")) return true;
     for (const char* const library : {"/libstdc++.so", "/libc++.so", "/libc.so", "/libm.so", "/libgcc_s.so"})
@@ -32,7 +32,7 @@ bool isRuntime(const diag::Note& frame) {
            contains(frame.message, "/boost/");
 }
 
-/** The first line that is neither the standard library's nor the runtime's; else the outermost of all. */
+/** The innermost line that is neither in the standard library nor in the runtime; otherwise the outermost line. */
 diag::Location lineOfUser(const std::vector<diag::Note>& frames) {
     diag::Location outermost;
     for (const diag::Note& frame : frames) {
@@ -59,10 +59,10 @@ void addFrames(diag::Diagnostic& to, const std::vector<diag::Note>& frames) {
     }
 }
 
-/** One component's step at one line, or a call without one. */
+/** Findings at one line in one kind of step of a component, or a single one without a line. */
 struct Group {
     diag::Location where;
-    std::vector<RealTimeFinding> parts;  // each another code and function
+    std::vector<RealTimeFinding> parts;  // all with different codes or functions
 };
 
 void join(Group& group, const RealTimeFinding& finding) {

@@ -10,7 +10,7 @@
 
 namespace OCL::deploy {
 
-/** What --rt-check tells of one call. */
+/** What --rt-check found about one call. */
 struct RealTimeFinding {
     std::string component;
     std::string where;  // "updateHook()"
@@ -22,12 +22,12 @@ struct RealTimeFinding {
 };
 
 /**
- * For readers: each finding stands at the line of the component that leads to it, where that is known; frames of the standard
- * library are folded; what one line leads to is one finding.
+ * Arranges findings for readers: each is reported at the line of the component that leads to it, if known; frames of
+ * the standard library are folded; all findings of a line become one.
  */
 std::vector<oroforge::diag::Diagnostic> arranged(const std::vector<RealTimeFinding>& findings);
 
-/** Of these no line is known. */
+/** True if the line of the finding is unknown. */
 bool lacksLines(const oroforge::diag::Diagnostic& finding);
 
 }  // namespace OCL::deploy

@@ -29,14 +29,14 @@ std::size_t parseMemorySize(const std::string& text) {
         unit = static_cast<double>(std::size_t(1024) << (10 * power));
     }
     const double bytes = number * unit;
-    // Not a number fails as well.
+    // Written so that NaN fails, too.
     return bytes >= 1 && bytes < 1e15 ? static_cast<std::size_t>(bytes) : 0;
 }
 
 std::string setRealTimeMemoryAside(std::size_t size) {
     void* const memory = std::malloc(size);
     if (!memory) return "the system does not give " + std::to_string(size) + " bytes for real-time memory";
-    std::memset(memory, 0, size);  // now, so that no real-time thread waits for a page
+    std::memset(memory, 0, size);  // touched now, so that no real-time thread has a page fault
     const std::size_t free = init_memory_pool(size, memory);
     if (free == 0) {
         std::free(memory);
@@ -64,7 +64,7 @@ std::string lockMemory() {
     static const std::string kCure =
         "; allow it by a line '<user or @group> - memlock unlimited' in a file in /etc/security/limits.d, and log in "
         "again (systemd: LimitMEMLOCK=infinity, docker: --ulimit memlock=-1)";
-    // With a limit, locking might succeed now, and the memory that a thread or a component needs would be refused later.
+    // With a limit, locking might succeed now, but memory for a thread or component would be refused later.
     if (!mayLockAnything()) return kNot + "the memlock limit of this user is not 'unlimited'" + kCure;
     if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return {};
     return kNot + std::strerror(errno) + (errno == EPERM ? kCure : "");

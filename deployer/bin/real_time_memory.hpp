@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The pool of real-time memory of a program, sized by its option --rtalloc-mem-size.
+// The pool of real-time memory of a program, whose option --rtalloc-mem-size gives the size.
 #ifndef OROFORGE_DEPLOYER_REAL_TIME_MEMORY_HPP
 #define OROFORGE_DEPLOYER_REAL_TIME_MEMORY_HPP
 
@@ -9,12 +9,12 @@
 
 namespace OCL::deploy {
 
-/** The bytes that a text like "4096", "512k", "1.5m" or "1g" stands for (1k = 1024); 0 if it is none of these. */
+/** The bytes in a text such as "4096", "512k", "1.5m" or "1g" (1k = 1024); 0 if it is malformed. */
 std::size_t parseMemorySize(const std::string& text);
 
 /**
- * Makes a pool of that size, for as long as the process lives, and says on stdout what is free of it. Empty on success,
- * else why there is none.
+ * Makes a pool of that size for the life of the process, and prints to stdout how much of it is free. Empty on success,
+ * otherwise the reason of the failure.
  */
 std::string setRealTimeMemoryAside(std::size_t size);
 

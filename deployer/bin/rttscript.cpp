@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// rttscript-<target>: deploys the files of the command line and ends. Scripts that are to run longer wait themselves.
+// rttscript-<target>: deploys the files of the command line and ends. A script that should run longer must wait itself.
 #include "program.hpp"
 
 namespace {

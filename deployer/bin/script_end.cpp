@@ -12,9 +12,9 @@
 namespace OCL::deploy {
 namespace {
 
-constexpr int kPatience = 2000;  // milliseconds, as the shutdown gives an Application
+constexpr int kPatience = 2000;  // milliseconds, as for the shutdown of an Application
 
-/** Waits until one of them can be read, `limit` milliseconds at the most; −1: for ever. */
+/** Waits until one of the descriptors can be read, at most `limit` milliseconds; −1 waits for ever. */
 void waitFor(pollfd* descriptors, nfds_t count, int limit) {
     while (poll(descriptors, count, limit) < 0 && errno == EINTR) {
     }
@@ -25,7 +25,7 @@ void waitFor(pollfd* descriptors, nfds_t count, int limit) {
 ScriptEnd::ScriptEnd(const SignalCatcher& ending) {
     if (pipe2(over_, O_CLOEXEC) != 0)
         throw std::system_error(errno, std::generic_category(), "no pipe to watch scripts with");
-    // Signals are for the threads that were there before.
+    // The new thread handles no signals; older threads do.
     sigset_t all, kept;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &kept);

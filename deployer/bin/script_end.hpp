@@ -12,8 +12,8 @@
 namespace OCL::deploy {
 
 /**
- * While one lives, what scripts of its thread execute is interrupted when a signal that ends the program came two seconds ago: by then
- * a script that knows of signals has ended, and one that does not might never. C++ code is not interrupted.
+ * While it exists, interrupts scripts of its thread two seconds after a signal that ends the program: by then a script
+ * that reacts to signals has ended, and another might never end. C++ code is not interrupted.
  */
 class ScriptEnd {
 public:
@@ -26,7 +26,7 @@ private:
     void watch(int ending);
 
     RTT::internal::Interruption interruption_{false};
-    int over_[2];  // a pipe, whose second end is closed when this is destroyed
+    int over_[2];  // a pipe; the destructor closes its second end
     std::thread thread_;
 };
 

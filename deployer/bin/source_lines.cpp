@@ -11,10 +11,10 @@
 namespace OCL::deploy {
 namespace {
 
-/** Offsets per call: the length of a command line is limited. */
+/** Offsets per call, because the length of a command line is limited. */
 constexpr int kAtOnce = 1000;
 
-/** One word for the shell. */
+/** The word, quoted for the shell. */
 std::string quoted(const std::string& word) {
     std::string result = "'";
     for (const char letter : word) result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
@@ -31,7 +31,7 @@ std::string outputOf(const std::string& command) {
     return text;
 }
 
-/** "file.cpp:42 (discriminator 2)"; "??:0" and "file.cpp:?" have no line. */
+/** Parses "file.cpp:42 (discriminator 2)"; "??:0" and "file.cpp:?" have no line. */
 oroforge::diag::Location locationOf(const std::string& text) {
     const std::size_t colon = text.rfind(':', text.rfind(" ("));
     if (colon == std::string::npos) return {};
@@ -47,7 +47,7 @@ void SourceLines::find() {
 }
 
 void SourceLines::ask(const std::string& file, Places& places) {
-    // The loader knows the program itself by the word it was started with.
+    // The loader calls the program itself by the word with which it was started.
     std::error_code none;
     const std::string real =
         file.find('/') == std::string::npos ? std::filesystem::read_symlink("/proc/self/exe", none).string() : file;
@@ -56,7 +56,7 @@ void SourceLines::ask(const std::string& file, Places& places) {
         command << "addr2line -aCfi -e " << quoted(real) << std::hex;
         for (int i = 0; i != kAtOnce && next != places.end(); ++i, ++next) command << " 0x" << next->first;
         command << " 2>/dev/null";
-        // The offset; then a function and its line for each that is inlined there, the one that all are in last.
+        // The offset, then function and line of each function that is inlined there, and last the function around them.
         std::istringstream answer(outputOf(command.str()));
         auto place = places.end();
         for (std::string line; std::getline(answer, line);) {

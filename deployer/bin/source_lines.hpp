@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// File and line of machine code.
+// Finds file and line of machine code.
 #ifndef OROFORGE_DEPLOYER_SOURCE_LINES_HPP
 #define OROFORGE_DEPLOYER_SOURCE_LINES_HPP
 
@@ -11,19 +11,19 @@
 
 namespace OCL::deploy {
 
-/** What the program addr2line tells of places in libraries, as far as it is there and they have debug information. */
+/** Looks up places in libraries by the program addr2line, if it is installed and they have debug information. */
 class SourceLines {
 public:
     struct Place {
         std::string function;
-        oroforge::diag::Location where;  // without a line: not known
+        oroforge::diag::Location where;  // without a line if unknown
     };
 
-    /** Asks for the place at `offset` in a library or program. */
+    /** Adds the place at `offset` in a library or program to those that find() looks up. */
     void want(const std::string& file, unsigned long offset) { files_[file][offset]; }
-    /** Finds all that were asked for, with one call of addr2line for many. */
+    /** Looks up all places that were added, many by one call of addr2line. */
     void find();
-    /** Of a place that was asked for, and found. Where functions were inlined it is that of the one they were inlined into. */
+    /** A place that was added and looked up. For inlined functions it is that of the function around them. */
     const Place& at(const std::string& file, unsigned long offset) const { return files_.at(file).at(offset); }
 
 private:

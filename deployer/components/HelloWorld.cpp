@@ -52,7 +52,7 @@ bool HelloWorld::theCommand(const std::string& arg) {
 
 void HelloWorld::updateHook() {
     if (flag_) {
-        // In one piece, so that nobody else's words come in between.
+        // Written in one piece, so that output of other threads does not come in between.
         std::ostringstream text;
         text << "flag: " << flag_ << "\nthe_property: " << property_ << "\nthe_attribute: " << attribute_
              << "\nthe_constant: " << kConstant << "\nSetting 'flag' back to false.\n";

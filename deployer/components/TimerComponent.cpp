@@ -19,7 +19,7 @@ namespace OCL {
 using RTT::os::MutexLock;
 using RTT::os::Timer;
 
-/** The timers, and the ports that they write to. Its own waits end with stop() as well, after which nothing expires. */
+/** The timers and the ports to which they write. stop() ends its waits, because no timer expires afterwards. */
 class TimerComponent::PortTimer : public Timer {
 public:
     static constexpr TimerId kPorts = 32;
@@ -62,11 +62,11 @@ public:
             if (running_)
                 changed_.wait(mutex_);
             else if (!waitForTime(rtos_get_time_ns() + RTT::Seconds_to_nsecs(timeRemaining(id))))
-                break;  // no thread lets it expire, but its time has come
+                break;  // its time has come, though no thread lets it expire
         }
         return running_ || !hasRun || expiries_[index] != before;
     }
-    /** Only time passes: nothing is armed, and no port is written. False for a bad id or delay. */
+    /** Waits without arming a timer or writing a port. False for a bad id or delay. */
     bool pause(TimerId id, RTT::Seconds delay) {
         const MutexLock lock(mutex_);
         if (!isKnown(id) || !(delay >= 0 && delay < 9e9)) {
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    /** Until something changes. False if that time has passed. */
+    /** Waits until something changes. False if the time `end` has come. */
     bool waitForTime(RTT::nsecs end) {
         if (rtos_get_time_ns() >= end) return false;
         changed_.wait_until(mutex_, end);
@@ -98,10 +98,10 @@ private:
 
     RTT::OutputPort<int> any_;
     RTT::OutputPort<int> each_[kPorts];
-    // Taken before the timers' own one, which is free when they call timeout().
+    // Locked before the mutex of the timers, which is free when they call timeout().
     RTT::os::Mutex mutex_;
     RTT::os::Condition changed_;
-    std::vector<unsigned> expiries_ = std::vector<unsigned>(kPorts);  // so far, of each timer
+    std::vector<unsigned> expiries_ = std::vector<unsigned>(kPorts);  // number of expiries of each timer
     bool running_ = false;
 };
 
@@ -141,10 +141,10 @@ TimerComponent::~TimerComponent() {
 }
 
 bool TimerComponent::wait(Timer::TimerId timer, double delay) {
-    // A script's pause lasts as long without a thread that would let the timer expire.
+    // Without a thread that lets the timer expire, a script pauses for the same time.
     if (!timer_->isRunning()) return timer_->pause(timer, delay);
     if (!timer_->arm(timer, delay)) return false;
-    // Not armed any more: it has expired by now, and there is nothing to wait for.
+    // If the timer is not armed any more, it has expired already.
     return timer_->waitUntilExpired(timer) || (timer_->isRunning() && !timer_->isArmed(timer));
 }
 

@@ -7,7 +7,7 @@
 
 namespace OCL {
 
-/** A component with nothing but what every component has, for scripts to fill. */
+/** An empty component, to be filled by scripts. */
 class EmptyTaskContext : public RTT::TaskContext {
 public:
     explicit EmptyTaskContext(const std::string& name) : RTT::TaskContext(name) {}
@@ -19,6 +19,6 @@ ORO_CREATE_COMPONENT_LIBRARY()
 ORO_LIST_COMPONENT_TYPE(OCL::HMIConsoleOutput)
 
 namespace {
-// Under the name that applications use, which is not that of a class of this library.
+// Applications use this name, though no class of this library has it.
 const RTT::ComponentFactoryLoader<OCL::EmptyTaskContext> registeredTaskContext("TaskContext");
 }  // namespace

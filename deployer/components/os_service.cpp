@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The service `os`: environment, arguments, pauses and commands, for scripts.
+// The service `os`, for scripts: environment, arguments, pauses and commands.
 #include <rtt/os/startstop.h>
 #include <rtt/plugin/ServicePlugin.hpp>
 

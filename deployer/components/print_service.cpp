@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The service `print`: lines to the console and the log, for scripts.
+// The service `print`, for scripts: lines to the console and the log.
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt/types/EnumTypeInfo.hpp>
@@ -27,7 +27,7 @@ public:
     }
 };
 
-/** Once per process, with the first service: the levels are global names in scripts from then on. */
+/** Makes the log levels global names in scripts, once per process. */
 void registerLevels() {
     if (RTT::types::Types()->getTypeInfo<RTT::LoggerLevel>()) return;
     RTT::types::Types()->addType(new LogLevelType());

@@ -48,7 +48,7 @@ struct TaskBrowser::Impl {
         : typed(isatty(STDIN_FILENO) != 0),
           console(self, component, std::cout, std::cerr, onTerminal() ? "console" : "stdin") {}
 
-    const bool typed;  // asked once: a terminal that hangs up is none any more
+    const bool typed;  // asked once, because a terminal that hangs up is no longer one
 
     console::Console console;
     int endsOn = -1;
@@ -84,8 +84,8 @@ void TaskBrowser::evaluate(const std::string& line) {
 }
 
 void TaskBrowser::switchTaskContext(RTT::TaskContext* component) {
-    impl_->console.session().place.visit(checked(component));
-    impl_->console.session().goTo(false);
+    impl_->console.state().place.visit(checked(component));
+    impl_->console.state().goTo(false);
 }
 
 void TaskBrowser::loop() {

@@ -19,7 +19,7 @@ namespace OCL::console {
 
 using oroforge::diag::didYouMean;
 
-void Session::goTo(bool watching) {
+void ConsoleState::goTo(bool watching) {
     watch.reset();
     forgetInput();
     RTT::TaskContext* const component = place.component();
@@ -29,8 +29,8 @@ void Session::goTo(bool watching) {
         screen.err << "port '" << port << "' of component '" << component->getName() << "' cannot be watched\n";
 }
 
-void complainOf(Session& session, const Input& input, std::size_t at, const Lookup& lookup) {
-    complain(session.screen, input, at + lookup.wrongAt,
+void complainOf(ConsoleState& state, const Input& input, std::size_t at, const Lookup& lookup) {
+    complain(state.screen, input, at + lookup.wrongAt,
              lookup.wrong.empty()
                  ? "expected the name of a peer or service"
                  : "there is no peer or service '" + lookup.wrong + "'" + didYouMean(lookup.wrong, lookup.known));
@@ -38,36 +38,36 @@ void complainOf(Session& session, const Input& input, std::size_t at, const Look
 
 namespace {
 
-void quit(Session& session, const Input&) { session.quits = true; }
+void quit(ConsoleState& state, const Input&) { state.quits = true; }
 
-bool helpForCommand(Session& session, const std::string& word) {
+bool helpForCommand(ConsoleState& state, const std::string& word) {
     for (const auto* const all : {&commands(), &dotCommands()})
         for (const Command& command : *all)
             if (word == command.word) {
                 Table table({Style::Plain, Style::Plain}, Table::Wrap);
                 table.add(
                     {command.word + std::string(*command.arguments ? " " : "") + command.arguments, command.help});
-                table.write(session.screen.out, session.screen.theme, "", session.screen.tableWidth());
+                table.write(state.screen.out, state.screen.theme, "", state.screen.tableWidth());
                 return true;
             }
     return false;
 }
 
-/** The last part of the path may be an operation, a port, a property or an attribute of what the others lead to. */
-bool helpForMember(Session& session, const std::string& path) {
+/** Shows help if the last part of the path is an operation, port, property or attribute of what the others lead to. */
+bool helpForMember(ConsoleState& state, const std::string& path) {
     const std::size_t dot = path.rfind('.');
     const std::string name = dot == std::string::npos ? path : path.substr(dot + 1);
-    const Lookup owner = lookUp(*session.context(), dot == std::string::npos ? "" : path.substr(0, dot));
+    const Lookup owner = lookUp(*state.context(), dot == std::string::npos ? "" : path.substr(0, dot));
     if (!owner.target.service) return false;
     RTT::Service& service = *owner.target.service;
     if (service.hasMember(name)) {
-        describeOperation(session.screen, service, name, "");
+        describeOperation(state.screen, service, name, "");
         return true;
     }
-    if (describePort(session.screen, service, name, path) || describeValue(session.screen, service, name)) return true;
+    if (describePort(state.screen, service, name, path) || describeValue(state.screen, service, name)) return true;
     const auto global = RTT::internal::GlobalService::Instance();
     if (dot != std::string::npos || !global->hasMember(name)) return false;
-    describeOperation(session.screen, *global, name, "");
+    describeOperation(state.screen, *global, name, "");
     return true;
 }
 
@@ -81,116 +81,115 @@ std::vector<std::string> memberNames(RTT::Service& service) {
 
 bool isGlobals(const std::string& name) { return name == "GlobalsRepository"; }
 
-void help(Session& session, const Input& input) {
-    if (input.words.size() < 2) return writeHelp(session.screen);
-    if (isGlobals(input.words[1].text)) return describeGlobals(session.screen);
+void help(ConsoleState& state, const Input& input) {
+    if (input.words.size() < 2) return writeHelp(state.screen);
+    if (isGlobals(input.words[1].text)) return describeGlobals(state.screen);
     const Word word = {withoutLastDot(input.words[1].text), input.words[1].begin};
-    if (helpForCommand(session, word.text) || helpForMember(session, word.text)) return;
-    Lookup lookup = lookUp(*session.context(), word.text);
-    if (lookup.target.service) return describeInterface(session.screen, lookup.target);
-    if (describeType(session.screen, word.text)) return;
+    if (helpForCommand(state, word.text) || helpForMember(state, word.text)) return;
+    Lookup lookup = lookUp(*state.context(), word.text);
+    if (lookup.target.service) return describeInterface(state.screen, lookup.target);
+    if (describeType(state.screen, word.text)) return;
     const std::string before = word.text.substr(0, lookup.wrongAt ? lookup.wrongAt - 1 : 0);
-    const Lookup owner = lookUp(*session.context(), before);
+    const Lookup owner = lookUp(*state.context(), before);
     if (owner.target.service)
         for (const std::string& name : memberNames(*owner.target.service)) lookup.known.push_back(name);
     for (const Command& command : commands()) lookup.known.push_back(command.word);
     const bool isWhole = lookup.wrong == word.text;
     for (const std::string& type : RTT::types::Types()->getDottedTypes())
         if (isWhole || type.find('.') != std::string::npos) lookup.known.push_back(type);
-    complain(session.screen, input, word.begin + lookup.wrongAt,
+    complain(state.screen, input, word.begin + lookup.wrongAt,
              "there is nothing called '" + lookup.wrong + "' here" + didYouMean(lookup.wrong, lookup.known));
 }
 
-void ls(Session& session, const Input& input) {
+void ls(ConsoleState& state, const Input& input) {
     const Word path = input.words.size() > 1 ? input.words[1] : Word{};
-    if (isGlobals(path.text)) return describeGlobals(session.screen);
-    const Lookup lookup = lookUp(*session.context(), path.text);
-    if (!lookup.target.service) return complainOf(session, input, path.begin, lookup);
-    list(session.screen, lookup.target);
+    if (isGlobals(path.text)) return describeGlobals(state.screen);
+    const Lookup lookup = lookUp(*state.context(), path.text);
+    if (!lookup.target.service) return complainOf(state, input, path.begin, lookup);
+    list(state.screen, lookup.target);
 }
 
-void peers(Session& session, const Input&) {
-    RTT::TaskContext& component = *session.context();
+void peers(ConsoleState& state, const Input&) {
+    RTT::TaskContext& component = *state.context();
     Table table({Style::Name, Style::Plain});
     for (const std::string& name : component.getPeerList()) {
         RTT::TaskContext* const peer = component.getPeer(name);
         table.add({name, peer && peer->ready() ? std::string("[") + stateLetter(*peer) + "]" : "[X]"});
     }
-    if (table.empty()) session.screen.out << "component '" << component.getName() << "' has no peers\n";
-    table.write(session.screen.out, session.screen.theme, "", 0);
+    if (table.empty()) state.screen.out << "component '" << component.getName() << "' has no peers\n";
+    table.write(state.screen.out, state.screen.theme, "", 0);
 }
 
-void changePlace(Session& session, const Input& input) {
+void changePlace(ConsoleState& state, const Input& input) {
     const Word path = input.words.size() > 1 ? input.words[1] : Word{};
-    const bool watching = session.watch != nullptr;
+    const bool watching = state.watch != nullptr;
     if (path.text == "..") {
-        if (!session.place.back())
-            return complain(session.screen, input, path.begin, "there was no visit before this one");
-        return session.goTo(watching);
+        if (!state.place.back()) return complain(state.screen, input, path.begin, "there was no visit before this one");
+        return state.goTo(watching);
     }
-    RTT::TaskContext* const component = session.place.component();
+    RTT::TaskContext* const component = state.place.component();
     const Lookup lookup = lookUp(*component, path.text);
-    if (!lookup.target.service) return complainOf(session, input, path.begin, lookup);
+    if (!lookup.target.service) return complainOf(state, input, path.begin, lookup);
     if (!lookup.target.component)
-        return complain(session.screen, input, path.begin,
+        return complain(state.screen, input, path.begin,
                         "'" + path.text + "' is a service, expected a component; 'ls " + path.text + "' shows it");
-    if (lookup.target.component == &session.self)
-        return complain(session.screen, input, path.begin, "the console itself cannot be visited; 'leave' shows it");
+    if (lookup.target.component == &state.self)
+        return complain(state.screen, input, path.begin, "the console itself cannot be visited; 'leave' shows it");
     if (lookup.target.component == component && !path.text.empty()) {
-        session.screen.out << "already in " << component->getName() << '\n';
+        state.screen.out << "already in " << component->getName() << '\n';
         return;
     }
-    // Its peers may have changed meanwhile.
-    if (!session.place.visit(path.text)) return complainOf(session, input, path.begin, lookup);
-    session.goTo(watching);
+    // Peers may have changed since the look-up.
+    if (!state.place.visit(path.text)) return complainOf(state, input, path.begin, lookup);
+    state.goTo(watching);
 }
 
-void enter(Session& session, const Input&) { session.goTo(false); }
+void enter(ConsoleState& state, const Input&) { state.goTo(false); }
 
-void leave(Session& session, const Input&) {
-    if (!session.watch) session.goTo(true);
+void leave(ConsoleState& state, const Input&) {
+    if (!state.watch) state.goTo(true);
 }
 
-std::string noScripted(Session& session, const std::string& name) {
-    return "component '" + session.context()->getName() + "' has no program or state machine '" + name + "'" +
-           didYouMean(name, scriptedNames(*session.context()));
+std::string noScripted(ConsoleState& state, const std::string& name) {
+    return "component '" + state.context()->getName() + "' has no program or state machine '" + name + "'" +
+           didYouMean(name, scriptedNames(*state.context()));
 }
 
 bool isNumber(const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-void listProgram(Session& session, const Input& input) {
+void listProgram(ConsoleState& state, const Input& input) {
     const auto number = [&](std::size_t i) {
         constexpr long kMost = 1000000000;
         const long found = i < input.words.size() ? std::strtol(input.words[i].text.c_str(), nullptr, 10) : 0;
         return static_cast<int>(std::min(found, kMost));
     };
-    RTT::TaskContext& component = *session.context();
+    RTT::TaskContext& component = *state.context();
     if (input.words.size() < 2 || isNumber(input.words[1].text)) {
-        if (!session.listing.listMore(session.screen, component, number(1)))
-            complain(session.screen, input, input.words[0].begin,
+        if (!state.listing.listMore(state.screen, component, number(1)))
+            complain(state.screen, input, input.words[0].begin,
                      "nothing was listed before; expected the name of a program or state machine");
         return;
     }
     if (input.words.size() > 2 && !isNumber(input.words[2].text))
-        return complain(session.screen, input, input.words[2].begin,
+        return complain(state.screen, input, input.words[2].begin,
                         "expected the number of a line, found '" + input.words[2].text + "'");
-    if (!session.listing.list(session.screen, component, input.words[1].text, number(2)))
-        complain(session.screen, input, input.words[1].begin, noScripted(session, input.words[1].text));
+    if (!state.listing.list(state.screen, component, input.words[1].text, number(2)))
+        complain(state.screen, input, input.words[1].begin, noScripted(state, input.words[1].text));
 }
 
-void trace(Session& session, const Input& input) {
-    if (input.words.size() < 2) return session.listing.traceAll(session.screen, *session.context());
-    if (!session.listing.trace(session.screen, *session.context(), input.words[1].text))
-        complain(session.screen, input, input.words[1].begin, noScripted(session, input.words[1].text));
+void trace(ConsoleState& state, const Input& input) {
+    if (input.words.size() < 2) return state.listing.traceAll(state.screen, *state.context());
+    if (!state.listing.trace(state.screen, *state.context(), input.words[1].text))
+        complain(state.screen, input, input.words[1].begin, noScripted(state, input.words[1].text));
 }
 
-void untrace(Session& session, const Input& input) {
-    if (input.words.size() < 2) return session.listing.untraceAll();
+void untrace(ConsoleState& state, const Input& input) {
+    if (input.words.size() < 2) return state.listing.untraceAll();
     const std::string& name = input.words[1].text;
-    if (!session.listing.untrace(*session.context(), name))
-        complain(session.screen, input, input.words[1].begin, "'" + name + "' is not traced");
+    if (!state.listing.untrace(*state.context(), name))
+        complain(state.screen, input, input.words[1].begin, "'" + name + "' is not traced");
 }
 
 }  // namespace
@@ -230,13 +229,13 @@ const Command* commandIn(const Input& input) {
     return nullptr;
 }
 
-void execute(const Command& command, Session& session, const Input& input) {
+void execute(const Command& command, ConsoleState& state, const Input& input) {
     const std::string arguments = command.arguments;
     const bool any = arguments.find("…") != std::string::npos;
     const std::size_t most = Input("", 1, arguments).words.size();
-    if (any || input.words.size() <= most + 1) return command.act(session, input);
+    if (any || input.words.size() <= most + 1) return command.act(state, input);
     const Word& surplus = input.words[most + 1];
-    complain(session.screen, input, surplus.begin,
+    complain(state.screen, input, surplus.begin,
              std::string("'") + command.word + "' takes " + (most > 0 ? arguments : "nothing") + ", found '" +
                  surplus.text + "' as well");
 }

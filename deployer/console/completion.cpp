@@ -26,7 +26,7 @@ typedef std::vector<std::string> Words;
 
 void add(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
-/** Those that begin with `typed`, which stands at `begin`. */
+/** The words that begin with `typed`, which is at `begin`. */
 Completion matching(Words words, const std::string& typed, std::size_t begin) {
     words.erase(std::remove_if(words.begin(), words.end(),
                                [&](const std::string& word) { return word.compare(0, typed.size(), typed) != 0; }),
@@ -49,7 +49,7 @@ Words membersOf(RTT::Service& service) {
     return words;
 }
 
-/** What can stand where nothing is before it. */
+/** The words that may begin a path. */
 Words topLevel(RTT::TaskContext& context) {
     Words words = membersOf(*context.provides());
     add(words, context.getPeerList());
@@ -70,7 +70,7 @@ RTT::base::DataSourceBase::shared_ptr valueIn(RTT::Service& service, const std::
     return nullptr;
 }
 
-/** Those whose names go on behind this path and its dot. */
+/** The types whose names continue this path and its dot. */
 Words typesBehind(const std::string& path) {
     Words words;
     const std::string start = path.empty() ? "" : path + ".";
@@ -79,7 +79,7 @@ Words typesBehind(const std::string& path) {
     return words;
 }
 
-/** What a value, an operation or a type offers behind its name. */
+/** What may follow the name of a value, an operation or a type. */
 Words behindName(RTT::TaskContext& context, const std::string& path) {
     const Lookup lookup = lookUp(context, path);
     const std::string before = lookup.wrongAt ? path.substr(0, lookup.wrongAt - 1) : "";
@@ -99,7 +99,7 @@ Words behindName(RTT::TaskContext& context, const std::string& path) {
 
 bool isOfPath(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '/'; }
 
-/** True if a type must follow: the word before the last one is `var` or `const`. */
+/** True if the last word must be a type, because the word before it is `var` or `const`. */
 bool isDeclaration(const std::string& line) {
     std::size_t end = line.size();
     while (end > 0 && isOfPath(line[end - 1])) --end;
@@ -111,7 +111,7 @@ bool isDeclaration(const std::string& line) {
     return word == "var" || word == "const";
 }
 
-/** A dotted path at the end of the line; `membersBehind` gives what may follow a path. */
+/** Completes a dotted path at the end of the line; `membersBehind` gives what may follow a path. */
 template <class Members>
 Completion completePath(RTT::TaskContext& context, const std::string& line, Members membersBehind) {
     std::size_t begin = line.size();
@@ -160,13 +160,13 @@ Completion completeFile(const std::string& typed, std::size_t begin) {
     for (fs::directory_iterator at(directory.empty() ? "." : directory, ignored), end; at != end;
          at.increment(ignored)) {
         const std::string name = at->path().filename().string();
-        if (name[0] == '.' && typed.size() == directory.size()) continue;  // hidden ones are to be asked for
+        if (name[0] == '.' && typed.size() == directory.size()) continue;  // hidden files only if their dot is typed
         words.push_back(name + (at->is_directory(ignored) ? "/" : ""));
     }
     return matching(std::move(words), typed.substr(directory.size()), begin + directory.size());
 }
 
-/** A command, or whatever else `help` explains. */
+/** Completes a command, or another name that `help` explains. */
 Completion completeName(RTT::TaskContext& context, const std::string& line, std::size_t begin) {
     Words words;
     for (const Command& command : dotCommands()) words.push_back(command.word);
@@ -200,7 +200,7 @@ Completion completeArgument(RTT::TaskContext& context, const std::string& line, 
     return {line.size(), {}};
 }
 
-/** True if the text that begins there is the type of a component that is to be loaded: the second argument of loadComponent. */
+/** True if the text that begins there is the second argument of loadComponent, the type of a component. */
 bool isComponentType(const std::string& line, std::size_t text) {
     constexpr std::size_t kLongest = 500;  // std::regex recurses for each letter
     const std::size_t at = line.rfind("loadComponent", text);
@@ -218,7 +218,7 @@ Completion completeText(const std::string& line, std::size_t begin) {
     return types.words.empty() ? found : types;
 }
 
-/** Where the text begins that the line ends in; npos if it ends in none. */
+/** The beginning of the quoted text that is open at the end of the line; npos if there is none. */
 std::size_t openText(const std::string& line) {
     std::size_t open = std::string::npos;
     for (std::size_t at = 0; at < line.size(); ++at) {

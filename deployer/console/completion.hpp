@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How a line that is being typed could go on.
+// Completes the line that is being typed.
 #ifndef OROFORGE_CONSOLE_COMPLETION_HPP
 #define OROFORGE_CONSOLE_COMPLETION_HPP
 
@@ -13,18 +13,18 @@
 namespace OCL::console {
 
 struct Completion {
-    std::size_t begin = 0;           ///< in the line, of what the words would replace
+    std::size_t begin = 0;           ///< where in the line the words go
     std::vector<std::string> words;  ///< in alphabetical order
-    /** What follows if there is one word: "." where it has members, " " where a command takes more. */
+    /** What follows if there is only one word: "." if it has members, " " if a command takes more. */
     std::string behind = {};
 
-    /** What all words have in common. */
+    /** The longest beginning that all words share. */
     std::string common() const;
-    /** What can be added to the line, which was completed, without a choice. */
+    /** What can be added to the completed line without a choice. */
     std::string more(const std::string& line) const;
 };
 
-/** The words that begin with what stands at the end of the line. Commands only if `commandsToo`. */
+/** The words that begin with the end of the line. Includes commands if `commandsToo`. */
 Completion completionOf(RTT::TaskContext& context, const std::string& line, bool commandsToo);
 
 }  // namespace OCL::console

@@ -27,7 +27,7 @@ bool isPath(const std::string& text) {
     }) && !std::isdigit(static_cast<unsigned char>(text[0]));
 }
 
-/** What people type who want to leave. */
+/** True for what users of other consoles type to leave. */
 bool meansQuit(const std::string& text) {
     std::string word;
     for (const char c : text)
@@ -41,18 +41,18 @@ bool meansQuit(const std::string& text) {
 
 Console::Console(RTT::TaskContext& self, RTT::TaskContext& component, std::ostream& out, std::ostream& err,
                  std::string inputName)
-    : session_{Screen{out, err, Theme()}, self, Place(component), std::move(inputName)} {}
+    : state_{Screen{out, err, Theme()}, self, Place(component), std::move(inputName)} {}
 
-/** False if there is no component any more to look at. */
+/** Goes back to a component that still exists; false if there is none. */
 bool Console::findContext() {
-    if (session_.place.component()) return true;
-    const std::string gone = session_.place.name();
-    const bool back = session_.place.back();
-    session_.goTo(false);
-    session_.screen.failed = true;
-    session_.screen.err << "component '" << gone << "' is gone"
-                        << (back ? "; back in '" + session_.place.name() + "'" : "") << '\n';
-    session_.quits = session_.quits || !back;
+    if (state_.place.component()) return true;
+    const std::string gone = state_.place.name();
+    const bool back = state_.place.back();
+    state_.goTo(false);
+    state_.screen.failed = true;
+    state_.screen.err << "component '" << gone << "' is gone" << (back ? "; back in '" + state_.place.name() + "'" : "")
+                      << '\n';
+    state_.quits = state_.quits || !back;
     return back;
 }
 
@@ -60,27 +60,27 @@ void Console::execute(const std::string& line) {
     ++line_;
     if (!findContext()) return;
     if (begun_.empty())
-        run(Input(session_.inputName, line_, line));
+        run(Input(state_.inputName, line_, line));
     else {
         begun_ += '\n' + line;
         if (!RTT::scripting::TypedInput::goesOn(begun_)) finish();
     }
-    session_.screen.out.flush();
+    state_.screen.out.flush();
 }
 
 void Console::finish() {
     if (begun_.empty() || !findContext()) return;
     evaluate(std::exchange(begun_, ""), begun_line_);
-    session_.screen.out.flush();
+    state_.screen.out.flush();
 }
 
 void Console::forget() { begun_.clear(); }
 
 void Console::run(const Input& input) {
     if (input.words.empty()) return;
-    Screen& screen = session_.screen;
+    Screen& screen = state_.screen;
     try {
-        if (const Command* const command = commandIn(input)) return OCL::console::execute(*command, session_, input);
+        if (const Command* const command = commandIn(input)) return OCL::console::execute(*command, state_, input);
         const std::string& first = input.words[0].text;
         if (first[0] == '.' && first.size() > 1 && std::isalpha(static_cast<unsigned char>(first[1]))) {
             std::vector<std::string> known;
@@ -91,7 +91,7 @@ void Console::run(const Input& input) {
     } catch (const std::exception& thrown) {
         return complain(screen, input, input.words[0].begin, std::string("the command failed: ") + thrown.what());
     }
-    if (session_.macro.recording()) return session_.macro.add(input.text);
+    if (state_.macro.recording()) return state_.macro.add(input.text);
     if (input.words.size() == 1 && showNamed(withoutLastDot(input.words[0].text))) return;
     if (RTT::scripting::TypedInput::goesOn(input.text)) {
         begun_ = input.text;
@@ -101,51 +101,50 @@ void Console::run(const Input& input) {
     evaluate(input.text, input.line);
 }
 
-/** The name of a component, service, port or requester stands for its interface. */
+/** Shows the interface of a component, service, port or requester whose name was typed alone. */
 bool Console::showNamed(const std::string& name) {
     if (!isPath(name)) return false;
     if (name == "GlobalsRepository") {
-        describeGlobals(session_.screen);
+        describeGlobals(state_.screen);
         return true;
     }
-    RTT::TaskContext& context = *session_.context();
+    RTT::TaskContext& context = *state_.context();
     const Lookup lookup = lookUp(context, name);
     const std::size_t dot = name.rfind('.');
     const Lookup owner = lookUp(context, dot == std::string::npos ? "" : name.substr(0, dot));
     const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
     const bool peer = lookup.target.component != nullptr;
-    if (!peer && owner.target.service && describePort(session_.screen, *owner.target.service, last, name)) return true;
+    if (!peer && owner.target.service && describePort(state_.screen, *owner.target.service, last, name)) return true;
     if (lookup.target.service)
-        describeInterface(session_.screen, lookup.target);
+        describeInterface(state_.screen, lookup.target);
     else if (context.requires_()->requiresService(name))
-        describeRequester(session_.screen, *context.requires_(name));
+        describeRequester(state_.screen, *context.requires_(name));
     else
         return false;
     return true;
 }
 
 void Console::evaluate(const std::string& text, unsigned line) {
-    if (!session_.typed || !session_.typed->alive())
-        session_.typed = std::make_unique<RTT::scripting::TypedInput>(*session_.context(), session_.inputName);
+    if (!state_.typed || !state_.typed->alive())
+        state_.typed = std::make_unique<RTT::scripting::TypedInput>(*state_.context(), state_.inputName);
     RTT::scripting::TypedInput::Answer answer;
     try {
-        if (!session_.typed->execute(text, line, session_.screen.err, answer)) {
-            if (meansQuit(text)) session_.screen.err << "note: 'quit' leaves the console\n";
+        if (!state_.typed->execute(text, line, state_.screen.err, answer)) {
+            if (meansQuit(text)) state_.screen.err << "note: 'quit' leaves the console\n";
             const auto* const interruption = RTT::internal::Interruption::ofThisThread();
-            session_.screen.failed = session_.screen.failed || !(interruption && interruption->asked());
+            state_.screen.failed = state_.screen.failed || !(interruption && interruption->asked());
             return;
         }
         const std::size_t end = text.find_last_not_of(" \t\n");
         if (end == std::string::npos || text[end] != ';') show(answer);
     } catch (const std::exception& thrown) {
-        complain(session_.screen, Input(session_.inputName, line, text), 0,
-                 std::string("that failed: ") + thrown.what());
+        complain(state_.screen, Input(state_.inputName, line, text), 0, std::string("that failed: ") + thrown.what());
     }
 }
 
 void Console::show(const RTT::scripting::TypedInput::Answer& answer) {
     typedef RTT::scripting::TypedInput::Answer Answer;
-    Screen& screen = session_.screen;
+    Screen& screen = state_.screen;
     if (answer.kind == Answer::None) return;
     if (answer.kind == Answer::Void) {
         screen.out << " = (void)\n";
@@ -160,23 +159,23 @@ void Console::show(const RTT::scripting::TypedInput::Answer& answer) {
 }
 
 std::string Console::prompt() {
-    if (!findContext() || !begun_.empty() || session_.macro.recording()) return "> ";
-    RTT::TaskContext& component = *session_.place.component();
-    session_.listing.update(session_.screen, component);
-    session_.screen.out.flush();
+    if (!findContext() || !begun_.empty() || state_.macro.recording()) return "> ";
+    RTT::TaskContext& component = *state_.place.component();
+    state_.listing.update(state_.screen, component);
+    state_.screen.out.flush();
     const char state = stateLetter(component);
     const Style style = state == 'R'                                   ? Style::Good
                         : state == 'F' || state == 'E' || state == 'X' ? Style::Bad
                                                                        : Style::Plain;
-    const Screen& screen = session_.screen;
-    return (session_.watch ? screen.paint(Style::Good, "Watching") + " " : "") +
+    const Screen& screen = state_.screen;
+    return (state_.watch ? screen.paint(Style::Good, "Watching") + " " : "") +
            screen.paint(Style::Name, component.getName()) + " [" + screen.paint(style, std::string(1, state)) + "]> ";
 }
 
 Completion Console::complete(const std::string& line) const {
-    // Within a piece of script it indents.
+    // Within a piece of script, TAB indents.
     if (!begun_.empty() && line.find_first_not_of(' ') == std::string::npos) return {line.size(), {}, "    "};
-    RTT::TaskContext* const context = session_.context();
+    RTT::TaskContext* const context = state_.context();
     return context ? completionOf(*context, line, begun_.empty()) : Completion{line.size(), {}};
 }
 

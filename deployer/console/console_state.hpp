@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What all commands of one console share.
-#ifndef OROFORGE_CONSOLE_SESSION_HPP
-#define OROFORGE_CONSOLE_SESSION_HPP
+// The state that all commands of a console share.
+#ifndef OROFORGE_CONSOLE_CONSOLE_STATE_HPP
+#define OROFORGE_CONSOLE_CONSOLE_STATE_HPP
 
 #include "macro.hpp"
 #include "place.hpp"
@@ -17,21 +17,21 @@
 
 namespace OCL::console {
 
-struct Session {
+struct ConsoleState {
     Screen screen;
     RTT::TaskContext& self;  ///< the console's own component
     Place place;
-    std::string inputName;  ///< of where lines come from, for messages
+    std::string inputName;  ///< the name of the source of lines, for messages
     std::unique_ptr<Watch> watch = {};
     std::unique_ptr<RTT::scripting::TypedInput> typed = {};
     ProgramListing listing = {};
     Macro macro = {};
     bool quits = false;
 
-    /** What names are looked up in: the component that is visited, or while it is watched the console's own. Null if it is
-        gone. */
+    /** The component in which names are looked up: the visited one, or the console's own while that watches it. Null if
+        the visited component is gone. */
     RTT::TaskContext* context() const { return watch ? &self : place.component(); }
-    /** To be called after each change of the context. */
+    /** Must be called after each change of the context. */
     void forgetInput() { typed.reset(); }
     void goTo(bool watching);
 };

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kTab = 8;
 constexpr std::size_t kControl = 2;  // columns of "^A"
 
-/** The end of the sequence of a colour that begins at `at`; `at` if none does. */
+/** The end of the colour sequence that begins at `at`; `at` if there is none. */
 std::size_t endOfSequence(const std::string& text, std::size_t at) {
     if (text.compare(at, 2, "\033[") != 0) return at;
     const std::size_t end = text.find_first_not_of("0123456789;?", at + 2);
@@ -29,7 +29,7 @@ void CursorRow::add(const std::string& text) {
         }
         wchar_t letter = 0;
         const std::size_t used = std::mbrtowc(&letter, text.data() + at, text.size() - at, &state);
-        if (used == 0 || used > text.size()) {  // no letter of this encoding
+        if (used == 0 || used > text.size()) {  // not a letter in this encoding
             state = {};
             advance(1);
             ++at;

@@ -8,17 +8,17 @@
 
 namespace OCL::console {
 
-/** Follows the cursor of a terminal while text is written from the beginning of a row, as libedit writes it: it goes to the next
-    row as soon as one is full. */
+/** Follows the cursor of a terminal while libedit writes text from the beginning of a row: it moves to the next row as
+    soon as one is full. */
 class CursorRow {
 public:
     explicit CursorRow(std::size_t width) : width_(width) {}
 
-    /** In the encoding of the locale; may have colours. */
+    /** Adds text in the encoding of the locale, which may have colours. */
     void add(const std::string& text);
     void add(wchar_t letter);
 
-    /** Below the first one. */
+    /** The row of the cursor, counted from the first one. */
     std::size_t row() const { return row_; }
     std::size_t column() const { return column_; }
 

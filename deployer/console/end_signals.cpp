@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The handler may only do what is safe in any thread at any point: it writes into a pipe, or ends the process. It may still be executed by another thread
-// when its object has ended; so the pipe stays open for the next one.
+// The handler does only what is safe in any thread at any point: it writes into a pipe, or ends the process. Another
+// thread may still execute it after its object has ended, so the pipe stays open for the next object.
 #include "end_signals.hpp"
 
 #include "kept_terminal.hpp"
@@ -29,7 +29,7 @@ void makePipe() {
 
 void onSignal(int signal);
 
-/** The handler is in force: somebody who took its place meanwhile has put it back. */
+/** True if the handler is installed, even without an object: code that had replaced it may have put it back. */
 bool isOurs(int signal) {
     struct sigaction now = {};
     return sigaction(signal, nullptr, &now) == 0 && !(now.sa_flags & SA_SIGINFO) && now.sa_handler == onSignal;
@@ -42,7 +42,7 @@ void onSignal(int signal) {
     int before = Waits;
     const bool first = state.compare_exchange_strong(before, Told);
     if (!first || write(ends[1], &byte, 1) != 1) {
-        // Where nobody waits any more, the action that was there before has its turn.
+        // If nothing waits any more, the previous action takes effect.
         if (before != Nobody || isOurs(signal)) {
             restoreTerminal();
             std::signal(signal, SIG_DFL);
@@ -67,7 +67,7 @@ EndSignals::EndSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         Previous previous = {signal, {}};
         if (sigaction(signal, nullptr, &previous.action) != 0) continue;
-        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // as nohup has it
+        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // ignored, as by nohup
         if (sigaction(signal, &action, nullptr) == 0) previous_.push_back(previous);
     }
 }

@@ -8,8 +8,8 @@
 
 namespace OCL::console {
 
-/** While it lives, SIGINT, SIGTERM and SIGHUP make a descriptor readable instead of ending the process; the second of them ends
-    it. For programs that do not catch them themselves; one at a time. */
+/** While it exists, the first SIGINT, SIGTERM or SIGHUP makes a descriptor readable; the second ends the process. For
+    programs that do not catch these signals themselves. Only one may exist at a time. */
 class EndSignals {
 public:
     EndSignals();

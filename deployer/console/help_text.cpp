@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What `help` says.
+// The text of `help`.
 #include "commands.hpp"
 
 #include "table.hpp"

@@ -60,7 +60,7 @@ bool History::add(const std::string& line) {
     return true;
 }
 
-/** Replaced as a whole: another console may be reading it. A link to the file stays one, and who may read it stays so. */
+/** Replaces the file as a whole, because another console may be reading it. A link to it and its permissions stay. */
 void History::rewrite() const {
     std::error_code ignored;
     const std::filesystem::path real = std::filesystem::canonical(file_, ignored);

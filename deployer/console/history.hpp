@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What was typed, kept in a file across sessions.
+// The typed lines, kept in a file.
 #ifndef OROFORGE_CONSOLE_HISTORY_HPP
 #define OROFORGE_CONSOLE_HISTORY_HPP
 
@@ -9,20 +9,20 @@
 
 namespace OCL::console {
 
-/** $ORO_TB_HISTFILE, or .tb_history in the present directory or, where that cannot be written, in the home directory. */
+/** $ORO_TB_HISTFILE, or .tb_history in the current directory or, if that cannot be written, in the home directory. */
 std::string historyFile();
 
 /** The lines, oldest first, at most 1000 of them. The file has one per line. */
 class History {
 public:
-    /** Reads the file; an empty name is none. */
+    /** Reads the file; without a name, keeps no file. */
     explicit History(std::string file = std::string());
 
     const std::vector<std::string>& lines() const { return lines_; }
-    /** Why the file cannot be written; empty if it can, or there is none. */
+    /** Why the file cannot be written; empty if it can, or if there is no file. */
     std::string problem() const;
-    /** At once into the file as well, so that it is not lost if the program ends by force. False if it was not taken: it is blank,
-        "quit", or the same as the one before. */
+    /** Adds a line, and writes it to the file at once, so that it survives a crash. Drops a line, and returns false, if
+        it is blank, "quit", or the same as the one before. */
     bool add(const std::string& line);
 
 private:

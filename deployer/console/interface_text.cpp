@@ -29,7 +29,7 @@ constexpr const char* kFurther = "    ";  // indent of further lines of a signat
 
 std::string dotted(const std::string& type) { return RTT::types::Types()->toDot(type); }
 
-/** How it is passed matters only where it comes back. */
+/** The type without const and reference, unless the argument is also a result. */
 std::string argumentType(const std::string& type) {
     static const std::string kConst = " const&";
     const bool in =
@@ -39,7 +39,7 @@ std::string argumentType(const std::string& type) {
 
 void title(Screen& screen, const char* text) { screen.out << "\n  " << screen.paint(Style::Title, text) << '\n'; }
 
-/** For text behind the indent; 0: any. */
+/** The width for text after the indent; 0 if there is no limit. */
 std::size_t roomIn(const Screen& screen, const std::string& indent) {
     const std::size_t width = screen.tableWidth();
     return width > indent.size() ? width - indent.size() : 0;
@@ -51,7 +51,7 @@ void writeDoc(Screen& screen, const std::string& doc, const std::string& indent)
         screen.out << indent << screen.paint(Style::Faint, line) << '\n';
 }
 
-/** The members of a struct with what is known of them. */
+/** Writes the members of a struct with their types, units and documentation. */
 void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& value, const std::string& indent) {
     const RTT::types::TypeInfo& type = *value->getTypeInfo();
     const auto factory = type.getMemberFactory();
@@ -66,7 +66,7 @@ void writeMembers(Screen& screen, const RTT::base::DataSourceBase::shared_ptr& v
     table.write(screen.out, screen.theme, indent, screen.tableWidth());
 }
 
-/** "  title: a, b", in lines that fit; nothing without names. */
+/** Writes "  title: a, b" in lines that fit; nothing if there are no names. */
 void writeNames(Screen& screen, const std::string& title, const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? title + ": " : ", ") + name;
@@ -80,7 +80,7 @@ std::vector<std::string> otherNames(const RTT::types::TypeInfo& type) {
     return {names.begin(), names.end()};
 }
 
-/** The types that have a conversion to `type`: it can be constructed from one value of them. */
+/** The types of which one value converts to `type`. */
 std::vector<std::string> madeFrom(const RTT::types::TypeInfo& type) {
     std::set<std::string> names;
     for (const std::string& each : RTT::types::Types()->getTypes()) {
@@ -218,7 +218,7 @@ bool describeType(Screen& screen, const std::string& name) {
         writeNames(screen, "elements", {dotted(element->getTypeName())});
     }
     if (enumeration) writeEnumerators(screen, *type, enumeration->enumerators());
-    // What members are and hold before anybody sets them is known of a value only.
+    // Only a value shows the members and their initial contents.
     else if (value)
         writeMembers(screen, value, "    ");
     return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What `help NAME` and a name alone show.
+// The output of `help NAME` and of a name alone.
 #ifndef OROFORGE_CONSOLE_INTERFACE_TEXT_HPP
 #define OROFORGE_CONSOLE_INTERFACE_TEXT_HPP
 
@@ -18,25 +18,26 @@ class ServiceRequester;
 
 namespace OCL::console {
 
-/** Everything that a component or service provides, operations with their arguments and documentation. */
+/** Describes everything that a component or service provides; operations with arguments and documentation. */
 void describeInterface(Screen& screen, const Target& target);
-/** One operation, which there is. */
+/** Describes an operation, which must exist. */
 void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
                        const std::string& indent);
-/** The constants and values that every script sees. */
+/** Describes the constants and values that every script sees. */
 void describeGlobals(Screen& screen);
 void describeRequester(Screen& screen, const RTT::ServiceRequester& requester);
-/** One property or attribute, with its members, their units and documentation. False if there is none of that name. */
+/** Describes a property or attribute and its members, with units and documentation. False if there is none of that
+    name. */
 bool describeValue(Screen& screen, const RTT::ConfigurationInterface& values, const std::string& name);
-/** A type: its values if it is an enum, its members with their units and documentation, what converts to it. False if there is
-    none of that name. */
+/** Describes a type: the values of an enum, members with units and documentation, and what converts to it. False if
+    there is none of that name. */
 bool describeType(Screen& screen, const std::string& name);
-/** One port: its type, connections and how to use it. False if there is none of that name. */
+/** Describes a port: its type, its connections and how to use it. False if there is none of that name. */
 bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path);
 
-/** Above the operations that every component has. */
+/** The title of the operations that every component has. */
 inline constexpr const char* kUsualOperations = "Operations of every component";
-/** Puts them behind those of the component itself; where they begin. */
+/** Moves the operations that every component has behind the others, and returns where they begin. */
 std::vector<std::string>::iterator standardOperationsLast(std::vector<std::string>& names);
 
 /** "bool fill(double level, int times)". */

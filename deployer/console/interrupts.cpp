@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Commands are executed by the main thread, which may be anywhere; so a second one waits for Ctrl-C. The handler may only do what
-// is safe in any thread at any point: it tells that thread, or ends the process. Another thread may still execute it when this has
-// ended; so its descriptor stays open.
+// The main thread executes commands and may block anywhere, so a second thread waits for Ctrl-C. The handler does only
+// what is safe in any thread at any point: it wakes that thread, or ends the process. Another thread may still execute
+// it after the object has ended, so its descriptor stays open.
 #include "interrupts.hpp"
 
 #include "kept_terminal.hpp"
@@ -21,7 +21,7 @@
 namespace OCL::console {
 namespace {
 
-// Milliseconds; a script is stopped, and a call given up, long before.
+// Milliseconds until a command counts as one that cannot be stopped; scripts and calls end much sooner.
 constexpr std::int64_t kPatience = 1000;
 
 std::atomic<bool> watching{false}, executing{false}, ends{false};
@@ -47,7 +47,7 @@ bool wasNotified(int descriptor) {
 
 void onInterrupt(int signal, siginfo_t* info, void*) {
     const int kept = errno;
-    const bool key = info->si_code > 0;  // else somebody has sent it
+    const bool key = info->si_code > 0;  // otherwise a process sent it
     if (ends) {
         restoreTerminal();
         std::signal(signal, SIG_DFL);
@@ -65,7 +65,7 @@ bool isOurs(const struct sigaction& action) {
     return (action.sa_flags & SA_SIGINFO) && action.sa_sigaction == onInterrupt;
 }
 
-/** SIGINT comes here; who ignores it, as jobs of some shells in the background do, goes on to. */
+/** Installs the handler of SIGINT, unless the signal is ignored, as in background jobs of some shells. */
 void takeOver() {
     struct sigaction previous = {};
     if (sigaction(SIGINT, nullptr, &previous) != 0 || isOurs(previous)) return;
@@ -73,7 +73,7 @@ void takeOver() {
     before = previous;
     struct sigaction action = {};
     action.sa_sigaction = onInterrupt;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;  // whatever the command waits for
+    action.sa_flags = SA_SIGINFO | SA_RESTART;  // so that system calls of the command go on
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
 }
@@ -96,7 +96,7 @@ Interrupts::Interrupts(int endsOn, bool onTerminal)
     pressed = made;
     watching = true;
     if (on_terminal_) takeOver();
-    // Signals are for the threads that were there before.
+    // The new thread handles no signals; older threads do.
     sigset_t all, kept;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &kept);
@@ -111,7 +111,7 @@ Interrupts::~Interrupts() {
     }
     notify(wakes_);
     thread_.join();
-    watching = false;  // others may have kept the handler, and put it back later
+    watching = false;  // other code may have saved the handler, and may put it back later
     if (on_terminal_) giveBack();
     close(wakes_);
 }
@@ -121,7 +121,7 @@ Interrupts::Command::Command(Interrupts& interrupts) : of_(interrupts), interrup
     of_.command_ = &interruption_;
     if (of_.on_terminal_) {
         executing = true;
-        takeOver();  // something that was loaded may have done so, too
+        takeOver();  // a library that was loaded may have replaced the handler
     }
     if (of_.ends_) of_.interrupt();
     notify(of_.wakes_);
@@ -134,7 +134,7 @@ Interrupts::Command::~Command() {
     executing = ends = false;
 }
 
-/** Milliseconds until something is to be told; −1: nothing is. */
+/** Milliseconds until the user must be warned; −1 for never. */
 int Interrupts::patience() const {
     return tells_ < 0 ? -1 : static_cast<int>(std::max<std::int64_t>(tells_ - now(), 0));
 }
@@ -142,7 +142,7 @@ int Interrupts::patience() const {
 void Interrupts::watch() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!over_) {
-        // A key that comes between two commands is for the second one, unless somebody calls forgetInterrupts().
+        // A key between two commands counts for the second one, unless forgetInterrupts() is called.
         pollfd all[] = {{wakes_, POLLIN, 0}, {ends_ ? -1 : ends_on_, POLLIN, 0}, {command_ ? pressed : -1, POLLIN, 0}};
         const int left = patience();
         lock.unlock();
@@ -162,14 +162,14 @@ void Interrupts::watch() {
     }
 }
 
-/** Locked, as the next one. */
+/** Asks the command to stop. The mutex is locked, as for tell(). */
 void Interrupts::interrupt() {
     if (!command_ || command_->asked()) return;
     command_->ask();
     tells_ = now() + kPatience;
 }
 
-/** The command is still being executed. */
+/** Warns the user that the command is still being executed. */
 void Interrupts::tell() {
     tells_ = -1;
     if (!on_terminal_) return;
@@ -177,7 +177,7 @@ void Interrupts::tell() {
     std::cerr << "this command executes C++ code, which cannot be stopped; "
               << (ends_ ? "the console is left once it is done, and Ctrl-C" : "another Ctrl-C")
               << " ends the process at once" << std::endl;
-    if (ends_) restoreTerminal();  // nothing is left to do that when another signal ends the process
+    if (ends_) restoreTerminal();  // because it is too late when another signal ends the process
 }
 
 void forgetInterrupts() {

@@ -13,18 +13,18 @@
 namespace OCL::console {
 
 /**
- * Stops the command that is being executed when somebody presses Ctrl-C, or the console is to end. If it cannot be stopped, that is
- * told, and the next Ctrl-C ends the process. One at a time.
+ * Stops the current command when the user presses Ctrl-C or the console must end. If the command cannot be stopped, it
+ * warns the user, and the next Ctrl-C ends the process. Only one may exist at a time.
  */
 class Interrupts {
 public:
-    /** `endsOn` can be read once the console is to end. `onTerminal`: SIGINT means the command and not the console. */
+    /** `endsOn` becomes readable when the console must end. `onTerminal`: SIGINT stops the command, not the console. */
     Interrupts(int endsOn, bool onTerminal);
     ~Interrupts();
     Interrupts(const Interrupts&) = delete;
     Interrupts& operator=(const Interrupts&) = delete;
 
-    /** While one lives, its thread executes a command. One at a time. */
+    /** Its thread executes a command while it exists. Only one may exist at a time. */
     class Command {
     public:
         explicit Command(Interrupts& interrupts);
@@ -52,11 +52,11 @@ private:
     RTT::internal::Interruption* command_ = nullptr;
     bool over_ = false;        // for the thread
     bool ends_ = false;        // the console
-    std::int64_t tells_ = -1;  // when to tell that the command goes on; −1: not at all
+    std::int64_t tells_ = -1;  // when to warn that the command goes on; −1: never
     std::thread thread_;
 };
 
-/** What was pressed between two commands is not meant for the next one. */
+/** Forgets keys that were pressed between two commands. */
 void forgetInterrupts();
 
 }  // namespace OCL::console

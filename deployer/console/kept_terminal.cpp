@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The handlers may only do what is safe in any thread at any point, which tcsetattr() is.
+// The handlers do only what is safe in any thread at any point, such as tcsetattr().
 #include "kept_terminal.hpp"
 
 #include <cerrno>
@@ -13,15 +13,15 @@ namespace OCL::console {
 namespace {
 
 termios original;
-volatile sig_atomic_t kept = 0;   // `original` is what the terminal was
-pid_t owner = -1;                 // a child that ends or crashes must not put back the terminal of its parent
-volatile sig_atomic_t paste = 0;  // the terminal was told to mark what is pasted
-// By signal number, for the handler of what ends the process.
+volatile sig_atomic_t kept = 0;   // `original` has the previous mode
+pid_t owner = -1;                 // a child that ends or crashes must not restore the terminal of its parent
+volatile sig_atomic_t paste = 0;  // the terminal marks pasted text
+// The previous actions, by signal number, for the handler of signals that end the process.
 struct sigaction before[NSIG];
 
 void onStop(int signal, siginfo_t*, void*);
 
-/** What comes again when its instruction does. */
+/** True for a signal that is repeated when its instruction is. */
 bool isFault(int signal) { return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL; }
 
 bool isHandler(const struct sigaction& action, void (*handler)(int, siginfo_t*, void*)) {
@@ -35,21 +35,21 @@ void set(const termios& mode) {
 
 void onEnd(int signal, siginfo_t* info, void* context) {
     restoreTerminal();
-    // The default action is in force again (SA_RESETHAND), as those who were here before expect it.
+    // The default action is in force again (SA_RESETHAND), as the previous handlers expect.
     const struct sigaction& previous = before[signal];
     if (previous.sa_flags & SA_SIGINFO)
         previous.sa_sigaction(signal, info, context);
     else if (previous.sa_handler != SIG_DFL)
         previous.sa_handler(signal);
     else if (info->si_code <= 0 || !isFault(signal))
-        raise(signal);  // a fault comes again by itself when this returns, what was sent does not
+        raise(signal);  // a fault is repeated when this returns, a signal that was sent is not
 }
 
-/** Stops as without it, but the terminal is then as the others know it. */
+/** Stops the process as usual, but restores the terminal before and sets it again afterwards. */
 void onStop(int signal, siginfo_t*, void*) {
     const int error = errno;
     termios now;
-    // In the background it is the shell's, which is none of ours to come back to.
+    // In the background, the mode is the shell's and must not be restored later.
     const bool known = maySetTerminal() && tcgetattr(STDIN_FILENO, &now) == 0;
     restoreTerminal();
     struct sigaction usual = {}, own = {};
@@ -61,7 +61,7 @@ void onStop(int signal, siginfo_t*, void*) {
     sigset_t only, masked;
     sigemptyset(&only);
     sigaddset(&only, signal);
-    pthread_sigmask(SIG_UNBLOCK, &only, &masked);  // here it stops
+    pthread_sigmask(SIG_UNBLOCK, &only, &masked);  // the process stops here
     pthread_sigmask(SIG_SETMASK, &masked, nullptr);
     if (kept) sigaction(signal, &own, nullptr);
     if (known && maySetTerminal()) set(now);
@@ -73,7 +73,7 @@ void onStop(int signal, siginfo_t*, void*) {
 bool maySetTerminal() {
     const int error = errno;
     const pid_t group = tcgetpgrp(STDIN_FILENO);
-    // If it is not the terminal that controls this process, nobody is stopped.
+    // A process is stopped only by the terminal that controls it.
     const bool may = kept && getpid() == owner && (group == getpgrp() || (group < 0 && errno == ENOTTY));
     errno = error;
     return may;
@@ -82,14 +82,14 @@ bool maySetTerminal() {
 void restoreTerminal() {
     if (!maySetTerminal()) return;
     const int error = errno;
-    if (paste && write(STDOUT_FILENO, kTellNoPaste, sizeof kTellNoPaste - 1) < 0) {
-        // Nobody is left who could be told.
+    if (paste && write(STDOUT_FILENO, kUnmarkPaste, sizeof kUnmarkPaste - 1) < 0) {
+        // There is nobody to report a failure to.
     }
     set(original);
     errno = error;
 }
 
-void tellsPaste(bool tells) { paste = tells; }
+void setPasteMarked(bool marked) { paste = marked; }
 
 KeptTerminal::KeptTerminal() {
     if (tcgetattr(STDIN_FILENO, &original) != 0) return;
@@ -109,7 +109,7 @@ KeptTerminal::~KeptTerminal() {
     kept = 0;
     for (const Previous& previous : previous_) {
         struct sigaction now = {};
-        // Somebody may have put another one in its place, and it is gone once it was executed.
+        // Other code may have replaced the handler, and after its execution it is not installed any more.
         if (sigaction(previous.signal, nullptr, &now) == 0 && (isHandler(now, &onEnd) || isHandler(now, &onStop)))
             sigaction(previous.signal, &previous.action, nullptr);
     }
@@ -118,7 +118,7 @@ KeptTerminal::~KeptTerminal() {
 void KeptTerminal::handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
     Previous previous = {signal, {}};
     if (sigaction(signal, nullptr, &previous.action) != 0) return;
-    // Ignored, or somebody else's way of ending or stopping: left alone. But those who report crashes end the process all the same.
+    // Leaves ignored signals and other handlers alone, except those of crashes, which end the process anyway.
     const bool usual = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_DFL;
     const bool ignored = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_IGN;
     if (ignored || (!usual && !isFault(signal) && signal != SIGABRT && signal != SIGQUIT)) return;

@@ -9,9 +9,9 @@
 namespace OCL::console {
 
 /**
- * Remembers what the terminal of standard input is like when this is made, before a line editor changes it. It is put back at the
- * end, also if that is exit(), a crash or another signal that nobody else handles, and while the process is stopped by Ctrl-Z; not
- * by SIGKILL, _exit() and an overflow of the stack. One at a time.
+ * Saves the mode of the terminal of standard input before a line editor changes it, and restores it in the destructor,
+ * at exit(), in a crash or at another signal that ends the process, and while Ctrl-Z stops the process. It cannot do so
+ * at SIGKILL, _exit() and an overflow of the stack. Only one may exist at a time.
  */
 class KeptTerminal {
 public:
@@ -30,16 +30,17 @@ private:
     std::vector<Previous> previous_;
 };
 
-// Any thread, and signal handlers.
-/** Puts the terminal back if there is a KeptTerminal and the process may. */
+// Any thread and signal handlers may call these.
+/** Restores the terminal if there is a KeptTerminal and the process may set it. */
 void restoreTerminal();
-/** There is a KeptTerminal, and whoever sets the terminal is not stopped for being in the background. */
+/** True if there is a KeptTerminal and the process is not in the background, where setting the terminal would stop it.
+     */
 bool maySetTerminal();
 
-/** A terminal may tell where pasted text begins and ends. */
-constexpr char kTellPaste[] = "\033[?2004h", kTellNoPaste[] = "\033[?2004l";
-/** It was told to, or not to any more. */
-void tellsPaste(bool tells);
+/** Sequences that make the terminal mark where pasted text begins and ends, or end that. */
+constexpr char kMarkPaste[] = "\033[?2004h", kUnmarkPaste[] = "\033[?2004l";
+/** Records which of the two was sent. */
+void setPasteMarked(bool marked);
 
 }  // namespace OCL::console
 

@@ -30,19 +30,19 @@
 namespace OCL::console {
 namespace {
 
-// Around what moves no cursor in a prompt.
+// Put around parts of a prompt that do not move the cursor.
 constexpr char kEscape = '\1';
 constexpr int kRemembered = 1000;
-// Milliseconds that others have to write more, before the line is drawn again.
+// Milliseconds without output of other threads before the line is drawn again.
 constexpr int kPauseOfOutput = 10;
-// Milliseconds within which the other letters of a key come.
+// Milliseconds to wait for the other letters of a key.
 constexpr int kPauseOfKeys = 20;
 
 constexpr const char* kPasteBegins = "\\e[200~";
 constexpr wchar_t kPasteEnds[] = L"\033[201~";
-constexpr std::size_t kTab = 4;  // blanks in the place of a tab
+constexpr std::size_t kTab = 4;  // blanks for a tab
 
-/** With kEscape around the sequences of colours. */
+/** The prompt with kEscape around its colour sequences. */
 std::string marked(const std::string& prompt) {
     std::string text;
     for (std::size_t at = 0; at < prompt.size();) {
@@ -108,7 +108,7 @@ struct LineEditor::Impl {
     History& lines;
     const Complete complete;
     const int endsOn;
-    KeptTerminal kept;  // before libedit changes it
+    KeptTerminal kept;  // made before libedit changes the terminal
     EditLine* edit;
     ::History* remembered;
     const bool erases;
@@ -116,8 +116,8 @@ struct LineEditor::Impl {
     TerminalSignals signals;
     std::string prompt;                   // with kEscape
     std::string shownPrompt;              // without
-    bool dropped = false, ended = false;  // of the present line
-    bool searching = false;               // in the history, since Ctrl-R
+    bool dropped = false, ended = false;  // the present line
+    bool searching = false;               // the history, since Ctrl-R
     std::deque<wchar_t> pasted;           // not yet taken
 };
 
@@ -130,10 +130,10 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
       erases(canErase(edit)),
       above(erases),
       signals(above.descriptor()) {
-    // Letters beyond ASCII are read and drawn as the user's terminal has them.
+    // Needed to read and draw letters beyond ASCII in the encoding of the terminal.
     const auto hasNone = [] { return std::strcmp(std::setlocale(LC_CTYPE, nullptr), "C") == 0; };
     if (hasNone()) std::setlocale(LC_CTYPE, "");
-    if (hasNone()) std::setlocale(LC_CTYPE, "C.UTF-8");  // what terminals have if nobody says anything
+    if (hasNone()) std::setlocale(LC_CTYPE, "C.UTF-8");  // the usual encoding of terminals
     HistEvent event;
     ::history(remembered, &event, H_SETSIZE, kRemembered);
     for (const std::string& line : lines.lines()) ::history(remembered, &event, H_ENTER, line.c_str());
@@ -142,12 +142,12 @@ LineEditor::Impl::Impl(History& history, Complete completion, int ends)
     el_set(edit, EL_GETCFN, &Impl::readKey);
     el_set(edit, EL_HIST, &::history, remembered);
     bindKeys();
-    // While commands are executed, too: keys would stand in what those write, and in the row of the next prompt.
+    // Also while commands are executed: echoed keys would mix with their output and with the next prompt.
     el_set(edit, EL_SETTY, "-x", "-echo", nullptr);
 }
 
 LineEditor::Impl::~Impl() {
-    el_set(edit, EL_EDITMODE, 0);  // it would forget what was typed meanwhile; `kept` puts the terminal back
+    el_set(edit, EL_EDITMODE, 0);  // it would drop keys that were typed meanwhile; `kept` restores the terminal
     el_end(edit);
     history_end(remembered);
 }
@@ -165,8 +165,11 @@ void LineEditor::Impl::bindKeys() {
     for (const auto& key : keys) el_set(edit, EL_BIND, key[0], key[1], nullptr);
 }
 
-/** libedit does it only when the first key is read: what is typed as soon as the prompt is there would be seen twice. It cannot
-    do without the key for SIGINT; it restores the terminal after the line. */
+/**
+ * Sets the terminal before the prompt: libedit does so only when it reads the first key, so keys typed before that
+ * would be shown twice. Also disables the key for SIGINT, which libedit cannot; it restores the terminal after the
+ * line.
+ */
 void LineEditor::Impl::prepareTerminal() {
     el_set(edit, EL_PREP_TERM, 1);
     termios mode = {};
@@ -176,7 +179,7 @@ void LineEditor::Impl::prepareTerminal() {
     }
 }
 
-/** What libedit gets as the next key; 0 if there is none any more. */
+/** Gives libedit the next key; 0 at the end of the input. */
 int LineEditor::Impl::next(wchar_t* key) {
     if (!pasted.empty() && !isReadable(endsOn)) {
         *key = pasted.front();
@@ -188,7 +191,7 @@ int LineEditor::Impl::next(wchar_t* key) {
     return 1;
 }
 
-/** The search takes the first letter of an arrow key as its end, and would leave the others to the line. */
+/** A search ends at the first letter of an arrow key, whose other letters would go into the line. */
 void LineEditor::Impl::followSearch(wchar_t key) {
     constexpr wchar_t kEscapeKey = L'\033', kKeysOfSearch[] = {L'\022', L'\023', L'\b', L'\027'};
     const bool opens = key == kKeysOfSearch[0] || key == kKeysOfSearch[1];
@@ -198,7 +201,7 @@ void LineEditor::Impl::followSearch(wchar_t key) {
     searching = opens || (searching && (key >= L' ' || more));
 }
 
-/** A letter of the terminal, which may have several bytes. */
+/** Reads a letter, which may have several bytes, from the terminal. */
 bool LineEditor::Impl::readLetter(wchar_t* key) {
     std::mbstate_t state = {};
     for (;;) {
@@ -206,7 +209,7 @@ bool LineEditor::Impl::readLetter(wchar_t* key) {
         if (woken == Wake::Signal) continue;
         if (woken == Wake::End) {
             ended = true;
-            if (!maySetTerminal()) el_set(edit, EL_EDITMODE, 0);  // it would be stopped, instead of ending
+            if (!maySetTerminal()) el_set(edit, EL_EDITMODE, 0);  // it would stop the process
             return false;
         }
         char byte = 0;
@@ -216,7 +219,7 @@ bool LineEditor::Impl::readLetter(wchar_t* key) {
         const bool begun = !std::mbsinit(&state);
         std::size_t used = std::mbrtowc(key, &byte, 1, &state);
         if (used == static_cast<std::size_t>(-1)) {
-            // No letter of this encoding: forgotten, unless the byte begins another one.
+            // Not a letter in this encoding: dropped, unless the byte begins another letter.
             state = {};
             if (begun) used = std::mbrtowc(key, &byte, 1, &state);
             if (!begun || used == static_cast<std::size_t>(-1)) {
@@ -228,7 +231,7 @@ bool LineEditor::Impl::readLetter(wchar_t* key) {
     }
 }
 
-/** Its lines are executed as if typed, but no letter of it is a key: a tab completes nothing. */
+/** Takes pasted text. Its lines are executed as if typed, but its letters are not keys: a tab completes nothing. */
 unsigned char LineEditor::Impl::takePaste() {
     std::wstring text;
     const std::wstring end = kPasteEnds;
@@ -249,7 +252,7 @@ unsigned char LineEditor::Impl::takePaste() {
     return CC_NORM;
 }
 
-/** Meanwhile others may write; a while after that the line is drawn again. */
+/** Lets other threads write while it waits; draws the line again when they pause. */
 Wake LineEditor::Impl::waitForKey() {
     for (bool shown = true;;) {
         above.unlock(rowsAbove(), shown);
@@ -265,22 +268,22 @@ Wake LineEditor::Impl::waitForKey() {
     }
 }
 
-/** Because it is not on the screen any more, or not as it was. */
+/** Draws the line again after it was removed from the screen or changed there. */
 void LineEditor::Impl::drawAnew(bool shown) {
     if (signals.takeResumed()) {
-        // The terminal may be as another program has left it, and the cursor where that one has written.
+        // Another program may have changed the terminal and moved the cursor.
         el_set(edit, EL_PREP_TERM, 0);
         prepareTerminal();
-        if (erases) std::fputs(kTellPaste, stdout);
+        if (erases) std::fputs(kMarkPaste, stdout);
         if (shown) above.erase(0);
     } else if (shown) {
-        above.erase(rowsAbove());  // most terminals have wrapped it
+        above.erase(rowsAbove());  // most terminals have wrapped the line
     }
     if (signals.takeResized()) el_resize(edit);
     draw();
 }
 
-/** Where the cursor is at that place of the line. */
+/** The position of the cursor at that place of the line. */
 CursorRow LineEditor::Impl::cursorAt(const wchar_t* end) const {
     CursorRow cursor(widthOfTerminal());
     cursor.add(shownPrompt);
@@ -288,14 +291,14 @@ CursorRow LineEditor::Impl::cursorAt(const wchar_t* end) const {
     return cursor;
 }
 
-/** What takes the cursor to the end of the line. */
+/** The sequence that moves the cursor to the end of the line. */
 std::string LineEditor::Impl::toEnd() const {
     const CursorRow now = cursorAt(el_wline(edit)->cursor), end = cursorAt(el_wline(edit)->lastchar);
     if (now.row() == end.row() && now.column() == end.column()) return {};
     return std::string(end.row() - now.row(), '\n') + (erases ? "\033[" + std::to_string(end.column() + 1) + "G" : "");
 }
 
-/** At the cursor, as if nothing of it were on the screen. */
+/** Draws the whole line at the cursor. */
 void LineEditor::Impl::draw() {
     above.makeRoom();
     el_set(edit, EL_REFRESH);
@@ -305,12 +308,12 @@ unsigned char LineEditor::Impl::completeLine() {
     const LineInfo* const now = el_line(edit);
     const std::string line(now->buffer, now->cursor);
     const std::string below = toEnd();
-    above.unlock(rowsAbove(), true);  // components may be asked, and write
+    above.unlock(rowsAbove(), true);  // completion may call components, which may write
     Completion found;
     try {
         found = complete(line);
     } catch (const std::exception&) {
-        // None are known, then. It must not go through libedit, which is C.
+        // Without completions: an exception must not pass through libedit, which is C.
     }
     if (!above.lock()) draw();
     const std::string more = found.more(line);
@@ -341,16 +344,16 @@ LineSource::Outcome LineEditor::read(const std::string& prompt, std::string& lin
     impl.dropped = impl.ended = impl.searching = false;
     if (impl.signals.takeResized()) el_resize(impl.edit);
     impl.prepareTerminal();
-    forgetInterrupts();  // from now on Ctrl-C is a key, and a signal again once the line is there
+    forgetInterrupts();  // from now until the line is complete, Ctrl-C is a key instead of a signal
     impl.above.lock();
     impl.above.makeRoom();
-    if (impl.erases) std::fputs(kTellPaste, stdout);
-    tellsPaste(impl.erases);
+    if (impl.erases) std::fputs(kMarkPaste, stdout);
+    setPasteMarked(impl.erases);
     int count = 0;
     const char* const text = el_gets(impl.edit, &count);
     line = text && count > 0 ? std::string(text, static_cast<std::size_t>(count)) : "";
-    tellsPaste(false);
-    if (impl.erases) std::fputs(kTellNoPaste, stdout);
+    setPasteMarked(false);
+    if (impl.erases) std::fputs(kUnmarkPaste, stdout);
     if (impl.dropped) {
         impl.above.end(impl.toEnd() + "^C\n");
         return Outcome::Dropped;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Lines that are typed at a terminal: the only place with libedit.
+// Reads lines from a terminal. Only this file uses libedit.
 #ifndef OROFORGE_CONSOLE_LINE_EDITOR_HPP
 #define OROFORGE_CONSOLE_LINE_EDITOR_HPP
 
@@ -15,13 +15,14 @@
 
 namespace OCL::console {
 
-/** The letters that fit into a line of the terminal; 100 if that is none. */
+/** The letters in a row of the terminal; 100 if there is no terminal. */
 std::size_t widthOfTerminal();
 
 /**
- * Edits on standard input and output, with history, search in it (Ctrl-R) and completion (TAB). Ctrl-C drops the line; it is a
- * key while a line is typed, and a signal while a command is executed. Other keys are not shown then, and are taken with the next
- * line. Ends on Ctrl-D and as soon as `endsOn` (−1: none) can be read. One at a time.
+ * Edits lines on standard input and output, with history, search in it (Ctrl-R) and completion (TAB). While a line is
+ * typed, Ctrl-C is a key that drops the line; while a command is executed, it is a signal. Keys pressed during a
+ * command are not shown and go into the next line. Ends at Ctrl-D and when `endsOn` (−1: none) becomes readable. Only
+ * one may exist.
  */
 class LineEditor final : public LineSource {
 public:
@@ -29,9 +30,9 @@ public:
     LineEditor(History& history, Complete complete, int endsOn);
     ~LineEditor() override;
 
-    /** The prompt may have colours. Lines are added to the history. */
+    /** Reads a line and adds it to the history. The prompt may have colours. */
     Outcome read(const std::string& prompt, std::string& line) override;
-    /** Those that were pasted. */
+    /** Forgets lines that were pasted. */
     void forget() override;
 
 private:

@@ -22,7 +22,7 @@ Wake waitForInput(int input, int endsOn, int other, int milliseconds) {
 bool isReadable(int descriptor) { return waitForInput(-1, descriptor, -1, 0) == Wake::End; }
 
 LineSource::Outcome InputLines::read(const std::string&, std::string& line) {
-    if (isReadable(ends_on_)) return Outcome::End;  // what has come already is not executed any more
+    if (isReadable(ends_on_)) return Outcome::End;  // lines that have arrived are not executed any more
     for (;;) {
         const std::size_t end = pending_.find('\n');
         if (end != std::string::npos) {

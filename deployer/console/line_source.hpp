@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where the console gets its lines from.
+// Sources of lines for the console.
 #ifndef OROFORGE_CONSOLE_LINE_SOURCE_HPP
 #define OROFORGE_CONSOLE_LINE_SOURCE_HPP
 
@@ -12,17 +12,17 @@ class LineSource {
 public:
     enum class Outcome {
         Line,
-        Dropped,  ///< the user gave up the line, and whatever it belongs to
-        End       ///< of the input, or the console is to end
+        Dropped,  ///< the user dropped the line and the unfinished piece around it
+        End       ///< the input has ended, or the console must end
     };
     virtual ~LineSource() = default;
-    /** Blocks until there is one. The line has no end of line. */
+    /** Blocks until there is a line, which is returned without its line end. */
     virtual Outcome read(const std::string& prompt, std::string& line) = 0;
-    /** Forgets lines that came together with the last one. */
+    /** Forgets lines that arrived together with the last one. */
     virtual void forget() {}
 };
 
-/** Lines of a descriptor that is no terminal; shows no prompt. Ends as soon as `endsOn` (−1: none) can be read. */
+/** Lines of a descriptor that is not a terminal, without a prompt. Ends when `endsOn` (−1: none) becomes readable. */
 class InputLines final : public LineSource {
 public:
     InputLines(int input, int endsOn) : input_(input), ends_on_(endsOn) {}
@@ -35,15 +35,15 @@ private:
 };
 
 enum class Wake {
-    Input,   ///< it can be read, or has no more
+    Input,   ///< the input can be read, or has ended
     Other,   ///< the other descriptor can be read
-    Time,    ///< neither, for so long
-    Signal,  ///< came
-    End      ///< of the console
+    Time,    ///< the time is over
+    Signal,  ///< a signal came
+    End      ///< the console must end
 };
-/** Without waiting; false for negative descriptors. */
+/** True if the descriptor can be read now; false if it is negative. */
 bool isReadable(int descriptor);
-/** Waits for one of them. Negative descriptors are none; a negative time has no end. */
+/** Waits for one of these. Ignores negative descriptors; a negative time has no end. */
 Wake waitForInput(int input, int endsOn, int other = -1, int milliseconds = -1);
 
 }  // namespace OCL::console

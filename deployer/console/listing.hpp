@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What `ls` shows.
+// The output of `ls`.
 #ifndef OROFORGE_CONSOLE_LISTING_HPP
 #define OROFORGE_CONSOLE_LISTING_HPP
 
@@ -9,7 +9,7 @@
 
 namespace OCL::console {
 
-/** All that a component or service has, in tables; sections without content are left out. */
+/** Lists everything that a component or service has, in tables; empty sections are left out. */
 void list(Screen& screen, const Target& target);
 
 }  // namespace OCL::console

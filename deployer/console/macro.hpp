@@ -7,7 +7,7 @@
 
 namespace OCL::console {
 
-/** A function that is being recorded from what is typed. */
+/** Records typed lines as a function. */
 class Macro {
 public:
     bool recording() const { return !name_.empty(); }

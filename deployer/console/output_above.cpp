@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The editor holds the mutex whenever it is not waiting, so that whoever writes finds the cursor where unlock() said.
+// The editor holds the mutex except while it waits, so that other threads find the cursor where unlock() said.
 #include "output_above.hpp"
 
 #include "cursor_row.hpp"
@@ -26,14 +26,14 @@ namespace {
 
 constexpr std::size_t kMostBegun = 4096, kLeastBegun = 2048;
 
-/** What the streams and the editor share; never destroyed, as a thread may be writing at any time. */
+/** The state shared by streams and editor; never destroyed, because a thread may write at any time. */
 struct Terminal {
     std::mutex mutex;
     bool erases = true;
-    bool editing = false;   // a line
-    bool shown = false;     // it is on the screen, and others may take it away
-    std::size_t above = 0;  // rows of it above the cursor
-    // What others have written since their last end of line. The line that is edited stands below it.
+    bool editing = false;   // a line is being edited
+    bool shown = false;     // it is on the screen, and other threads may remove it
+    std::size_t above = 0;  // rows of the line above the cursor
+    // Output of other threads since their last line end. The edited line is below it.
     std::string begun;
     int wakes = -1;
 
@@ -55,7 +55,7 @@ struct Terminal {
 
 Terminal& terminal();
 
-/** Another thread may have held the mutex and been writing; and the line belongs to the process that edits it. */
+/** In a child: another thread may have held the mutex at the fork, and the line belongs to the parent. */
 void forgetInChild() {
     Terminal& shared = terminal();
     new (&shared.mutex) std::mutex;
@@ -76,7 +76,7 @@ void Terminal::takeLineAway() {
     if (!erases) begun.clear();
     const CursorRow cursor = endOfBegun();
     const bool goesOn = cursor.row() > 0 || cursor.column() > 0;
-    // A row that is full has its end of line from the terminal.
+    // After a full row, the terminal itself moves to the next one.
     erase(above + (goesOn ? cursor.row() + (cursor.column() > 0 ? 1 : 0) : 0));
     put(begun);
     const std::uint64_t one = 1;
@@ -91,18 +91,18 @@ void Terminal::follow(const char* text, std::size_t size) {
     if (begun.size() > kMostBegun) begun.erase(0, begun.size() - kLeastBegun);
 }
 
-/** In the place of a stream's own buffer. */
+/** Replaces the buffer of a stream. */
 class Shared : public std::streambuf {
 public:
     explicit Shared(std::ostream& stream) : stream_(stream) {}
 
     void takeOver() {
-        if (stream_.rdbuf() == this) return;  // somebody took it over meanwhile and has put this back since
+        if (stream_.rdbuf() == this) return;  // other code had replaced the buffer and has put this one back
         own_ = stream_.rdbuf();
         stream_.rdbuf(this);
     }
     void giveBack() {
-        // Somebody else may have taken it over since.
+        // Other code may have replaced the buffer since.
         if (stream_.rdbuf() == this) stream_.rdbuf(own_);
     }
 
@@ -132,7 +132,7 @@ private:
     std::streambuf* own_ = nullptr;
 };
 
-/** Those that go to the terminal; kept for ever, as a thread may be within one. */
+/** The buffers of streams to the terminal; never destroyed, because a thread may be inside one. */
 std::vector<Shared*>& streams() {
     static std::vector<Shared*>& all = *[] {
         auto* const made = new std::vector<Shared*>{new Shared(std::cout)};
@@ -150,7 +150,7 @@ OutputAbove::OutputAbove(bool erases) {
     shared.wakes = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (shared.wakes < 0) throw std::system_error(errno, std::generic_category(), "no descriptor for the console");
     shared.erases = erases;
-    shared.begun.clear();  // of an earlier console
+    shared.begun.clear();  // may be left from an earlier console
     for (Shared* const stream : streams()) stream->takeOver();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Keeps what other threads write out of the line that is being typed.
+// Keeps output of other threads out of the line that is being typed.
 #ifndef OROFORGE_CONSOLE_OUTPUT_ABOVE_HPP
 #define OROFORGE_CONSOLE_OUTPUT_ABOVE_HPP
 
@@ -10,37 +10,37 @@
 namespace OCL::console {
 
 /**
- * While it lives, what is written to std::cout, std::cerr and std::clog, as far as these go to the terminal, stands above the
- * line that is being edited. Whoever writes takes the line from the screen and writes before the call returns, so that nothing
- * is lost if the process dies; the editor shows the line again. One at a time.
+ * While it exists, output to std::cout, std::cerr and std::clog appears above the line that is being edited, if these
+ * streams go to the terminal. The thread that writes removes the line from the screen and writes before its call
+ * returns, so that nothing is lost if the process dies; the editor shows the line again. Only one may exist at a time.
  *
- *     above.lock();                     // from now on only the editor writes
+ *     above.lock();                     // only the editor may write now
  *     …draws the line…
- *     above.unlock(rows);               // while it waits, others may
+ *     above.unlock(rows);               // other threads may write
  *     …waits for a key, or until descriptor() can be read…
- *     if (!above.lock()) …              // the line is gone: it draws it again
+ *     if (!above.lock()) …              // the line was removed: draws it again
  *     above.end("");                    // the line is finished
  */
 class OutputAbove {
 public:
-    /** `erases`: the terminal can erase; else the line stays as it is, and what is written follows. */
+    /** `erases`: the terminal can erase. If it cannot, the line stays and output follows it. */
     explicit OutputAbove(bool erases);
     ~OutputAbove();
     OutputAbove(const OutputAbove&) = delete;
     OutputAbove& operator=(const OutputAbove&) = delete;
 
-    /** Can be read once somebody has taken the line away. */
+    /** Becomes readable when another thread has removed the line. */
     int descriptor() const;
 
-    /** False if the line is not on the screen. The streams must not be used until unlock() or end(). */
+    /** Locks; false if the line is not on the screen. The streams must not be used until unlock() or end(). */
     bool lock();
-    /** The cursor is to be at the beginning of a row, because the line is to be drawn. Locked. */
+    /** Moves the cursor to the beginning of a row, to draw the line there. Call it locked. */
     void makeRoom();
-    /** Takes the line, of which `above` rows are above the cursor, from the screen. Locked. */
+    /** Removes the line, of which `above` rows are above the cursor, from the screen. Call it locked. */
     void erase(std::size_t above);
-    /** `above` rows of the line are above the cursor; `shown`: it is on the screen. */
+    /** Unlocks. `above` rows of the line are above the cursor; `shown`: it is on the screen. */
     void unlock(std::size_t above, bool shown);
-    /** Unlocks; there is no line any more. `last` is what is written behind it, with an end of line unless that is there already. */
+    /** Ends the line and unlocks. Writes `last` after it, and a line end unless there is one already. */
     void end(const std::string& last);
 };
 

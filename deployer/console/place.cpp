@@ -42,7 +42,7 @@ Lookup lookUp(TaskContext& from, const std::string& path) {
         const auto global = RTT::internal::GlobalService::Instance();
         TaskContext* const peer = here.component ? here.component->getPeer(part) : nullptr;
         if (at == 0 && (part == "this" || part == "task")) {
-            // The component itself.
+            // It is the component itself.
         } else if (peer) {
             here.component = peer;
             here.service = peer->provides();
@@ -50,7 +50,7 @@ Lookup lookUp(TaskContext& from, const std::string& path) {
             here.component = nullptr;
             here.service = here.service->getService(part);
         } else if (at == 0 && part == from.getName()) {
-            // The same.
+            // Stays at the component.
         } else if (at == 0 && (part == "GlobalService" || global->hasService(part))) {
             here.component = nullptr;
             here.service = part == "GlobalService" ? global : global->getService(part);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where the user is: a component, reached from another one along peers.
+// The component that the user visits, reached from another one along peers.
 #ifndef OROFORGE_CONSOLE_PLACE_HPP
 #define OROFORGE_CONSOLE_PLACE_HPP
 
@@ -13,19 +13,21 @@
 
 namespace OCL::console {
 
-/** The letter that stands for the state of a component: Fatal error, run time Error, eXception, Running, Stopped, or
-    Unconfigured. */
+/** The letter of the state of a component: Fatal error, run time Error, eXception, Running, Stopped or Unconfigured. */
 char stateLetter(RTT::TaskContext& component);
 
 /** A component or service that a path leads to. */
 struct Target {
-    RTT::TaskContext* component = nullptr;  ///< null: it is a service
-    RTT::Service::shared_ptr service;       ///< of a component, its main one; null if there is no such thing
+    RTT::TaskContext* component = nullptr;  ///< null for a service
+    RTT::Service::shared_ptr service;       ///< the main one of a component; null if nothing was found
     std::string name;                       ///< the last part of the path
 };
 
-/** Follows peers and services from a component along `path`, "a.b.c"; an empty one leads to itself. If there is no such thing,
-    `wrong` is the part that is none, and `known` what could stand in its place. */
+/**
+ * The result of following peers and services from a component along `path`, "a.b.c"; an empty one leads to the
+ * component. If the path leads nowhere, `wrong` is its first unknown part and `known` are the names that may replace
+ * it.
+ */
 struct Lookup {
     Target target;
     std::string wrong;
@@ -34,7 +36,7 @@ struct Lookup {
 };
 Lookup lookUp(RTT::TaskContext& from, const std::string& path);
 
-/** Completion leaves a dot behind a component or service, where the path could go on. */
+/** Removes the dot that completion adds after a component or service. */
 inline std::string withoutLastDot(const std::string& path) {
     return !path.empty() && path.back() == '.' ? path.substr(0, path.size() - 1) : path;
 }
@@ -42,26 +44,27 @@ inline std::string withoutLastDot(const std::string& path) {
 /** The parts of "a.b.c". */
 std::vector<std::string> partsOf(const std::string& path);
 
-/** A visit, with those before it. Components are looked up each time by their names: they may be gone any time. */
+/** The present visit and those before it. Components are looked up by name each time, because they may be destroyed. */
 class Place {
 public:
     explicit Place(RTT::TaskContext& root);
 
-    /** Null if it is gone, see back(). */
+    /** The visited component; null if it is gone, see back(). */
     RTT::TaskContext* component() const;
-    /** Of the component, as it was. */
+    /** The name of the component, even if it is gone. */
     const std::string& name() const { return here_.name; }
-    /** A peer of the present one, or one of its peers; an empty path leads to where the console began. False if there is none. */
+    /** Visits a peer of the present component, or one of its peers; an empty path leads back to the first component.
+        False if the path leads nowhere. */
     bool visit(const std::string& path);
     void visit(RTT::TaskContext& root);
-    /** To the one visited before that is still there; false if there is none. */
+    /** Returns to the latest visited component that still exists; false if there is none. */
     bool back();
 
 private:
     struct Visit {
         RTT::TaskContext* root;
-        boost::intrusive_ptr<const RTT::internal::EngineGate> gate;  ///< closed once the root is destroyed
-        std::vector<std::string> peers;                              ///< the way from the root
+        boost::intrusive_ptr<const RTT::internal::EngineGate> gate;  ///< closed when the root is destroyed
+        std::vector<std::string> peers;                              ///< the path from the root
         std::string name;
     };
     static Visit visitOf(RTT::TaskContext& root);

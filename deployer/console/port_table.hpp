@@ -11,8 +11,8 @@ class DataFlowInterface;
 
 namespace OCL::console {
 
-/** Direction, name, type, the last value of an output that keeps it, what it is connected to, documentation. Reads from no port
-    and connects none. */
+/** Writes direction, name, type, connections and documentation of ports, and the last value of outputs that keep it.
+    Neither reads nor connects a port. */
 void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent);
 
 }  // namespace OCL::console

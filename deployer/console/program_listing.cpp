@@ -32,7 +32,7 @@ char letterOf(const Scripted& program) {
 void ProgramListing::write(Screen& screen, const Scripted& program, int from, int until) {
     const std::vector<std::string> lines = linesOf(program.text);
     const int end = program.firstLine + static_cast<int>(lines.size());
-    until = std::max(until, program.firstLine + kHalf);  // before it there is nothing
+    until = std::max(until, program.firstLine + kHalf);  // the text has no earlier line
     from = std::max(from, program.firstLine);
     until = std::min(until, end);
     if (from >= until) screen.out << "'" << program.name << "' ends with line " << end - 1 << '\n';

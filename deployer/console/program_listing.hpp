@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The texts of programs and state machines with the line they are at: `list` and `trace`.
+// The commands `list` and `trace`: texts of programs and state machines, with the line where they are.
 #ifndef OROFORGE_CONSOLE_PROGRAM_LISTING_HPP
 #define OROFORGE_CONSOLE_PROGRAM_LISTING_HPP
 
@@ -17,15 +17,17 @@ struct Scripted;
 
 class ProgramListing {
 public:
-    /** Ten lines before line `around`, or the one it is at for 0, and ten after. False if there is none of that name. */
+    /** Shows ten lines before and after line `around`; 0 means the line where it is. False if there is none of that
+        name. */
     bool list(Screen& screen, RTT::TaskContext& component, const std::string& name, int around);
-    /** Twenty lines of what was listed last: from line `from`, or those that follow for 0. False if nothing was. */
+    /** Shows twenty more lines of the last listing, from line `from`; 0 means the lines that follow. False if there is
+        none. */
     bool listMore(Screen& screen, RTT::TaskContext& component, int from);
 
-    /** Lists it now, and in update() whenever it has come to another line. False if there is none of that name. */
+    /** Lists it now, and in update() whenever it has reached another line. False if there is none of that name. */
     bool trace(Screen& screen, RTT::TaskContext& component, const std::string& name);
     void traceAll(Screen& screen, RTT::TaskContext& component);
-    /** False if it was not traced. */
+    /** Ends a trace; false if there was none. */
     bool untrace(RTT::TaskContext& component, const std::string& name);
     void untraceAll() { traced_.clear(); }
     void update(Screen& screen, RTT::TaskContext& component);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where the console writes, and how.
+// The output of the console.
 #ifndef OROFORGE_CONSOLE_SCREEN_HPP
 #define OROFORGE_CONSOLE_SCREEN_HPP
 
@@ -20,14 +20,14 @@ struct Screen {
     std::ostream& err;
     Theme theme;
     bool hex = false;
-    /** Letters in a line. */
+    /** The number of letters in a line. */
     std::function<std::size_t()> width = [] { return std::size_t(100); };
-    bool cutsTables = false;  ///< at the end of the line, as a terminal needs it
+    bool cutsTables = false;  ///< tables are cut at the end of the line, as a terminal needs
     bool failed = false;      ///< a line could not be executed
 
-    /** Of tables; 0: as wide as they are. */
+    /** The width of tables; 0 if it has no limit. */
     std::size_t tableWidth() const { return cutsTables ? width() : 0; }
-    /** Of a value in a table, so that what is behind it has room. */
+    /** The width of a value in a table, which leaves room for the columns after it. */
     std::size_t valueWidth() const {
         return cutsTables ? std::min(kWidestValue, std::max<std::size_t>(width() / 3, 12)) : kWidestValue;
     }
@@ -36,15 +36,15 @@ struct Screen {
     std::string paint(Style style, const std::string& text) const { return theme.paint(style, text); }
 };
 
-/** A word of the line that is being executed, and where it begins. */
+/** A word of the executed line, and where it begins. */
 struct Word {
     std::string text;
     std::size_t begin = 0;
 };
 
-/** One line that was typed. */
+/** A typed line. */
 struct Input {
-    std::string name;  ///< of where lines come from, for messages
+    std::string name;  ///< the name of the source of lines, for messages
     unsigned line = 1;
     std::string text;
     std::vector<Word> words = {};

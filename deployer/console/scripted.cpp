@@ -11,7 +11,7 @@ namespace OCL::console {
 namespace {
 
 boost::shared_ptr<RTT::Scripting> scriptingOf(RTT::TaskContext& component) {
-    // Asking must not load it.
+    // A question must not load the service.
     if (!component.provides()->hasService("scripting")) return nullptr;
     return component.getProvider<RTT::Scripting>("scripting");
 }
@@ -43,11 +43,11 @@ bool findScripted(RTT::TaskContext& component, const std::string& name, Scripted
     if (!machine && !scripting->hasProgram(name)) return false;
     found = describe(*scripting, name, machine);
     found.text = machine ? scripting->getStateMachineText(name) : scripting->getProgramText(name);
-    // Those of another process do not tell where their texts stand.
+    // Scripts of another process do not report the place of their texts.
     const auto local =
         boost::dynamic_pointer_cast<RTT::scripting::ScriptingService>(component.provides()->getService("scripting"));
     if (!local) return true;
-    // It may be unloaded meanwhile.
+    // It may have been unloaded.
     if (const auto of = local->getStateMachine(name); machine && of)
         found.firstLine = of->getFirstLine();
     else if (const auto program = local->getProgram(name); !machine && program)

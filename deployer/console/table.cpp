@@ -11,8 +11,8 @@ namespace OCL::console {
 namespace {
 
 constexpr const char* kGap = "  ";
-constexpr std::size_t kLeast = 4;          // letters of a cell that is cut off
-constexpr std::size_t kLeastWrapped = 16;  // of a column that is wrapped
+constexpr std::size_t kLeast = 4;          // letters of a cell that is cut
+constexpr std::size_t kLeastWrapped = 16;  // letters in a column that is wrapped
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 

@@ -14,14 +14,14 @@ namespace {
 std::atomic<bool> resized{false}, resumed{false};
 std::atomic<int> told{-1};
 
-/** May come to any thread: the one that waits is woken. */
+/** Wakes the thread that waits, because any thread may get the signal. */
 void onSignal(int signal) {
     const int kept = errno;
     (signal == SIGWINCH ? resized : resumed) = true;
     const std::uint64_t one = 1;
     const int descriptor = told;
     if (descriptor >= 0 && write(descriptor, &one, sizeof one) < 0) {
-        // It is awake then.
+        // The counter is full, so the thread is awake.
     }
     errno = kept;
 }
@@ -32,10 +32,10 @@ TerminalSignals::TerminalSignals(int wakes) {
     told = wakes;
     struct sigaction action = {};
     action.sa_handler = onSignal;
-    action.sa_flags = SA_RESTART;  // whatever a command or a component waits for
+    action.sa_flags = SA_RESTART;  // so that system calls of commands and components go on
     sigaction(SIGWINCH, &action, &resize_);
     sigaction(SIGCONT, &action, &resume_);
-    resized = true;  // since somebody asked for the size, for all that is known
+    resized = true;  // the size may have changed since it was last read
 }
 
 TerminalSignals::~TerminalSignals() {

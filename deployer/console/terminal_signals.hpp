@@ -7,23 +7,23 @@
 
 namespace OCL::console {
 
-/** While one lives, it is noted that the terminal has got another size, or the process goes on after it was stopped. One at a time. */
+/** Notes that the terminal was resized, or that the process goes on after a stop. Only one may exist at a time. */
 class TerminalSignals {
 public:
-    /** `wakes` is an eventfd that is told. */
+    /** `wakes` is an eventfd, written at each such signal. */
     explicit TerminalSignals(int wakes);
     ~TerminalSignals();
     TerminalSignals(const TerminalSignals&) = delete;
     TerminalSignals& operator=(const TerminalSignals&) = delete;
 
-    /** Something came that was not taken yet. */
+    /** True if something was noted and not taken yet. */
     bool any() const;
-    /** True once for each. */
+    /** True once after a change of the size. */
     bool takeResized();
     bool takeResumed();
 
 private:
-    struct sigaction resize_ = {}, resume_ = {};  // what was there before
+    struct sigaction resize_ = {}, resume_ = {};  // the previous actions
 };
 
 }  // namespace OCL::console

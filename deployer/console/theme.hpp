@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The colours of what the console writes.
+// The colours of the console's output.
 #ifndef OROFORGE_CONSOLE_THEME_HPP
 #define OROFORGE_CONSOLE_THEME_HPP
 
@@ -16,7 +16,7 @@ public:
     explicit Theme(Kind kind = NoColors) : kind_(kind) {}
 
     Kind kind() const { return kind_; }
-    /** The text between the escape sequences of the style; as it is without colours. */
+    /** The text between the escape sequences of the style, or the plain text if there are no colours. */
     std::string paint(Style style, const std::string& text) const;
 
 private:

@@ -13,13 +13,13 @@ class ConfigurationInterface;
 
 namespace OCL::console {
 
-/** Name, type, value, unit and documentation of properties. The unit is what stands at the end of the documentation in
+/** Writes name, type, value, unit and documentation of properties. The unit is the end of the documentation, in
     brackets. */
 void writeProperties(Screen& screen, const RTT::PropertyBag& bag, const std::string& indent);
-/** Name, type and value of attributes and constants. */
+/** Writes name, type and value of attributes and constants. */
 void writeAttributes(Screen& screen, const RTT::ConfigurationInterface& values, const std::string& indent);
 
-/** "the level [m]" → "the level" and "m". */
+/** Splits "the level [m]" into "the level" and "m". */
 void splitUnit(std::string& doc, std::string& unit);
 
 }  // namespace OCL::console

@@ -22,7 +22,7 @@ typedef DataSourceBase::shared_ptr Source;
 
 constexpr int kMostElements = 10;
 constexpr int kDeepest = 8;
-// Of numbers: so many that 0.1 + 0.2 is 0.3.
+// Few enough digits that 0.1 + 0.2 is shown as 0.3.
 constexpr int kDigits = 12, kDigitsOfFloat = 6;
 
 std::string textOf(const Source& value, bool hex, int depth);
@@ -43,7 +43,7 @@ std::string quoted(const std::string& text, char quote) {
         else if (c == '\0')
             result += "\\0";
         else if (static_cast<unsigned char>(c) < ' ' || c == '\177')
-            result += asNumber(static_cast<unsigned char>(c));  // would move the cursor, or change colours
+            result += asNumber(static_cast<unsigned char>(c));  // it would move the cursor or change colours
         else
             result += c;
     }
@@ -93,7 +93,7 @@ std::string membersText(const Source& value, const std::vector<std::string>& nam
 std::string textOf(const Source& value, bool hex, int depth) {
     if (!value) return "(null)";
     if (depth > kDeepest) return "…";
-    // No copy can be made of what has no known type, so this may be a call, which is not to be made once more.
+    // A value of an unknown type cannot be copied, so this may be a call, which must not be made again.
     if (RTT::internal::DataSource<RTT::internal::SentCall::shared_ptr>::narrow(value.get())) return "SendHandle";
     if (value->getTypeInfo() == RTT::types::Types()->unknownType()) return "(unknown_t)";
     value->evaluate();

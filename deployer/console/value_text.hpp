@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Values as text.
+// Writes values as text.
 #ifndef OROFORGE_CONSOLE_VALUE_TEXT_HPP
 #define OROFORGE_CONSOLE_VALUE_TEXT_HPP
 
@@ -10,8 +10,8 @@
 
 namespace OCL::console {
 
-/** Texts in quotes, structs as `{x = 1, y = 2}`, of sequences the first elements as `[1, 2, … 98 more]`. Numbers in hexadecimal
-    notation if `hex`. */
+/** The value as text: texts in quotes, structs as `{x = 1, y = 2}`, the first elements of sequences as `[1, 2, … 98
+    more]`. Numbers are hexadecimal if `hex`. */
 std::string valueText(const RTT::base::DataSourceBase::shared_ptr& value, bool hex);
 
 }  // namespace OCL::console

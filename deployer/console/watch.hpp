@@ -13,18 +13,18 @@
 namespace OCL::console {
 
 /**
- * While the user watches a component from outside: the console's own component has a port for each port of the other one, of
- * the same name and the opposite direction, connected to it, and has it as its peer.
+ * Lets the user watch a component from outside: while it exists, the console's own component has that component as a
+ * peer and has a port of the same name and the opposite direction, connected, for each of its ports.
  */
 class Watch {
 public:
     Watch(RTT::TaskContext& self, RTT::TaskContext& watched);
-    /** Removes the ports. The watched component may be gone. */
+    /** Removes the ports. The watched component may have been destroyed. */
     ~Watch();
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    /** Those ports whose names the console's component has already, or that cannot be connected. */
+    /** The ports whose names the console's component has already, or that cannot be connected. */
     const std::vector<std::string>& missing() const { return missing_; }
 
 private:

@@ -47,7 +47,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
     }
 
     const std::string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
-    std::error_code unreadable;  // which is told when it is read
+    std::error_code unreadable;  // reported when it is read
     if (std::filesystem::exists(site, unreadable) || unreadable) {
         log(RTT::Info) << "using site file '" << site << "'" << endlog();
         impl_->siteFileFailed = !(purpose == Purpose::PlanOnly ? planOnly(site) : kickStart(site));
@@ -82,7 +82,7 @@ bool DeploymentComponent::configureHook() {
     log(RTT::Info) << "searching RTT_COMPONENT_PATH " << impl_->componentPath << endlog();
     components->setComponentPath(impl_->componentPath);
     RTT::plugin::PluginLoader::Instance()->setPluginPath(impl_->componentPath);
-    (void)components->import(impl_->componentPath);  // packages wait in there until they are imported by name
+    (void)components->import(impl_->componentPath);  // packages below it are imported later, by name
     return true;
 }
 
@@ -159,7 +159,7 @@ bool DeploymentComponent::loadConfigurationString(const std::string& text) {
 
 void DeploymentComponent::clearConfiguration() {
     impl_->session.records.policies.clear();
-    for (deploy::Record& record : impl_->session.records.all) record.plan = deploy::ComponentPlan();
+    for (deploy::ComponentRecord& record : impl_->session.records.all) record.plan = deploy::ComponentPlan();
 }
 
 bool DeploymentComponent::configureComponents() {
@@ -221,7 +221,7 @@ bool DeploymentComponent::kickOutAll() {
 }
 
 bool DeploymentComponent::kickOutComponent(const std::string& name) {
-    const deploy::Record* record = impl_->session.records.find(name);
+    const deploy::ComponentRecord* record = impl_->session.records.find(name);
     if (!record || !record->loadedHere)
         return failed("could not kick out component '" + name + "': it was not loaded by " + getName());
     const RTT::internal::FailureReport::Pause others;
@@ -264,7 +264,7 @@ bool DeploymentComponent::waitForSignal(int signal) {
         log(RTT::Error) << "signal " << signal << " cannot be caught" << endlog();
         return false;
     }
-    return catcher.wait() == signal;  // else the program is to end
+    return catcher.wait() == signal;  // otherwise the program must end
 }
 
 }  // namespace OCL

@@ -63,23 +63,24 @@ std::unique_ptr<ActivityInterface> makeActivity(RTT::TaskContext& component, Act
     return nullptr;
 }
 
-/** What keeps the one from being the master of the other; empty if nothing does. */
+/** Why `master` cannot be the master of the component; empty if it can. */
 std::string whyNoMaster(Session& session, const RTT::TaskContext& component, const RTT::TaskContext& master) {
     if (&master == &component) return "it would be its own master";
     std::set<std::string> seen;
     for (std::string name = master.getName(); !name.empty() && seen.insert(name).second;) {
-        const Record* const record = session.records.find(name);
+        const ComponentRecord* const record = session.records.find(name);
         name = record ? record->master : std::string();
         if (name == component.getName()) return "through its masters it would be its own master";
     }
     return {};
 }
 
-/** A slave refers to its master's activity: whoever replaces or deletes that one must care for the slaves. */
-std::vector<Record*> slavesOf(Session& session, const std::string& master) {
-    std::vector<Record*> slaves;
+/** The slaves of a component. They refer to its activity, so code that replaces or deletes that must handle them first.
+     */
+std::vector<ComponentRecord*> slavesOf(Session& session, const std::string& master) {
+    std::vector<ComponentRecord*> slaves;
     if (session.masters.count(master) == 0) return slaves;
-    for (Record& record : session.records.all)
+    for (ComponentRecord& record : session.records.all)
         if (record.master == master) slaves.push_back(&record);
     return slaves;
 }
@@ -110,12 +111,12 @@ bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityN
     const bool ownThread =
         kind == ActivityKind::Activity || kind == ActivityKind::NonPeriodic || kind == ActivityKind::FileDescriptor;
     if (ownThread && activity->thread()) activity->thread()->setWaitPeriodPolicy(waitPolicy);
-    if (!component.setActivity(activity.release())) {  // which owns it, also if it refuses
+    if (!component.setActivity(activity.release())) {  // the component owns it, even if it refuses
         error = "the component does not accept it; it cannot be set from the component's own thread";
         return false;
     }
     if (master && master != &component && !master->hasPeer(component.getName()))
-        master->addPeer(&component);  // the master's code finds its slaves among its peers
+        master->addPeer(&component);  // code of the master finds its slaves among its peers
     return true;
 }
 
@@ -127,10 +128,10 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
     }
     if (master) error = whyNoMaster(session, component, *master);
     if (!error.empty()) return false;
-    // A slave names the activity of its master, so none may be left while that is exchanged.
+    // A slave refers to the activity of its master, so none may exist while that is exchanged.
     std::vector<RTT::TaskContext*> released;
     bool changed = true;
-    for (const Record* slave : slavesOf(session, component.getName())) {
+    for (const ComponentRecord* slave : slavesOf(session, component.getName())) {
         if (!changed) break;
         std::string reason;
         changed = setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, reason);
@@ -152,7 +153,7 @@ bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind 
 }
 
 void releaseSlaves(Session& session, const RTT::TaskContext& master) {
-    for (Record* slave : slavesOf(session, master.getName())) {
+    for (ComponentRecord* slave : slavesOf(session, master.getName())) {
         std::string error;
         (void)stopOne(*slave->instance);
         if (setActivity(*slave->instance, ActivityKind::Sequential, ActivityNumbers(), nullptr, 0, error))

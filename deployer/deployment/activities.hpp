@@ -13,9 +13,9 @@ class TaskContext;
 
 namespace OCL::deploy {
 
-/** Numbers of an activity as the operations of the deployer take them. */
+/** The numbers of an activity, as the deployer's operations take them. */
 struct ActivityNumbers {
-    double period = 0;  // seconds; of a FileDescriptorActivity: the timeout in milliseconds
+    double period = 0;  // seconds; for a FileDescriptorActivity the timeout in milliseconds
     int priority = 0;
     int scheduler = 0;         // ORO_SCHED_…
     unsigned cpuAffinity = 0;  // 0: all
@@ -24,19 +24,20 @@ struct ActivityNumbers {
 ActivityNumbers numbersOf(const ActivityPlan& plan);
 
 /**
- * Gives a component, which must not run, a new activity. `kind` tells which numbers count; `master` is for a slave
- * and may be null. `waitPolicy` is for its thread. False, with the reason, if the component keeps its old activity.
+ * Gives a component, which must not run, a new activity. Which numbers are used depends on `kind`; `master` is for a
+ * slave and may be null; `waitPolicy` is for the thread. False, with the reason, if the component keeps its old
+ * activity.
  */
 bool setActivity(RTT::TaskContext& component, ActivityKind kind, const ActivityNumbers& numbers,
                  RTT::TaskContext* master, int waitPolicy, std::string& error);
 
 struct Session;
 
-/** As above, and keeps the slaves of the component with it: they get slave activities of the new one. */
+/** As above, and also gives the slaves of the component new slave activities of the new activity. */
 bool changeActivity(Session& session, RTT::TaskContext& component, ActivityKind kind, const ActivityNumbers& numbers,
                     RTT::TaskContext* master, std::string& error);
 
-/** Takes its slaves, which are stopped, from a component that is going to be deleted. */
+/** Releases the slaves, which are stopped, of a component that is about to be deleted. */
 void releaseSlaves(Session& session, const RTT::TaskContext& master);
 
 }  // namespace OCL::deploy

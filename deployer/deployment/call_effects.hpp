@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What is known of the operations that scripts call: what they lead to, and which of their arguments name components.
+// The effects of operations that scripts call, and which of their arguments name components.
 #ifndef OROFORGE_DEPLOYMENT_CALL_EFFECTS_HPP
 #define OROFORGE_DEPLOYMENT_CALL_EFFECTS_HPP
 
@@ -14,7 +14,7 @@ class TaskContext;
 
 namespace OCL::deploy {
 
-/** What a call of an operation of the deployer may lead to. */
+/** A possible effect of an operation of the deployer. */
 enum class Effect {
     None,
     Import,
@@ -24,7 +24,7 @@ enum class Effect {
     Peers,
     Service,
     Require,
-    Change,     ///< of the state of a component, which executes its code
+    Change,     ///< changes the state of a component, which executes its code
     ChangeAll,  ///< the same for all
     Unload,
     UnloadAll,
@@ -46,13 +46,13 @@ struct CallEffect {
     std::vector<NamedArgument> names;
 };
 
-/** Of an operation of the deployer; Anything for names that are none of its own. */
+/** The effect of an operation of the deployer; Anything for other names. */
 const CallEffect& effectOf(const std::string& operation);
 
 /** True for {"print", "ln"}, {"os", "sleep"} and the like: global services whose operations load nothing. */
 bool isHarmless(const std::vector<std::string>& path);
 
-/** True for what components and ports have and executes no code of theirs: the path leads from the component to it. */
+/** True if the path leads from the component to an operation that executes no code of users. */
 bool isQuery(RTT::TaskContext& component, const std::vector<std::string>& path);
 
 }  // namespace OCL::deploy

@@ -23,10 +23,12 @@ struct Resolved {
     ConnectedPort shown;
 };
 
-/** True if the component may still make ports before it is complete. */
-bool mayAddPorts(const Record& record) { return record.plan.autoConf.value_or(false) || !record.plan.scripts.empty(); }
+/** True if the component may still add ports while it is configured. */
+bool mayAddPorts(const ComponentRecord& record) {
+    return record.plan.autoConf.value_or(false) || !record.plan.scripts.empty();
+}
 
-/** By C++ type if both are local, because types without a typekit share one TypeInfo. */
+/** Compares C++ types if both ports are local, because types without a typekit share one TypeInfo. */
 bool sameType(const PortInterface& a, const PortInterface& b) {
     if (a.sampleOps() && b.sampleOps()) return std::strcmp(a.sampleOps()->id->name(), b.sampleOps()->id->name()) == 0;
     return a.getTypeInfo() == b.getTypeInfo();
@@ -41,7 +43,7 @@ public:
 
     void run() {
         checkTypes();
-        // As long as a port may still appear, its direction is unknown.
+        // The direction of a port that may still appear is unknown.
         if (incomplete_ || ports_.size() < 2) return;
         std::vector<ConnectedPort> shown;
         for (const Resolved& one : ports_) shown.push_back(one.shown);

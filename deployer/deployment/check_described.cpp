@@ -26,19 +26,19 @@ using RTT::internal::ComponentDescription;
 using RTT::internal::DescribedList;
 using RTT::internal::DescribedPort;
 
-/** A component of the plan, or of one before, that a library describes. */
+/** A component, of this plan or an earlier one, that its library describes. */
 struct Described {
     const ComponentDescription* description;
-    const Text* type;       // in the struct that creates it
-    bool hasMore = false;   // ports and properties besides: the manifest says so, or services bring them
-    bool hasLater = false;  // ports besides, which scripts may bring
+    const Text* type;       // the type in the struct that creates it
+    bool hasMore = false;   // has other ports and properties: the manifest says so, or services add them
+    bool hasLater = false;  // has other ports, which scripts may add
 };
 
 struct Member {
     const Text* where;
     std::string name;           // component.port
-    const DescribedPort* port;  // null: nobody describes it
-    bool isOfPlan;              // else of one before, whose errors were told
+    const DescribedPort* port;  // null if it is not described
+    bool isOfPlan;              // false for an earlier plan, whose errors were reported
 };
 
 struct DescribedConnection {
@@ -65,7 +65,7 @@ std::string typeName(const std::type_info& type) {
     return known ? known->getTypeName() : boost::core::demangle(type.name()) + " (of no loaded typekit)";
 }
 
-/** Says where the knowledge comes from, and what to do where it is not all. */
+/** Adds notes: where the description comes from, and what to do if it is incomplete. */
 template <class Entry>
 void explain(diag::Diagnostic& error, const Described& component, const DescribedList<Entry>& list, const char* what) {
     std::string names;
@@ -83,7 +83,7 @@ void explain(diag::Diagnostic& error, const Described& component, const Describe
 
 class DescribedCheck {
 public:
-    DescribedCheck(const Plan& plan, const Surroundings& around, diag::Sink& sink)
+    DescribedCheck(const Plan& plan, const PlanContext& around, diag::Sink& sink)
         : plan_(plan), around_(around), sink_(sink) {
         for (const Plan* earlier : around.planned) findComponents(*earlier);
         findComponents(plan);
@@ -174,11 +174,11 @@ private:
             }
     }
 
-    /** Names that the component does not have are no error in property files; a strict one must have all that it has. */
+    /** A strict property file must have all properties of the component. It may have others. */
     void checkStrictFile(const ComponentPlan& component, const Described& described, const Text& file) {
-        diag::Sink told;  // what is wrong in the file itself, by validate()
+        diag::Sink unused;  // validate() reports errors in the file itself
         RTT::PropertyBag bag;
-        if (!RTT::marsh::loadFromFile(bag, resolveFile(file), RTT::marsh::LoadMode::load, told)) return;
+        if (!RTT::marsh::loadFromFile(bag, resolveFile(file), RTT::marsh::LoadMode::load, unused)) return;
         const std::vector<std::string> inFile = bag.list();
         for (const auto& property : described.description->properties) {
             const std::string name = property.name;
@@ -207,7 +207,7 @@ private:
         return {member.where->where, member.name, typeName(*member.port->type), member.port->output};
     }
 
-    /** Of a plan that is applied checkComponents() reports it: the next plan may bring what is missing. */
+    /** Only for a plan that is not applied. Otherwise checkComponents() does it, because a later plan may add ports. */
     void checkDirections(const DescribedConnection& connection) {
         const std::vector<Member>& members = connection.members;
         const auto isUnknown = [](const Member& one) { return !one.port; };
@@ -215,13 +215,13 @@ private:
             std::any_of(members.begin(), members.end(), isUnknown))
             return;
         std::vector<ConnectedPort> ports;
-        // Without their types, which take longer to name than all else.
+        // Without types, because looking up their names is slow.
         for (const Member& one : members) ports.push_back({one.where->where, one.name, "", one.port->output});
         deploy::checkDirections(connection.name, ports, sink_);
     }
 
     const Plan& plan_;
-    const Surroundings& around_;
+    const PlanContext& around_;
     diag::Sink& sink_;
     std::map<std::string, Described> components_;  // by name
     std::vector<DescribedConnection> connections_;
@@ -230,8 +230,8 @@ private:
 
 }  // namespace
 
-void checkDescribed(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink) {
-    DescribedCheck(plan, surroundings, sink).run();
+void checkDescribed(const Plan& plan, const PlanContext& context, diag::Sink& sink) {
+    DescribedCheck(plan, context, sink).run();
 }
 
 }  // namespace OCL::deploy

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What descriptions in component libraries tell about a plan. See docs/design/descriptions.md.
+// Checks a plan by the descriptions in component libraries. See docs/design/descriptions.md.
 #ifndef OROFORGE_DEPLOYMENT_CHECK_DESCRIBED_HPP
 #define OROFORGE_DEPLOYMENT_CHECK_DESCRIBED_HPP
 
@@ -9,11 +9,11 @@
 namespace OCL::deploy {
 
 /**
- * Reports connections of ports that do not fit each other, by the words of checkComponents(), which says the rest when the
- * components are there. A plan that is not to be applied has no such second look: ports and properties that no description
- * names are errors then, and connections without an output.
+ * Reports connections of ports that do not fit together, with the messages of checkComponents(), which checks the rest
+ * when the components exist. For a plan that is not applied there is no such second check: then ports and properties
+ * that are not described, and connections without an output, are errors as well.
  */
-void checkDescribed(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink);
+void checkDescribed(const Plan& plan, const PlanContext& context, diag::Sink& sink);
 
 }  // namespace OCL::deploy
 

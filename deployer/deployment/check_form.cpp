@@ -12,7 +12,7 @@
 namespace OCL::deploy {
 namespace {
 
-// What the DTD of property files knows, most of which concerns neither the original nor us.
+// The attributes in the DTD of property files. Most have no effect, in the original or here.
 const std::vector<std::string> kAttributes = {"name", "type", "mode", "id"};
 const std::vector<std::string> kPartsOfSimple = {"value", "description",  "choices", "range",
                                                  "kind",  "enumerations", "units",   "defaultvalue"};

@@ -31,7 +31,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/** Those of the type itself, and those by which its values are written to files. */
+/** The members of the type, and those with which its values are written to files. */
 std::vector<std::string> memberNames(const TypeInfo& type, const DataSourceBase::shared_ptr& value) {
     std::vector<std::string> names = type.getMemberNames();
     const DataSourceBase::shared_ptr written = type.decomposeType(value);
@@ -41,14 +41,14 @@ std::vector<std::string> memberNames(const TypeInfo& type, const DataSourceBase:
     return names;
 }
 
-/** True if one of them is meant at least once. */
+/** True if at least one known name is given, perhaps misspelt. */
 bool resembles(const PropertyBag& given, const std::vector<std::string>& known) {
     return std::any_of(given.begin(), given.end(), [&](const PropertyBase* item) {
         return contains(known, item->getName()) || diag::nearestMatch(item->getName(), known);
     });
 }
 
-/** A letter is wrong, or two of a long name; names of other things may be alike. */
+/** True if at most one letter is wrong, or two of a long name; more could be another name. */
 bool isSlipOf(const std::string& name, const std::vector<std::string>& known) {
     const std::size_t most = name.size() < 8 ? 1 : 2;
     return std::any_of(known.begin(), known.end(),
@@ -57,11 +57,11 @@ bool isSlipOf(const std::string& name, const std::vector<std::string>& known) {
 
 bool isSequence(const TypeInfo& type) { return type.getMemberNames() == std::vector<std::string>{"size", "capacity"}; }
 
-/** Looks for members that are given and are not there; the runtime takes no notice of those. */
+/** Looks for given members that do not exist, which the runtime ignores. */
 class MemberCheck {
 public:
-    /** `grows`: bags of the component get what they lack. */
-    MemberCheck(const Record& record, const RTT::marsh::Places& places, bool grows, diag::Sink& sink)
+    /** `grows`: members are added to bags of the component. */
+    MemberCheck(const ComponentRecord& record, const RTT::marsh::Places& places, bool grows, diag::Sink& sink)
         : record_(record), places_(places), grows_(grows), sink_(sink) {}
 
     void checkItem(const PropertyBase& item, const PropertyBase& target, const std::string& path) {
@@ -94,11 +94,11 @@ private:
     }
 
     void checkMembers(const PropertyBag& given, const TypeInfo& type, const std::string& path) {
-        // Of a value of its own, because that of the component may have other elements.
+        // Of a new value, because the one of the component may have other elements.
         const DataSourceBase::shared_ptr value = type.buildValue();
         if (!value) return;
         if (isSequence(type)) return checkElements(given, type, value, path);
-        // Its own code may take other forms.
+        // Code of the type may accept other forms.
         if (!given.getType().empty() && given.getType() != "PropertyBag" && given.getType() != type.getTypeName())
             return;
         const std::vector<std::string> known = memberNames(type, value);
@@ -106,7 +106,7 @@ private:
         for (const PropertyBase* item : given) {
             const std::string& name = item->getName();
             if (name.empty()) continue;
-            const DataSourceBase::shared_ptr member = value->getMember(name);  // by another name of it, perhaps
+            const DataSourceBase::shared_ptr member = value->getMember(name);  // the type may know it by another name
             if (member)
                 checkInner(*item, *member, path + "." + name);
             else if (!contains(known, name))
@@ -130,13 +130,13 @@ private:
         if (given && member.getTypeInfo()) checkMembers(*given, *member.getTypeInfo(), path);
     }
 
-    const Record& record_;
+    const ComponentRecord& record_;
     const RTT::marsh::Places& places_;
     const bool grows_;
     diag::Sink& sink_;
 };
 
-void checkStruct(const xml::Element& properties, const Record& record, const std::vector<std::string>& known,
+void checkStruct(const xml::Element& properties, const ComponentRecord& record, const std::vector<std::string>& known,
                  diag::Sink& sink) {
     for (const xml::Element& property : properties.children) {
         const Text name = nameOf(property);
@@ -147,25 +147,25 @@ void checkStruct(const xml::Element& properties, const Record& record, const std
     }
     PropertyBag read;
     RTT::marsh::Places places;
-    diag::Sink told;  // when the file was read
-    (void)RTT::marsh::readBag(properties, read, told, &places);
+    diag::Sink unused;  // errors were reported when the file was read
+    (void)RTT::marsh::readBag(properties, read, unused, &places);
     MemberCheck check(record, places, /*grows=*/true, sink);
     for (const PropertyBase* item : read)
         if (const PropertyBase* const target = record.instance->properties()->find(item->getName()))
             check.checkItem(*item, *target, item->getName());
 }
 
-/** The files of all components of a group: many may name one. */
+/** The property files of a group, each read once, because many components may name one. */
 class PropertyFiles {
 public:
     PropertyFiles(const Session& session, diag::Sink& sink) : session_(session), sink_(sink) {}
 
-    void check(const PropertyFilePlan& file, const Record& record, const std::vector<std::string>& known) {
+    void check(const PropertyFilePlan& file, const ComponentRecord& record, const std::vector<std::string>& known) {
         const Contents& contents = contentsOf(resolveFile(file.file));
         if (!contents.good) return;
         const PropertyBag& read = contents.read;
         const bool grows = file.mode == PropertyFilePlan::Load;
-        // What the file gives by its own name is not what a misspelt one means.
+        // A misspelt name cannot mean a property that the file has as well.
         std::vector<std::string> others;
         std::copy_if(known.begin(), known.end(), std::back_inserter(others),
                      [&](const std::string& name) { return !read.find(name); });
@@ -189,15 +189,16 @@ private:
     const Contents& contentsOf(const std::string& path) {
         const auto [at, isNew] = contents_.try_emplace(path);
         Contents& contents = at->second;
-        diag::Sink told;  // it is told again when the file is applied
-        if (isNew) contents.good = RTT::marsh::readFile(path, contents.read, told, &contents.places);
+        diag::Sink unused;  // errors are reported when the file is applied
+        if (isNew) contents.good = RTT::marsh::readFile(path, contents.read, unused, &contents.places);
         return contents;
     }
 
-    /** Of a component for which the file may be, too. */
+    /** True if another component, for which the file may be as well, has the property. */
     bool isOfAnother(const std::string& name) const {
-        return std::any_of(session_.records.all.begin(), session_.records.all.end(),
-                           [&](const Record& record) { return record.instance->properties()->find(name) != nullptr; });
+        return std::any_of(
+            session_.records.all.begin(), session_.records.all.end(),
+            [&](const ComponentRecord& record) { return record.instance->properties()->find(name) != nullptr; });
     }
 
     const Session& session_;
@@ -209,7 +210,7 @@ private:
 
 void checkProperties(const Session& session, int group, diag::Sink& sink) {
     PropertyFiles files(session, sink);
-    for (const Record& record : session.records.all) {
+    for (const ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group) continue;
         const std::vector<std::string> own = record.instance->properties()->list();
         std::vector<std::string> known = own;

@@ -11,9 +11,9 @@ namespace diag = oroforge::diag;
 struct Session;
 
 /**
- * Reports what the components of a group are to be given and have not: properties that their structs name, and members of
- * properties, also those in their property files. Properties of files that a component does not have are told only if they seem
- * to be misspelt: a file may be for several components.
+ * Reports properties that structs name and components of the group do not have, and such members of properties, also
+ * those in property files. Other properties in files are reported only if they seem to be misspelt, because a file may
+ * be for several components.
  */
 void checkProperties(const Session& session, int group, diag::Sink& sink);
 

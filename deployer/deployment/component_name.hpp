@@ -7,7 +7,7 @@
 
 namespace OCL::deploy {
 
-/** Why a component cannot have that name; empty if it can. Names stand in log lines and in names of files. */
+/** Why a component cannot have that name; empty if it can. Log lines and names of files contain names of components. */
 std::string nameFault(const std::string& name);
 
 /** The text without control characters, for messages. */

@@ -17,10 +17,10 @@ namespace {
 
 bool isUp(const RTT::TaskContext& component) { return component.getTaskState() > RTT::TaskContext::Stopped; }
 
-/** The components whose options this group gave and that can be changed now, in file order. */
-std::vector<Record*> recordsToConfigure(Session& session, int group) {
-    std::vector<Record*> result;
-    for (Record& record : session.records.all) {
+/** The components with options of this group that can be changed now, in file order. */
+std::vector<ComponentRecord*> recordsToConfigure(Session& session, int group) {
+    std::vector<ComponentRecord*> result;
+    for (ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group) continue;
         if (isUp(*record.instance))
             RTT::log(RTT::Warning) << "component '" << record.name << "' is not configured: it is running"
@@ -31,7 +31,7 @@ std::vector<Record*> recordsToConfigure(Session& session, int group) {
     return result;
 }
 
-void setActivityOf(Session& session, Record& record, diag::Sink& sink) {
+void setActivityOf(Session& session, ComponentRecord& record, diag::Sink& sink) {
     const ActivityPlan& plan = *record.plan.activity;
     RTT::TaskContext* master = plan.master.empty() ? nullptr : session.component(plan.master.value);
     std::string error;
@@ -40,23 +40,25 @@ void setActivityOf(Session& session, Record& record, diag::Sink& sink) {
                    "could not set the " + plan.type + " of component '" + record.name + "': " + error);
 }
 
-bool waitsForMaster(const Record& record, const std::vector<Record*>& pending) {
+bool waitsForMaster(const ComponentRecord& record, const std::vector<ComponentRecord*>& pending) {
     const std::string& master = record.plan.activity->master.value;
-    return !master.empty() && std::any_of(pending.begin(), pending.end(), [&](const Record* other) {
+    return !master.empty() && std::any_of(pending.begin(), pending.end(), [&](const ComponentRecord* other) {
         return other != &record && other->name == master;
     });
 }
 
-/** A slave holds its master's activity, so the master's must be in place first, wherever it stands in the file. */
-void setActivities(Session& session, const std::vector<Record*>& records, diag::Sink& sink) {
-    std::vector<Record*> pending;
+/** Sets the activities of masters before those of their slaves, which refer to them, whatever their order in the file.
+     */
+void setActivities(Session& session, const std::vector<ComponentRecord*>& records, diag::Sink& sink) {
+    std::vector<ComponentRecord*> pending;
     std::copy_if(records.begin(), records.end(), std::back_inserter(pending),
-                 [](const Record* record) { return record->plan.activity.has_value(); });
+                 [](const ComponentRecord* record) { return record->plan.activity.has_value(); });
     while (!pending.empty()) {
-        const auto next = std::find_if(pending.begin(), pending.end(),
-                                       [&](const Record* record) { return !waitsForMaster(*record, pending); });
+        const auto next = std::find_if(pending.begin(), pending.end(), [&](const ComponentRecord* record) {
+            return !waitsForMaster(*record, pending);
+        });
         if (next == pending.end()) {
-            for (const Record* record : pending)
+            for (const ComponentRecord* record : pending)
                 sink.error(record->plan.activity->master.where, "DEP017",
                            "component '" + record->name + "' is, through its masters, its own master");
             return;
@@ -66,7 +68,7 @@ void setActivities(Session& session, const std::vector<Record*>& records, diag::
     }
 }
 
-void runScripts(Record& record, diag::Sink& sink) {
+void runScripts(ComponentRecord& record, diag::Sink& sink) {
     const std::vector<ScriptPlan> scripts = record.plan.scripts;  // a copy: they may load files that add to the plan
     for (const ScriptPlan& script : scripts) {
         std::string error;
@@ -77,7 +79,7 @@ void runScripts(Record& record, diag::Sink& sink) {
     }
 }
 
-void configureOne(Record& record, diag::Sink& sink) {
+void configureOne(ComponentRecord& record, diag::Sink& sink) {
     std::string error = "configure() returned false";
     try {
         if (record.instance->configure()) {
@@ -91,7 +93,7 @@ void configureOne(Record& record, diag::Sink& sink) {
     sink.error(record.plan.name.where, "DEP050", "could not configure component '" + record.name + "': " + error);
 }
 
-void startOne(Record& record, diag::Sink& sink) {
+void startOne(ComponentRecord& record, diag::Sink& sink) {
     std::string error = "start() returned false";
     try {
         if (record.instance->start()) {
@@ -108,7 +110,7 @@ void startOne(Record& record, diag::Sink& sink) {
     sink.error(record.plan.name.where, "DEP051", "could not start component '" + record.name + "': " + error);
 }
 
-void stopIfStarted(const Record& record, const diag::Location& by, diag::Sink& sink) {
+void stopIfStarted(const ComponentRecord& record, const diag::Location& by, diag::Sink& sink) {
     if (!record.instance->isRunning()) return;
     const diag::Location& where = record.plan.name.where;
     sink.warning(
@@ -121,7 +123,7 @@ void stopIfStarted(const Record& record, const diag::Location& by, diag::Sink& s
 
 void stopWhatStarted(Session& session, const diag::Location& by, diag::Sink& sink) {
     if (!session.startsNothing) return;
-    for (const Record& record : session.records.all)
+    for (const ComponentRecord& record : session.records.all)
         if (record.instance != session.deployer) stopIfStarted(record, by, sink);
 }
 
@@ -132,19 +134,20 @@ bool configure(Session& session, int group, diag::Sink& sink) {
     connectPorts(session, sink);
     connectSameNames(session, group, sink);
 
-    const std::vector<Record*> records = recordsToConfigure(session, group);
+    const std::vector<ComponentRecord*> records = recordsToConfigure(session, group);
     setActivities(session, records, sink);
-    for (Record* record : records) applyProperties(*record, session.deployer, sink);
+    for (ComponentRecord* record : records) applyProperties(*record, session.deployer, sink);
     if (sink.hadErrors()) return false;
     struct Component {
         const RTT::TaskContext* instance;
         bool wasConfigured;
     };
     std::vector<Component> components;
-    for (const Record* record : records) components.push_back({record->instance, record->instance->isConfigured()});
+    for (const ComponentRecord* record : records)
+        components.push_back({record->instance, record->instance->isConfigured()});
     diag::Location last;
     for (const auto& [component, wasConfigured] : components) {
-        Record* record = session.records.find(component);
+        ComponentRecord* record = session.records.find(component);
         if (!record) continue;  // a script unloaded it
         last = record->plan.name.where;
         if (!record->plan.scripts.empty()) {
@@ -154,15 +157,15 @@ bool configure(Session& session, int group, diag::Sink& sink) {
             record = session.records.find(component);
             if (!record) continue;
         }
-        // Its own scripts, or scripts and hooks of others, may have configured it meanwhile, and started it.
+        // Its own scripts, or scripts and hooks of other components, may have configured and started it.
         const bool isDone = isUp(*component) || (!wasConfigured && component->isConfigured());
         if (record->plan.autoConf.value_or(false) && !isDone) configureOne(*record, sink);
         if (session.startsNothing && component != session.deployer) stopIfStarted(*record, last, sink);
     }
-    stopWhatStarted(session, last, sink);  // those that the code of others started
+    stopWhatStarted(session, last, sink);  // components that code of others started
     if (sink.hadErrors()) return false;
 
-    // Ports that appeared while components were configured.
+    // Connects ports that appeared while components were configured.
     checkComponents(session, group, true, sink);
     if (sink.hadErrors()) return false;
     connectPorts(session, sink);
@@ -171,7 +174,7 @@ bool configure(Session& session, int group, diag::Sink& sink) {
 }
 
 bool start(Session& session, int group, diag::Sink& sink) {
-    for (Record& record : session.records.all)
+    for (ComponentRecord& record : session.records.all)
         if (record.optionsGroup == group && record.plan.autoStart.value_or(false) && !isUp(*record.instance))
             startOne(record, sink);
     return !sink.hadErrors();

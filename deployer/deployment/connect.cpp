@@ -33,7 +33,7 @@ void connectPair(const Connection& connection, const Connection::Member& from, c
         .note(from.plan->port.where, "the output port is named here");
 }
 
-/** Why the port cannot stream by this protocol; empty if it can. */
+/** Why the port cannot use this transport; empty if it can. */
 std::string missingTransport(const PortInterface& port, int protocol) {
     const RTT::types::TypeInfo* const type = port.getTypeInfo();
     if (!type) return "no typekit knows its type";
@@ -46,7 +46,7 @@ std::string missingTransport(const PortInterface& port, int protocol) {
 }  // namespace
 
 void addPeers(Session& session, int group, diag::Sink& sink) {
-    for (Record& record : session.records.all) {
+    for (ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group) continue;
         for (const Text& name : record.plan.peers) {
             RTT::TaskContext* peer = session.component(name.value);
@@ -68,13 +68,13 @@ void connectPorts(Session& session, diag::Sink& sink) {
 }
 
 void connectSameNames(Session& session, int group, diag::Sink& sink) {
-    for (Record& record : session.records.all) {
+    for (ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group || !record.plan.autoConnect.value_or(false)) continue;
         for (const std::string& name : record.instance->getPeerList()) {
             RTT::TaskContext* peer = record.instance->getPeer(name);
-            const Record* other = session.records.find(peer);
+            const ComponentRecord* other = session.records.find(peer);
             if (!other || !other->plan.autoConnect.value_or(false)) continue;
-            // Convenience: what does not fit is told, but is no reason to give up.
+            // Connecting by names is a convenience: ports that do not fit are reported but are not an error.
             if (!record.instance->connectPorts(peer))
                 sink.warning(record.plan.name.where, "DEP056",
                              "AutoConnect: not all ports of the same name of '" + record.name + "' and '" +

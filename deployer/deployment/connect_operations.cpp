@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One operation that a component requires is connected to one that another component provides.
+// Connects an operation that a component requires to one that another component provides.
 #include "deployment_state.hpp"
 #include "failure.hpp"
 #include "lookup.hpp"
@@ -27,7 +27,7 @@ struct OperationPath {
 
 bool refuse(const std::string& why) { return deploy::failed("could not connect operations: " + why); }
 
-/** Requesters are not made; null, with the reason, if the path leads to none. */
+/** The caller at the path, without creating requesters; null, with the reason, if there is none. */
 RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, const OperationPath& path,
                                                   std::string& error) {
     RTT::ServiceRequester::shared_ptr requester = component.requires_();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The properties, attributes and operations by which scripts and consoles see the deployer.
+// The properties, attributes and operations that the deployer offers to scripts and consoles.
 #include "deployment_state.hpp"
 #include "types.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using Self = DeploymentComponent;
 using RTT::ClientThread;
 
-// Of the overloads that C++ has, scripts see those that name components.
+// Scripts see only the C++ overloads that take names of components.
 auto text(bool (Self::*member)(const std::string&)) { return member; }
 auto twoTexts(bool (Self::*member)(const std::string&, const std::string&)) { return member; }
 
@@ -215,14 +215,14 @@ void DeploymentComponent::addDeploymentInterface() {
     addProperty("AutoUnload", impl_->autoUnload).doc("Stop, clean up and unload all components when the deployer ends");
     addAttribute("Target", impl_->target);
     addAttribute("Valid", impl_->valid);
-    // Constants with values of their own: addConstant() would refer to the temporaries.
+    // Constants that own their values: addConstant() would refer to temporaries.
     const std::pair<const char*, int> numbers[] = {{"ORO_SCHED_RT", ORO_SCHED_RT},
                                                    {"ORO_SCHED_OTHER", ORO_SCHED_OTHER},
                                                    {"LowestPriority", RTT::os::LowestPriority},
                                                    {"HighestPriority", RTT::os::HighestPriority}};
     for (const auto& [name, number] : numbers) provides()->setValue(new RTT::Constant<int>(name, number));
 
-    // The inherited one would load into the deployer only.
+    // The inherited operation can load only into the deployer.
     provides()->removeOperation("loadService");
     addLibraryOperations(*this);
     addComponentOperations(*this);

@@ -31,7 +31,7 @@ bool change(deploy::Session& session, const std::string& name, ActivityKind kind
            failed("could not set the activity of component '" + name + "': " + error);
 }
 
-/** A change of its state, which executes code of others. */
+/** Calls a state change, which executes code of the component. */
 bool called(RTT::TaskContext& component, bool (RTT::TaskContext::*change)()) {
     const FailureReport::Pause others;
     return (component.*change)();
@@ -50,7 +50,7 @@ ActivityNumbers numbers(double period, int priority, int scheduler, unsigned aff
 
 bool DeploymentComponent::loadComponent(const std::string& name, const std::string& type) {
     if (type == "PropertyBag" || type == "RTT::PropertyBag")
-        return false;  // the struct of a file that only adds options; it is no component type
+        return false;  // a struct that only adds options; it is not a component type
     std::string error;
     RTT::TaskContext* made = nullptr;
     {
@@ -61,7 +61,7 @@ bool DeploymentComponent::loadComponent(const std::string& name, const std::stri
 }
 
 bool DeploymentComponent::unloadComponent(const std::string& name) {
-    const deploy::Record* record = impl_->session.records.find(name);
+    const deploy::ComponentRecord* record = impl_->session.records.find(name);
     if (!record || !record->loadedHere)
         return failed("could not unload component '" + name + "': it was not loaded by " + getName());
     return reported("could not unload component '" + name + "'",

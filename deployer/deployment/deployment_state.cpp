@@ -55,9 +55,9 @@ bool DeploymentComponent::Impl::start(int group) {
 
 bool DeploymentComponent::Impl::checkScript(const std::string& file) {
     using deploy::Foresight;
-    // As when it is run: with the operations that this service brings.
+    // The script may use the operations of this service, because it has them when it runs.
     (void)deploy::loadService(*session.deployer, "scripting");
-    // Components that were only planned do not exist.
+    // Planned components do not exist.
     for (const deploy::Plan& plan : session.planned)
         for (const deploy::ComponentPlan& component : plan.components)
             if (!session.component(component.name.value)) expected.components.insert(component.name.value);
@@ -66,14 +66,14 @@ bool DeploymentComponent::Impl::checkScript(const std::string& file) {
         deploy::ScriptForecast forecast(session, Foresight::Check);
         return RTT::scripting::checkScript(file, *session.deployer, std::cerr, forecast, expected);
     }
-    const deploy::KeptSearchPath paths;  // the script adds to it by itself
+    const deploy::KeptSearchPath paths;  // the script adds to it when it runs
     deploy::ScriptForecast forecast(session, Foresight::Run);
     RTT::scripting::Expectations ofThisOne;
     forecast.expectRunning(ofThisOne);
     std::ostringstream messages;
     if (RTT::scripting::checkScript(file, *session.deployer, messages, forecast, ofThisOne)) return true;
     std::string text = messages.str();
-    if (!text.empty()) text.pop_back();  // its last end of line
+    if (!text.empty()) text.pop_back();  // the last line end
     RTT::internal::logLocated(RTT::Error, text);
     return false;
 }
@@ -97,9 +97,9 @@ void DeploymentComponent::Impl::undo(int group, const State& before) {
         RTT::ConnPolicy::Default() = former->second;
         session.formerDefaults.erase(former);
     }
-    // What scripts created meanwhile, or could not be removed, has to stay known.
-    for (const deploy::Record& old : before.records)
-        if (deploy::Record* const left = session.records.find(old.instance)) {
+    // Components that scripts created or that could not be removed must stay known.
+    for (const deploy::ComponentRecord& old : before.records)
+        if (deploy::ComponentRecord* const left = session.records.find(old.instance)) {
             deploy::unloadScripts(*left->instance, left->loaded, old.loaded);
             *left = old;
         }

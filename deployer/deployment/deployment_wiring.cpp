@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The operations that join components: peers, ports, streams, services.
+// The operations that connect components: peers, ports, streams, services.
 #include "component_name.hpp"
 #include "deployment_state.hpp"
 #include "failure.hpp"
@@ -34,7 +34,7 @@ bool DeploymentComponent::connectPeers(const std::string& one, const std::string
     RTT::TaskContext* first = deploy::findComponent(impl_->session, one, "connect peers");
     RTT::TaskContext* second = deploy::findComponent(impl_->session, two, "connect peers");
     if (!first || !second) return false;
-    // One way it may be so already, as from the deployer to its components.
+    // One direction may exist already, as from the deployer to its components.
     const bool hadSecond = first->getPeer(second->getName()) == second;
     {
         const RTT::internal::FailureReport::Pause both;  // one reason is enough

@@ -40,10 +40,10 @@ public:
     void checkStruct(const xml::Element& properties) {
         PropertyBag read;
         RTT::marsh::Places places;
-        diag::Sink reported;  // when the file was read
+        diag::Sink reported;  // errors were reported when the file was read
         (void)RTT::marsh::readBag(properties, read, reported, &places);
         RTT::internal::detail::BagUpdate how;
-        how.addMissing = true;  // a bag is there to be filled
+        how.addMissing = true;  // bags are meant to be filled
         how.report = [&](const PropertyBase* where, const std::string& text) {
             sink_.error(places.at(where), "DEP052", owner() + ": " + text);
         };
@@ -58,7 +58,7 @@ public:
         const std::string path = resolveFile(file.file);
         PropertyBag read;
         RTT::marsh::Places places;
-        diag::Sink reported;  // when the plan was validated
+        diag::Sink reported;  // errors were reported when the plan was validated
         if (!whyUnreadable(file.file).empty() || !RTT::marsh::readFile(path, read, reported, &places)) return;
         for (const PropertyBase* item : read) checkType(item->getName(), places.at(item));
         (void)RTT::marsh::loadFromFile(properties_, path, RTT::marsh::LoadMode::refresh, sink_);

@@ -10,7 +10,7 @@
 
 namespace OCL::deploy {
 
-/** Tries the values of a component's structs and property files on properties of the types that its description has. */
+/** Checks the values in a component's structs and property files by setting properties of the described types. */
 void checkDescribedValues(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
                           diag::Sink& sink);
 

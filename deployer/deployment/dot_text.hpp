@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Names and labels in the language of Graphviz.
+// Writes names and labels for Graphviz.
 #ifndef OROFORGE_DEPLOYMENT_DOT_TEXT_HPP
 #define OROFORGE_DEPLOYMENT_DOT_TEXT_HPP
 

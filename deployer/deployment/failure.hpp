@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How operations of the deployer say why they return false.
+// Reports why an operation of the deployer returns false.
 #ifndef OROFORGE_DEPLOYMENT_FAILURE_HPP
 #define OROFORGE_DEPLOYMENT_FAILURE_HPP
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a script that is only looked through would make and connect, for the graph of components.
+// What a checked script would create and connect, for the graph of components.
 #ifndef OROFORGE_DEPLOYMENT_FORESEEN_HPP
 #define OROFORGE_DEPLOYMENT_FORESEEN_HPP
 
@@ -9,11 +9,11 @@
 
 namespace OCL::deploy {
 
-/** In words that stand in the script. What a branch or a loop does is not certain. */
+/** What a script would do, in its own words. The effects of branches and loops are not certain. */
 struct Foreseen {
     struct Component {
         std::string name;
-        std::string type;  // empty: computed
+        std::string type;  // empty if the script computes it
         bool certain;
     };
     struct Join {
@@ -25,7 +25,7 @@ struct Foreseen {
 
     std::vector<Component> components;
     std::vector<Join> joins;
-    std::vector<std::string> computed;  // "connect() in app.ops:7", whose names the script computes
+    std::vector<std::string> computed;  // calls such as "connect() in app.ops:7" whose names the script computes
 };
 
 }  // namespace OCL::deploy

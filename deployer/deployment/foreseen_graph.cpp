@@ -75,7 +75,7 @@ private:
         edge(componentIn(from), componentIn(to), (isDirected ? "label=" : "dir=none, label=") + label, certain);
     }
 
-    /** What connectPorts() finds: an output and an input of one name and type. */
+    /** Adds what connectPorts() connects: outputs and inputs of the same name and type. */
     void addSamePorts(const Foreseen::Join& join) {
         RTT::TaskContext* const one = session_.component(join.one);
         RTT::TaskContext* const two = session_.component(join.two);
@@ -102,9 +102,9 @@ private:
 
     void addComputed() {
         std::string all;
-        std::set<std::string> told;
+        std::set<std::string> listed;
         for (const std::string& call : session_.foreseen.computed)
-            if (told.insert(call).second) all += "\\n" + dotEscaped(call);
+            if (listed.insert(call).second) all += "\\n" + dotEscaped(call);
         if (!all.empty())
             text_ << "  \"left out\" [shape=note, label=\"left out, with names that scripts compute:" << all
                   << "\"];\n";

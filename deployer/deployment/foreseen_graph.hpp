@@ -9,8 +9,8 @@
 
 namespace OCL::deploy {
 
-/** Lines of a graph: what scripts would add to the components that are there. Dotted: what they might add; in a note: what
-    they compute. */
+/** The lines of a graph for what scripts would add to the existing components. What they might add is dotted; what they
+    compute is in a note. */
 std::string foreseenGraphOf(const Session& session);
 
 }  // namespace OCL::deploy

@@ -25,7 +25,7 @@ namespace {
 using RTT::base::OutputPortInterface;
 using RTT::base::PortInterface;
 
-/** The policy as people speak of it. */
+/** A short text for the policy, as people would say it. */
 std::string policyText(const RTT::ConnPolicy& policy) {
     switch (policy.type) {
         case RTT::ConnPolicy::DATA: return "data";
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    /** One for each component, by its own name if the deployer has it by that. */
+    /** Finds a node for each component, named after it if the deployer uses that name. */
     void findNodes() {
         for (const std::string& name : session_.deployer->getPeerList()) {
             RTT::TaskContext* const component = session_.deployer->getPeer(name);
@@ -70,12 +70,12 @@ private:
 
     void addNode(RTT::TaskContext& component, const std::string& name) {
         std::string type;
-        for (const Record& record : session_.records.all)
+        for (const ComponentRecord& record : session_.records.all)
             if (record.instance == &component) type = record.plan.type.value;
         text_ << "  " << dotQuoted(name) << " [label=" << label(name, type) << "];\n";
     }
 
-    /** The node of a component, whatever its peers call it. */
+    /** The node of a component, whatever name its peers use. */
     std::string nodeOf(const RTT::TaskContext& component) const {
         const auto known = nodeOf_.find(&component);
         return known == nodeOf_.end() ? component.getName() : known->second;
@@ -98,7 +98,7 @@ private:
               << "];\n";
     }
 
-    /** Of the output ports of a service, and of those in it. */
+    /** Adds the connections of the output ports of a service and of its sub-services. */
     void addConnections(const std::string& component, RTT::Service& service, const std::string& path) {
         for (PortInterface* port : service.getPorts())
             if (auto* output = dynamic_cast<OutputPortInterface*>(port)) addConnections(component, *output, path);
@@ -121,7 +121,7 @@ private:
 
     void addPlanned(const ComponentPlan& component) {
         const std::string& name = component.name.value;
-        if (planned_.insert(name).second)  // further structs of it add options
+        if (planned_.insert(name).second)  // further structs only add options
             text_ << "  " << dotQuoted(name) << " [label=" << label(name, component.type.value) << "];\n";
         for (const PortPlan& port : component.ports) {
             connections_.insert(port.connection.value);
@@ -135,7 +135,7 @@ private:
 
     const Session& session_;
     std::ostringstream text_;
-    std::vector<std::pair<std::string, RTT::TaskContext*>> nodes_;  // of components that exist
+    std::vector<std::pair<std::string, RTT::TaskContext*>> nodes_;  // of existing components
     std::map<const RTT::TaskContext*, std::string> nodeOf_;
     std::set<std::string> planned_, connections_;                       // of plans
     std::set<std::tuple<std::string, std::string, std::string>> ends_;  // component, port, connection

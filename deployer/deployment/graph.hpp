@@ -9,8 +9,8 @@
 
 namespace OCL::deploy {
 
-/** The components, with their connections and peers, in the language of Graphviz. Components that are only planned have
-    connections without direction, because their ports are not known. */
+/** The components, connections and peers as a graph for Graphviz. Connections of planned components have no direction,
+    because their ports are unknown. */
 std::string graphOf(const Session& session);
 
 }  // namespace OCL::deploy

@@ -5,7 +5,7 @@
 
 namespace OCL::deploy {
 
-/** For programs: in this process, files may have text behind numbers and between elements, as RTT::marsh::setLenientReading() says. */
+/** Lets files have text after numbers and between elements, in this process; see RTT::marsh::setLenientReading(). */
 void setLenient(bool lenient);
 
 }  // namespace OCL::deploy

@@ -25,13 +25,13 @@ using RTT::ComponentLoader;
 using RTT::internal::ComponentDescriptions;
 using RTT::plugin::PluginLoader;
 
-/** One that is there and refuses is not meant otherwise. */
+/** A service with a similar name; none if the service exists but refused to load. */
 std::string likelyService(const std::string& name) {
     const std::vector<std::string> all = PluginLoader::Instance()->listServices();
     return std::find(all.begin(), all.end(), name) == all.end() ? diag::didYouMean(name, all) : std::string();
 }
 
-/** Adds directories to the search path and imports what lies directly in them. */
+/** Adds directories to the search path and imports the libraries directly in them. */
 bool importPath(const std::string& paths, std::string& error) {
     addSearchPath(paths);
     try {
@@ -53,7 +53,7 @@ bool doImport(const ImportPlan& step, std::string& error) {
 }
 
 void doImports(const Plan& plan, diag::Sink& sink) {
-    std::set<std::string> imported;  // found along the present search path
+    std::set<std::string> imported;  // by the present search path
     for (const ImportPlan& step : plan.imports) {
         std::string error;
         if (step.kind == ImportPlan::Path) imported.clear();
@@ -65,7 +65,7 @@ void doImports(const Plan& plan, diag::Sink& sink) {
             if (step.kind == ImportPlan::Import) imported.insert(step.what.value);
             continue;
         }
-        // A directory of packages has nothing to import itself, yet is a good search path.
+        // A directory of packages is a valid search path, though it has nothing to import itself.
         if (step.kind == ImportPlan::Path)
             RTT::log(RTT::Info) << "Path '" << step.what.value << "': " << error << RTT::endlog();
         else
@@ -75,7 +75,8 @@ void doImports(const Plan& plan, diag::Sink& sink) {
     }
 }
 
-/** A library file may stand for the component type in it. Returns those that could not be used, which is reported. */
+/** Replaces library files that are given instead of types by their component type. Reports and returns those that
+    failed. */
 std::vector<std::string> resolveTypes(Plan& plan, diag::Sink& sink) {
     std::vector<std::string> reported;
     for (ComponentPlan& component : plan.components) {
@@ -89,8 +90,8 @@ std::vector<std::string> resolveTypes(Plan& plan, diag::Sink& sink) {
     return reported;
 }
 
-Surroundings surroundingsOf(const Session& session) {
-    Surroundings result;
+PlanContext surroundingsOf(const Session& session) {
+    PlanContext result;
     result.deployer = session.deployer->getName();
     result.components = session.deployer->getPeerList();
     for (const Connection& connection : session.records.connections()) result.connections.insert(connection.name);
@@ -105,12 +106,12 @@ Surroundings surroundingsOf(const Session& session) {
 }
 
 /** The record that a struct creates or adds to; null if the component could not be made. */
-Record* recordFor(Session& session, const ComponentPlan& component, int group, diag::Sink& sink) {
+ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int group, diag::Sink& sink) {
     const std::string name =
         session.isDeployer(component.name.value) ? session.deployer->getName() : component.name.value;
     if (RTT::TaskContext* existing = session.component(name)) return &session.recordOf(*existing);
     std::string error;
-    const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // when it is configured
+    const RTT::internal::ActivityFollows follows(component.activity ? name : std::string());  // set later
     if (!create(session, name, component.type.value, group, error)) {
         sink.error(component.name.where, "DEP032", "could not create component '" + name + "': " + error);
         return nullptr;
@@ -180,7 +181,7 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
     }
     if (session.startsNothing) holdBack(*component);
     session.deployer->addPeer(component, name);
-    Record& record = session.records.add(name, component);
+    ComponentRecord& record = session.records.add(name, component);
     record.loadedHere = true;
     record.plan.type.value = type;
     record.group = record.optionsGroup = group;
@@ -190,7 +191,7 @@ RTT::TaskContext* create(Session& session, const std::string& name, const std::s
 
 void holdBack(RTT::TaskContext& component) {
     const RTT::OperationInterfacePart* const own = component.provides()->getPart("start");
-    if (own && own->arity() != 0) return;  // it does something else
+    if (own && own->arity() != 0) return;  // it is another operation of that name
     const std::string name = component.getName();
     component.provides()->removeOperation("start");
     component.addOperation("start", [name] {
@@ -202,7 +203,7 @@ void holdBack(RTT::TaskContext& component) {
 bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink) {
     doImports(plan, sink);
     const std::vector<std::string> reported = resolveTypes(plan, sink);
-    Surroundings around = surroundingsOf(session);
+    PlanContext around = surroundingsOf(session);
     around.planOnly = planOnly;
     around.componentTypes.insert(around.componentTypes.end(), reported.begin(), reported.end());
     validate(plan, around, sink);
@@ -218,10 +219,10 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
     }
     applyGlobals(plan.globals, sink);
     for (const ComponentPlan& component : plan.components) {
-        Record* record = recordFor(session, component, group, sink);
+        ComponentRecord* record = recordFor(session, component, group, sink);
         if (!record) continue;
         record->optionsGroup = group;
-        Records::merge(record->plan, component);
+        ComponentRecords::merge(record->plan, component);
         for (const Text& service : component.services)
             if (!loadService(*record->instance, service.value))
                 sink.error(service.where, "DEP033",
@@ -237,7 +238,7 @@ bool loadService(RTT::TaskContext& component, const std::string& service) {
 }
 
 bool loadLibrary(const std::string& file, std::string& error) {
-    // Where it lies tells what it is.
+    // Its folder tells whether it is a plugin or a component library.
     std::error_code none;
     const std::string directory = std::filesystem::absolute(file, none).parent_path().filename().string();
     if (directory == "types" || directory == "plugins") return PluginLoader::Instance()->loadLibrary(file, error);

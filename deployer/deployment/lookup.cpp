@@ -43,7 +43,7 @@ RTT::Service::shared_ptr findService(RTT::TaskContext& component, const std::str
 }
 
 RTT::base::PortInterface* findPort(RTT::TaskContext& component, const std::string& path) {
-    // Names with dots exist; only if there is none of the whole name is it a path.
+    // Names may have dots, so the whole text is tried as a name before it is taken as a path.
     if (RTT::base::PortInterface* port = component.ports()->getPort(path)) return port;
     const auto parts = splitPath(path);
     std::string error;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** What stands in a folder; nothing if it cannot be read. */
+/** The entries of a folder; none if it cannot be read. */
 std::vector<fs::path> entriesOf(const fs::path& folder) {
     std::error_code none;
     std::vector<fs::path> found;
@@ -30,7 +30,8 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
     return found;
 }
 
-/** A library that has values of a type holds its name, as type information has it. */
+/** True if the library contains the name of the type in its type information, as each library does that uses values of
+    it. */
 bool holds(const fs::path& library, const std::type_info& type) {
     std::ifstream in(library, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -39,7 +40,7 @@ bool holds(const fs::path& library, const std::type_info& type) {
 }
 
 bool hasTypekit(const fs::path& package, const std::type_info& type) {
-    if (package.filename() == OROCOS_TARGET_NAME) return false;  // no package, but the folder of all of them
+    if (package.filename() == OROCOS_TARGET_NAME) return false;  // not a package but the folder of all packages
     const std::vector<fs::path> libraries = entriesOf(package / "types");
     return std::any_of(libraries.begin(), libraries.end(), [&](const fs::path& library) {
         return library.filename().string().find(".so") != std::string::npos &&
@@ -47,7 +48,7 @@ bool hasTypekit(const fs::path& package, const std::type_info& type) {
     });
 }
 
-/** Of all packages on the search path. */
+/** The packages on the search path whose typekits have the type. */
 std::vector<std::string> packagesWith(const std::type_info& type) {
     std::set<std::string> names;
     const std::string paths = RTT::ComponentLoader::Instance()->getComponentPath();
@@ -90,10 +91,10 @@ void MissingTypekits::check(const ComponentPlan& component, const RTT::internal:
         const auto used = std::find_if(component.ports.begin(), component.ports.end(),
                                        [&](const PortPlan& one) { return one.port.value == port.name; });
         const bool isUsed = used != component.ports.end();
-        if (told_.count(port.type->name())) continue;
+        if (reported_.count(port.type->name())) continue;
         const std::vector<std::string>& packages = packagesOf(*port.type);
         if (packages.empty() && !(isUsed && isTransported(*used))) continue;
-        told_.insert(port.type->name());
+        reported_.insert(port.type->name());
         sink_
             .warning(isUsed ? used->port.where : component.type.where, "DEP066",
                      "no loaded typekit has the type '" + boost::core::demangle(port.type->name()) + "' of port '" +

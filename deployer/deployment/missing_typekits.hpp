@@ -16,12 +16,12 @@
 
 namespace OCL::deploy {
 
-/** What to do about a type that no loaded typekit has: names the installed packages whose typekits have it. Reads libraries,
-    loads none. */
+/** Advice about a type that no loaded typekit has: names the installed packages whose typekits have it. Reads libraries
+    but loads none. */
 std::string typekitAdvice(const std::type_info& type);
 
-/** Reports types of described ports that no loaded typekit has, each once: if an installed typekit has it, or the plan asks for
-    a transport, which needs one. Within a process such ports can be connected. */
+/** Reports types of described ports that no loaded typekit has, each once, if an installed typekit has the type or if
+    the plan asks for a transport, which needs a typekit. Connections within a process work without. */
 class MissingTypekits {
 public:
     MissingTypekits(const Plan& plan, diag::Sink& sink) : plan_(plan), sink_(sink) {}
@@ -33,7 +33,7 @@ private:
 
     const Plan& plan_;
     diag::Sink& sink_;
-    std::set<std::string> told_;                             // names of types
+    std::set<std::string> reported_;                         // names of types
     std::map<std::string, std::vector<std::string>> found_;  // packages, by the name of the type
 };
 

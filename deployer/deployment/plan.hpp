@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a deployment file says, as plain data with the places it was said. Nothing here refers to live components.
+// The contents of a deployment file, as plain data with places. Nothing here refers to live components.
 #ifndef OROFORGE_DEPLOYMENT_PLAN_HPP
 #define OROFORGE_DEPLOYMENT_PLAN_HPP
 
@@ -17,7 +17,7 @@ namespace OCL::deploy {
 namespace diag = oroforge::diag;
 namespace xml = oroforge::xml;
 
-/** A word of the file and where it stands. */
+/** A word of the file and its place. */
 struct Text {
     std::string value;
     diag::Location where;
@@ -34,7 +34,7 @@ struct ImportPlan {
 };
 
 struct PolicyPlan {
-    Text name;  // of the connection
+    Text name;  // the connection
     RTT::ConnPolicy policy;
 };
 
@@ -44,7 +44,7 @@ struct ActivityPlan {
     ActivityKind kind = ActivityKind::Activity;
     std::string type;  // as written
     diag::Location where;
-    std::optional<double> period;  // seconds; of a FileDescriptorActivity: the timeout in milliseconds
+    std::optional<double> period;  // seconds; for a FileDescriptorActivity the timeout in milliseconds
     std::optional<int> priority;
     bool realTime = true;  // ORO_SCHED_RT
     std::optional<unsigned> cpuAffinity;
@@ -71,7 +71,7 @@ struct ComponentPlan {
     Text type;
     Flag autoConf, autoStart, autoConnect, autoSave;
     std::vector<Text> services;
-    std::vector<xml::Element> properties;  // the `Properties` structs, unread: their types are the component's
+    std::vector<xml::Element> properties;  // `Properties` structs; the component has their types
     std::vector<PropertyFilePlan> propertyFiles;
     std::vector<PortPlan> ports;
     std::vector<Text> peers;
@@ -84,7 +84,7 @@ struct Plan {
     std::string file;
     std::vector<ImportPlan> imports;
     std::vector<PolicyPlan> policies;
-    std::optional<RTT::ConnPolicy> defaultPolicy;  // of the process from now on
+    std::optional<RTT::ConnPolicy> defaultPolicy;  // for the process from now on
     std::vector<ComponentPlan> components;
     std::vector<xml::Element> globals;  // `Properties` structs for the global properties
 };

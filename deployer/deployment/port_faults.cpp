@@ -28,11 +28,11 @@ void checkDirections(const std::string& connection, const std::vector<ConnectedP
         std::count_if(ports.begin(), ports.end(), [](const ConnectedPort& one) { return one.isOutput; });
     if (outputs != 0 && outputs != static_cast<std::ptrdiff_t>(ports.size())) return;
     const diag::Location& where = ports.front().where;
-    diag::Diagnostic& told =
+    diag::Diagnostic& report =
         outputs == 0 ? sink.error(where, "DEP042", "no output port takes part in connection '" + connection + "'")
                      : sink.warning(where, "DEP042", "no input port takes part in connection '" + connection + "'");
     for (const ConnectedPort& one : ports)
-        told.note(one.where, "port '" + one.name + "' is an " + (one.isOutput ? "output" : "input"));
+        report.note(one.where, "port '" + one.name + "' is an " + (one.isOutput ? "output" : "input"));
 }
 
 }  // namespace OCL::deploy

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What can be wrong with the ports of a connection, whether manifests or the components themselves say which there are.
+/// Reports faults of the ports of a connection, which are known from manifests or from the components themselves.
 #ifndef OROFORGE_DEPLOYER_DEPLOYMENT_PORT_FAULTS_HPP
 #define OROFORGE_DEPLOYER_DEPLOYMENT_PORT_FAULTS_HPP
 
@@ -24,7 +24,7 @@ struct ConnectedPort {
 diag::Diagnostic& reportUnknownPort(const std::string& component, const Text& port,
                                     const std::vector<std::string>& known, diag::Sink& sink);
 
-/// DEP041: `first` gives the connection its type, `other` has another one.
+/// DEP041: `other` has another type than `first`, which determines the type of the connection.
 void reportOtherType(const std::string& connection, const ConnectedPort& first, const ConnectedPort& other,
                      diag::Sink& sink);
 

@@ -18,14 +18,14 @@ namespace {
 
 using RTT::base::PropertyBase;
 
-/** Sets the properties of `target` that the struct names, by one element after the other; those in `users` are added first if it lacks them. `owner` is for
-    messages. */
+/** Sets the properties of `target` that the struct names, one element after another. If `target` lacks one of those in
+    `users`, adds it first. `owner` is for messages. */
 void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const std::vector<std::string>& users,
                  const std::string& owner, diag::Sink& sink) {
     RTT::PropertyBag read;
     RTT::marsh::Places places;
-    diag::Sink told;  // when the file was read
-    (void)RTT::marsh::readBag(properties, read, told, &places);
+    diag::Sink unused;  // errors were reported when the file was read
+    (void)RTT::marsh::readBag(properties, read, unused, &places);
     for (const std::string& name : users)
         if (const PropertyBase* const given = target.find(name) ? nullptr : read.find(name))
             target.ownProperty(given->clone());
@@ -33,7 +33,7 @@ void applyStruct(const xml::Element& properties, RTT::PropertyBag& target, const
     how.report = [&](const PropertyBase* where, const std::string& text) {
         sink.error(places.at(where), "DEP052", owner + ": " + text);
     };
-    how.addMissing = how.fillDescriptions = true;  // within them: a bag is there to be filled
+    how.addMissing = how.fillDescriptions = true;  // within properties: bags are meant to be filled
     RTT::internal::detail::NamePairing pairing(read);
     for (PropertyBase* const property : target)
         for (std::size_t next; (next = pairing.next(property->getName())) < read.size();)
@@ -51,7 +51,7 @@ RTT::marsh::LoadMode modeOf(const PropertyFilePlan& file) {
 
 }  // namespace
 
-void applyProperties(Record& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
+void applyProperties(ComponentRecord& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
     std::vector<std::string> users;
     if (record.instance == deployer) users = shutdownProperties();
     for (const xml::Element& properties : record.plan.properties)
@@ -66,7 +66,7 @@ void applyProperties(Record& record, const RTT::TaskContext* deployer, diag::Sin
     }
 }
 
-void autoSave(const Record& record) {
+void autoSave(const ComponentRecord& record) {
     if (!record.plan.autoSave.value_or(false)) return;
     if (record.loadedFile.empty()) {
         RTT::log(RTT::Error) << "AutoSave of component '" << record.name

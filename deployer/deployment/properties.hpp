@@ -9,11 +9,12 @@
 
 namespace OCL::deploy {
 
-/** Sets the component's properties, and gives those for its end to the deployer if it is that: what the deployment file says, then the property files in their order. */
-void applyProperties(Record& record, const RTT::TaskContext* deployer, diag::Sink& sink);
+/** Sets the component's properties by the deployment file, then by the property files in order. If the component is the
+deployer, adds the properties for its shutdown. */
+void applyProperties(ComponentRecord& record, const RTT::TaskContext* deployer, diag::Sink& sink);
 
-/** Writes all properties to the last file they were loaded from, if the component is to be saved. */
-void autoSave(const Record& record);
+/** Writes all properties to the file from which they were last loaded, if the component has AutoSave. */
+void autoSave(const ComponentRecord& record);
 
 /** Sets global properties of the process. */
 void applyGlobals(const std::vector<xml::Element>& globals, diag::Sink& sink);

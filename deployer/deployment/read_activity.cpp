@@ -11,7 +11,7 @@
 namespace OCL::deploy {
 namespace {
 
-/** What each kind of activity needs and may have. */
+/** The elements that a kind of activity needs and may have. */
 struct ActivityForm {
     const char* type;
     ActivityKind kind;
@@ -76,7 +76,7 @@ bool mentions(const xml::Element& element, const std::string& name) {
 
 void checkForm(const xml::Element& element, const ActivityForm& form, ActivityPlan& plan, diag::Sink& sink) {
     const std::string type = form.type;
-    // An element that is there but wrong has been reported already.
+    // A malformed element has been reported already.
     if (form.needsPriority && !mentions(element, "Priority"))
         sink.error(element.where, "DEP013", type + " has no 'Priority' (short)");
     if (form.needsPeriod && !mentions(element, "Period"))
@@ -107,7 +107,7 @@ ActivityPlan readActivity(const xml::Element& element, diag::Sink& sink) {
             .hint("activity types are " + diag::oneOf(known));
 
     checkTwice(element, {}, sink);
-    // Whoever gives only a period wants no real-time thread; a priority asks for one.
+    // A priority asks for a real-time thread; a period alone does not.
     plan.realTime = mentions(element, "Priority");
     const bool isTimeout = form && form->kind == ActivityKind::FileDescriptor;
     const TimeUnit unit = isTimeout ? TimeUnit::Milliseconds : TimeUnit::Seconds;

@@ -11,7 +11,7 @@
 namespace OCL::deploy {
 namespace {
 
-/** What the plan keeps may be moved out of the element. */
+/** Reads an element into the plan, and may move its contents. */
 using Reader = void (*)(xml::Element&, ComponentPlan&, diag::Sink&);
 
 template <Flag ComponentPlan::*member>

@@ -13,12 +13,12 @@ namespace {
 
 using RTT::ConnPolicy;
 
-/** A member of the policy that is a whole number, and its range. */
+/** An integer member of the policy and its range. */
 struct NumberMember {
     const char* name;
     long long least, most;
     void (*store)(ConnPolicy&, int);
-    const char* meaning = "";  // of the numbers
+    const char* meaning = "";  // what the numbers mean
 };
 
 const NumberMember kNumbers[] = {
@@ -85,7 +85,7 @@ void readMember(const xml::Element& element, ConnPolicy& policy, diag::Sink& sin
 bool isPolicy(const xml::Element& element) {
     if (element.name != "struct") return false;
     if (typeOf(element).value == "ConnPolicy") return true;
-    // Old files name another type; what they hold tells.
+    // Old files have another type, so the members decide.
     bool any = false;
     for (const xml::Element& child : element.children) {
         if (child.name == "description") continue;
@@ -112,8 +112,8 @@ PolicyPlan readPolicy(const xml::Element& element, const RTT::ConnPolicy& policy
         sink.warning(element.where, "DEP011",
                      "connection policy '" + plan.name.value + "' has no members; the default policy is used");
     const bool buffered = plan.policy.type == ConnPolicy::BUFFER || plan.policy.type == ConnPolicy::CIRCULAR_BUFFER;
-    const bool isStream = plan.policy.transport != 0;  // transports choose a size themselves
-    // A size that is there but wrong has been reported already.
+    const bool isStream = plan.policy.transport != 0;  // transports choose their own size
+    // A malformed size has been reported already.
     const bool reported = namesSize && sink.errorCount() != errorsBefore;
     if (buffered && plan.policy.size <= 0 && !isStream && !reported)
         sink.error(element.where, "DEP011",

@@ -25,7 +25,7 @@ bool contains(TypeNames names, const std::string& name) {
     return std::any_of(names.begin(), names.end(), [&](const char* candidate) { return name == candidate; });
 }
 
-/** The text of the value if the element is a simple one of one of these types. `expected` names them to the user. */
+/** The text of the value if the element is a <simple> of one of these types, which messages call `expected`. */
 std::optional<Text> valueOf(const xml::Element& element, TypeNames types, const std::string& expected,
                             diag::Sink& sink) {
     const std::string name = nameOf(element).value;
@@ -53,7 +53,7 @@ void badValue(const xml::Element& element, const Text& value, const std::string&
                "the value of '" + nameOf(element).value + "' is '" + value.value + "', expected " + expected);
 }
 
-/** What of the text can be read as digits: without a plus sign, and without the mark of a hexadecimal number. */
+/** The digits of a number: its text without a plus sign and without the prefix of hexadecimal. */
 struct Digits {
     const char* begin;
     const char* end;
@@ -68,7 +68,7 @@ struct Digits {
     }
 };
 
-/** False, and a report, for text behind a number, which the original did not look at. */
+/** Reports text after a number, which the original ignores; false if that is an error. */
 bool isWhole(const xml::Element& element, const char* read, const Digits& digits, const Text& text,
              const std::string& expected, diag::Sink& sink) {
     return read == digits.end ||
@@ -76,7 +76,7 @@ bool isWhole(const xml::Element& element, const char* read, const Digits& digits
                                               std::string(text.value.data(), read), expected, sink);
 }
 
-/** How many of the unit that stands from `at` to the end, perhaps behind a space, are a second; 0 if there is none of that name. */
+/** The number of units in a second, for the unit from `at` to the end, perhaps after a space; 0 if it is unknown. */
 double perSecond(const char* at, const char* end) {
     if (at != end && *at == ' ') ++at;
     const std::string name(at, end);
@@ -132,7 +132,7 @@ std::optional<long long> readInteger(const xml::Element& element, long long leas
 std::optional<double> readTime(const xml::Element& element, TimeUnit unit, diag::Sink& sink) {
     const std::optional<Text> text = valueOf(element, kReals, "double", sink);
     if (!text) return std::nullopt;
-    // Not by the C library, which follows the locale that a component may have set.
+    // Not read by the C library, which depends on the locale, and a component may have set that.
     const Digits digits(text->value, false);
     double number = 0;
     const auto read = std::from_chars(digits.begin, digits.end, number);

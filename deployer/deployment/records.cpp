@@ -15,7 +15,7 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
-/** The same port in the same connection is named once, whatever number of structs say so. */
+/** Adds ports; the same port in the same connection only once, even if several structs name it. */
 void appendPorts(std::vector<PortPlan>& ports, const std::vector<PortPlan>& more) {
     for (const PortPlan& port : more) {
         const auto isSame = [&](const PortPlan& known) {
@@ -30,7 +30,8 @@ bool isSameFile(const std::string& a, const std::string& b) {
     return a == b || std::filesystem::equivalent(a, b, none);
 }
 
-/** A statement of a file that was read again adds nothing: its script runs once. */
+/** Adds scripts, but none that came from the same statement, so that a script of a file that is read again runs once.
+     */
 void appendScripts(std::vector<ScriptPlan>& scripts, const std::vector<ScriptPlan>& more) {
     for (const ScriptPlan& script : more) {
         const auto isSame = [&](const ScriptPlan& known) { return isSameStatement(known, script); };
@@ -50,33 +51,34 @@ bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b) {
            isSameFile(one.file, other.file);
 }
 
-Record& Records::add(const std::string& name, RTT::TaskContext* instance) {
-    erase(instance);  // of a component that others destroyed, and whose memory this one has got
-    Record& record = all.emplace_back();
+ComponentRecord& ComponentRecords::add(const std::string& name, RTT::TaskContext* instance) {
+    erase(instance);  // the record of a destroyed component whose memory this one reuses
+    ComponentRecord& record = all.emplace_back();
     record.name = name;
     record.instance = instance;
     places_[instance] = std::prev(all.end());
     return record;
 }
 
-void Records::erase(const RTT::TaskContext* instance) {
+void ComponentRecords::erase(const RTT::TaskContext* instance) {
     const auto place = places_.find(instance);
     if (place == places_.end()) return;
     all.erase(place->second);
     places_.erase(place);
 }
 
-Record* Records::find(const std::string& name) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Record& record) { return record.name == name; });
+ComponentRecord* ComponentRecords::find(const std::string& name) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const ComponentRecord& record) { return record.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
 
-Record* Records::find(const RTT::TaskContext* instance) {
+ComponentRecord* ComponentRecords::find(const RTT::TaskContext* instance) {
     const auto place = places_.find(instance);
     return place == places_.end() ? nullptr : &*place->second;
 }
 
-void Records::merge(ComponentPlan& known, const ComponentPlan& more) {
+void ComponentRecords::merge(ComponentPlan& known, const ComponentPlan& more) {
     known.name = more.name;
     if (known.type.empty() || more.type.value != "PropertyBag") known.type = more.type;
     replace(known.autoConf, more.autoConf);
@@ -92,10 +94,10 @@ void Records::merge(ComponentPlan& known, const ComponentPlan& more) {
     if (more.activity) known.activity = more.activity;
 }
 
-std::vector<Connection> Records::connections() const {
+std::vector<Connection> ComponentRecords::connections() const {
     std::vector<Connection> result;
     std::map<std::string, std::size_t> index;
-    for (const Record& record : all)
+    for (const ComponentRecord& record : all)
         for (const PortPlan& port : record.plan.ports) {
             const std::string& name = port.connection.value;
             const auto known = index.emplace(name, result.size());

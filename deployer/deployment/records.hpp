@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The components a deployer knows and what files said about them.
+// The components that a deployer knows, with what files say about them.
 #ifndef OROFORGE_DEPLOYMENT_RECORDS_HPP
 #define OROFORGE_DEPLOYMENT_RECORDS_HPP
 
@@ -18,58 +18,58 @@ class TaskContext;
 
 namespace OCL::deploy {
 
-/** What a script has left in its component. */
+/** What a script loaded into its component. */
 struct LoadedScript {
     ScriptPlan script;
     std::vector<std::string> programs, machines;
 };
 
-struct Record {
+struct ComponentRecord {
     std::string name;
     RTT::TaskContext* instance = nullptr;
-    bool loadedHere = false;  // else: the deployer itself or a peer that others made
-    int group = 0;            // that created it
-    int optionsGroup = 0;     // that last gave it options: these are applied with that group
+    bool loadedHere = false;  // false for the deployer itself and for peers that others created
+    int group = 0;            // the group that created it
+    int optionsGroup = 0;     // the group that last gave it options and applies them
     ComponentPlan plan;
-    std::string master;                // whose activity executes this component; empty: none
-    Text loadedFile;                   // the last property file that was applied; AutoSave writes it
+    std::string master;                // the component whose activity executes this one; empty if it is not a slave
+    Text loadedFile;                   // the last property file that was applied, which AutoSave writes
     std::vector<LoadedScript> loaded;  // in the order in which the scripts ran
 };
 
-/** One connection: the ports of all files that name it. */
+/** A connection, with its ports from all files. */
 struct Connection {
     std::string name;
     RTT::ConnPolicy policy;
     struct Member {
-        const Record* record;
+        const ComponentRecord* record;
         const PortPlan* plan;
     };
     std::vector<Member> members;  // in the order of the files, never empty
 };
 
-/** True if both are one statement of one file, whatever the file was called. */
+/** True if both come from the same statement of the same file, whatever the name of the file. */
 bool isSameStatement(const ScriptPlan& a, const ScriptPlan& b);
 
-struct Records {
-    Records() = default;
-    Records(const Records&) = delete;
-    Records& operator=(const Records&) = delete;
+struct ComponentRecords {
+    ComponentRecords() = default;
+    ComponentRecords(const ComponentRecords&) = delete;
+    ComponentRecords& operator=(const ComponentRecords&) = delete;
 
-    // In order of creation. A list, because scripts add while others are configured; they come and go by add() and erase().
-    std::list<Record> all;
+    // In order of creation. A list, because scripts add components while others are configured. Use add() and erase().
+    std::list<ComponentRecord> all;
     std::map<std::string, PolicyPlan> policies;  // by connection name
 
-    Record& add(const std::string& name, RTT::TaskContext* instance);
+    ComponentRecord& add(const std::string& name, RTT::TaskContext* instance);
     void erase(const RTT::TaskContext* instance);
-    Record* find(const std::string& name);
-    Record* find(const RTT::TaskContext* instance);
-    /** Adds what a struct says to what was said before: flags and the activity replace, lists grow. */
+    ComponentRecord* find(const std::string& name);
+    ComponentRecord* find(const RTT::TaskContext* instance);
+    /** Adds the options of another struct: flags and the activity are replaced, lists grow. */
     static void merge(ComponentPlan& known, const ComponentPlan& more);
-    /** All connections, in the order in which their first port is named. Pointers hold until records change. */
+    /** All connections, in the order of their first ports. Pointers are valid until records change. */
     std::vector<Connection> connections() const;
 
 private:
-    std::unordered_map<const RTT::TaskContext*, std::list<Record>::iterator> places_;
+    std::unordered_map<const RTT::TaskContext*, std::list<ComponentRecord>::iterator> places_;
 };
 
 }  // namespace OCL::deploy

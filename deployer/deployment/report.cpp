@@ -11,7 +11,7 @@
 namespace OCL::deploy {
 namespace {
 
-/** Keeps the log off the console, where the same is said better, for the life time of this object. */
+/** While it exists, keeps the log off the console, where diagnostics are printed with more detail. */
 class FileLogOnly {
 public:
     FileLogOnly() : wasOn_(reachesConsole()) {
@@ -22,7 +22,7 @@ public:
     }
 
 private:
-    /** The logger answers for the level of the line that was begun last: one that nobody wants to see reaches nothing. */
+    /** Begins a line of level Fatal, because the logger answers for the level of the last line. */
     static bool reachesConsole() {
         RTT::log(RTT::Fatal);
         return RTT::Logger::Instance()->mayLogStdOut();

@@ -7,11 +7,11 @@
 
 namespace OCL::deploy {
 
-/** Writes diagnostics with their source lines to standard error, and one line for each to the log file; or gives them to who
-    takes all diagnostics of the process. */
+/** Writes diagnostics with their source lines to standard error, and a line for each to the log file. If a function
+    takes all diagnostics of the process, gives them to it instead. */
 void report(const oroforge::diag::Sink& sink);
 
-/** One line for each to the log file only. */
+/** Writes a line for each diagnostic to the log file only. */
 void logToFile(const oroforge::diag::Sink& sink);
 
 }  // namespace OCL::deploy

@@ -32,7 +32,7 @@ RTT::scripting::CallProblem problem(std::string text, const char* code, std::siz
     return result;
 }
 
-/** A warning of what may be right when the script runs; only if the text suggests another name. */
+/** A warning of what may be right when the script runs; given only if the text suggests another name. */
 RTT::scripting::CallProblem doubtful(std::string text, const char* code, std::size_t argument,
                                      const RTT::scripting::ForeseenCall& call) {
     if (!call.ignored || text.find("; did you mean '") == std::string::npos) return {};
@@ -45,7 +45,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/** The services that come with the toolchain, and add nothing but themselves. */
+/** True for services of the toolchain, which add nothing but themselves. */
 bool isOfToolchain(const std::string& service) { return service == "scripting" || service == "marshalling"; }
 
 bool isThere(const std::filesystem::path& file) {
@@ -53,7 +53,7 @@ bool isThere(const std::filesystem::path& file) {
     return std::filesystem::exists(file, unknown) || unknown;
 }
 
-/** Where a script that another one runs is; empty if there is none. */
+/** The path of a script that another one runs; empty if there is none. */
 std::string fileOf(const std::string& script, const std::string& caller) {
     if (isThere(script)) return script;
     const std::filesystem::path beside = std::filesystem::path(caller).parent_path() / script;
@@ -74,7 +74,7 @@ RTT::scripting::CallProblem ScriptForecast::foresee(const Call& call, Expectatio
     return wrong;
 }
 
-/** Services are loaded, and scripts run, as the deployer does it for itself. */
+/** Operations of a component that load services and run scripts, as those of the deployer do. */
 RTT::scripting::CallProblem ScriptForecast::callOfService(const std::vector<std::string>& path, const Call& call,
                                                           Expectations& expected) {
     const bool isCheck = !isRun() && known(path.front(), expected);
@@ -102,7 +102,7 @@ void ScriptForecast::callOfOthers(const std::vector<std::string>& path, Expectat
     } else if (isQuery(*session_.deployer, path) || isHarmless(path)) {
         return;
     } else if (first != "scripting" && session_.deployer->provides()->hasService(first)) {
-        expected.anything();  // a program or a state machine
+        expected.anything();  // such as a program or a state machine
     } else {
         anyOperation(expected);
     }
@@ -146,14 +146,14 @@ RTT::scripting::CallProblem ScriptForecast::callOfDeployer(const std::string& op
     return wrong;
 }
 
-/** Only what fails for certain, whatever the script did before, and is not looked at by the script itself. */
+/** True if a failure must be reported: the call is certain to fail, and the script ignores its result. */
 bool ScriptForecast::tells(const Call& call, const Expectations& expected) const {
     return call.certain && call.ignored && !expected.names;
 }
 
 RTT::scripting::CallProblem ScriptForecast::import(const Call& call, bool isLibrary, Expectations& expected) {
     const std::string* const what = textOf(call, 0);
-    // A run does it in its turn: what stands before may prepare it, or take its time.
+    // A script that runs imports it itself, because earlier statements may prepare the import, or take long.
     if (!what || !call.certain || (isRun() && expected.begun)) {
         foreignCode(expected);
         return {};
@@ -163,7 +163,7 @@ RTT::scripting::CallProblem ScriptForecast::import(const Call& call, bool isLibr
         isLibrary ? loadLibrary(*what, error) : ComponentLoader::Instance()->import(*what, std::string(), error);
     if (done) return {};
     const bool isSure = isRun() ? call.ignored : tells(call, expected);
-    // What it would have brought is not known; the operations of the deployer are.
+    // What the library would add is unknown, but the operations of the deployer are known.
     expected.anyGlobals();
     const std::string text = "could not " + std::string(isLibrary ? "load" : "import") + " '" + *what + "': " + error;
     return isSure ? problem(text, "DEP030", 0) : isRun() ? Problem() : doubtful(text, "DEP030", 0, call);
@@ -176,7 +176,7 @@ void ScriptForecast::path(const Call& call, Expectations& expected) {
     try {
         ComponentLoader::Instance()->import(*directories);
     } catch (const std::exception&) {
-        expected.anyGlobals();  // it will be told by the script
+        expected.anyGlobals();  // the script will report it
     }
 }
 
@@ -185,12 +185,12 @@ RTT::scripting::CallProblem ScriptForecast::component(const Call& call, Expectat
     const std::string* const type = textOf(call, 1);
     if (!name) {
         foreignCode(expected);
-        expected.anything();  // of whatever name
+        expected.anything();  // a component of any name
         return {};
     }
     if (!session_.component(*name)) expected.components.insert(*name);
     std::string error;
-    // A run loads a library in its turn.
+    // A script that runs loads the library itself.
     const bool waits = isRun() && type && type->find(".so") != std::string::npos;
     if (type && call.certain && !waits) {
         const std::string wanted = componentTypeOf(*type, error);
@@ -223,7 +223,7 @@ RTT::scripting::CallProblem ScriptForecast::made(const std::string& name, const 
         expected.components.erase(name);
         return {};
     }
-    // Where the script will run, it may be otherwise: a device is there.
+    // It may succeed where the script will run, for example with a device.
     Problem result = problem("could not load component '" + name + "': " + error, "DEP032", 0);
     result.isWarning = true;
     return result;
@@ -262,7 +262,7 @@ RTT::scripting::CallProblem ScriptForecast::noService(const std::string& wanted,
                    "DEP033", into.empty() ? 0 : 1);
 }
 
-/** Global services: they are loaded, so that what they bring is known. */
+/** Loads a global service, so that its operations are known. */
 RTT::scripting::CallProblem ScriptForecast::require(const Call& call, Expectations& expected) const {
     const std::string* const name = textOf(call, 0);
     if (name && RTT::internal::GlobalService::Instance()->hasService(*name)) return {};
@@ -288,7 +288,7 @@ void ScriptForecast::change(const Call& call, Expectations& expected) const {
         foreignCode(expected);
 }
 
-/** It may be loaded again, as another one. */
+/** A component that is unloaded may be loaded again with another type. */
 RTT::scripting::CallProblem ScriptForecast::unload(const Call& call, Expectations& expected) {
     const std::string* const name = textOf(call, 0);
     if (!name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What calls of the deployer's operations lead to, for scripts that are checked.
+// The effects of calls of the deployer's operations, for scripts that are checked.
 #ifndef OROFORGE_DEPLOYMENT_SCRIPT_FORECAST_HPP
 #define OROFORGE_DEPLOYMENT_SCRIPT_FORECAST_HPP
 
@@ -17,21 +17,21 @@
 namespace OCL::deploy {
 
 enum class Foresight {
-    Run,  ///< for a script that runs afterwards: tells only what is certain whatever code of others does; makes no components
-    Check  ///< for a script that does not run: makes the components, whose operations are known then, and tells what will fail
+    Run,   ///< for a script that runs afterwards: creates no components, and reports only certain failures
+    Check  ///< for a script that does not run: creates the components, to know their operations; reports what will fail
 };
 
-/** An argument that is a text as it stands in the script; null: it is none. */
+/** An argument that is a literal text; null for others. */
 inline const std::string* textOf(const RTT::scripting::ForeseenCall& call, std::size_t argument) {
     return argument < call.texts.size() ? call.texts[argument] : nullptr;
 }
 
-/** Does the imports that a script is certain to do; of one that runs afterwards, those that it does before anything else. */
+/** Does the imports that a script is certain to do; for a script that runs afterwards, only those at its beginning. */
 class ScriptForecast final : public RTT::scripting::CallForecast {
 public:
     ScriptForecast(Session& session, Foresight foresight) : session_(session), foresight_(foresight) {}
 
-    /** What components that are running now may do at any time. */
+    /** Expects what running components may do at any time. */
     void expectRunning(RTT::scripting::Expectations& expected) const;
     RTT::scripting::CallProblem foresee(const RTT::scripting::ForeseenCall& call,
                                         RTT::scripting::Expectations& expected) override;
@@ -58,7 +58,7 @@ private:
     Problem missingScript(const Call& call, const Expectations& expected) const;
     void wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const;
 
-    /** What there is to draw of it. */
+    /** Records what the graph shows of the call. */
     void recordFor(const std::string& operation, const Call& call, const Expectations& expected);
 
     Problem wrongName(const std::vector<NamedArgument>& names, const Call& call, const Expectations& expected) const;
@@ -67,19 +67,19 @@ private:
     Problem noService(const std::string& wanted, const std::string& into) const;
     bool isRun() const { return foresight_ == Foresight::Run; }
     bool tells(const Call& call, const Expectations& expected) const;
-    /** The component that has that name now, and will have it when the script comes here; null if that is not certain. */
+    /** The component that has the name now and certainly when the script reaches the call; otherwise null. */
     RTT::TaskContext* known(const std::string& name, const Expectations& expected) const;
-    /** Code that was brought in is executed, by a library or a component that is to come. */
+    /** Expects the effects of unknown code, of a library or of a component that does not exist yet. */
     void foreignCode(Expectations& expected) const;
-    /** Code of that component is executed. */
+    /** Expects the effects of code of that component. */
     void touch(RTT::TaskContext& component, Expectations& expected) const;
     void touchAll(Expectations& expected) const;
-    /** The deployer may be told to do whatever it can. */
+    /** Expects that any operation of the deployer may be called. */
     void anyOperation(Expectations& expected) const;
 
     Session& session_;
     const Foresight foresight_;
-    std::set<std::string> failed_;  // components that cannot be made, for a reason that was reported
+    std::set<std::string> failed_;  // components that cannot be created, for a reason that was reported
 };
 
 }  // namespace OCL::deploy

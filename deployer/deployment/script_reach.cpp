@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How far code reaches that a script calls: what may be otherwise afterwards.
+// The reach of code that a script calls: what may have changed afterwards.
 #include "script_forecast.hpp"
 
 #include <rtt/TaskContext.hpp>
@@ -12,7 +12,7 @@ RTT::TaskContext* ScriptForecast::known(const std::string& name, const Expectati
 }
 
 void ScriptForecast::foreignCode(Expectations& expected) const {
-    // It may give a component another operation under the same name.
+    // Code may replace an operation of a component by another one of the same name.
     if (isRun())
         anyOperation(expected);
     else
@@ -40,7 +40,7 @@ void ScriptForecast::touchAll(Expectations& expected) const {
         if (RTT::TaskContext* const peer = session_.deployer->getPeer(name)) touch(*peer, expected);
 }
 
-/** Components may be taken away, and others made under their names. */
+/** Components may be destroyed, and others created with their names. */
 void ScriptForecast::anyOperation(Expectations& expected) const {
     expected.anything();
     for (const std::string& name : session_.deployer->getPeerList()) expected.components.insert(name);

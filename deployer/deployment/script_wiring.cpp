@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls of a script that join components: what may happen then, and what there is to draw.
+// Calls of a script that connect components: their effects, and what the graph shows of them.
 #include "lookup.hpp"
 #include "script_forecast.hpp"
 
@@ -25,13 +25,13 @@ void ScriptForecast::peers(const std::string& operation, const Call& call, Expec
         return;
     }
     if (first == session_.deployer) expected.components.insert(*alias);
-    // One that is not there yet may do with the deployer, or another one, what it likes.
+    // A component that does not exist yet may call any operation of a peer, including the deployer.
     if (second == session_.deployer || (mutual && first == session_.deployer)) return anyOperation(expected);
     if (first) expected.more.insert(first);
     if (second) touch(*second, expected);
 }
 
-/** What comes through a port may be a reason to do something, for a component that is to come as well. */
+/** A sample may make a component execute code, also one that does not exist yet. */
 void ScriptForecast::wiring(const std::vector<NamedArgument>& names, const Call& call, Expectations& expected) const {
     std::vector<RTT::TaskContext*> there;
     for (const NamedArgument& named : names)
@@ -47,7 +47,7 @@ namespace {
 
 using Join = Foreseen::Join;
 
-/** Whether all arguments that count stand in the script; these, joined to paths by pairs where components and ports stand apart. */
+/** True if all arguments that name something are literals. Joins separate names of component and port to paths. */
 bool namesOf(const std::string& operation, const RTT::scripting::ForeseenCall& call, Join& join) {
     const auto text = [&](std::size_t argument) { return textOf(call, argument); };
     const auto path = [&](std::size_t argument) {
@@ -64,7 +64,7 @@ bool namesOf(const std::string& operation, const RTT::scripting::ForeseenCall& c
     return !first.empty() && (join.kind == Join::Stream || !second.empty());
 }
 
-/** False for operations that draw nothing. */
+/** The kind of connection that an operation makes; false if it makes none. */
 bool kindOf(const std::string& operation, Join::Kind& kind) {
     if (operation == "connect" || operation == "connectTwoPorts")
         kind = Join::Ports;
@@ -96,7 +96,7 @@ void ScriptForecast::recordFor(const std::string& operation, const Call& call, c
     Join join{Join::Ports, {}, {}, call.certain};
     if (!kindOf(operation, join.kind)) return;
     if (!namesOf(operation, call, join)) return isComputed();
-    // Those that are certain are made.
+    // Certain connections have been made.
     const bool isMade =
         join.kind == Join::Peer && call.certain && known(join.one, expected) && known(join.two, expected);
     if (isMade) return;

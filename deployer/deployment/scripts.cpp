@@ -32,7 +32,7 @@ Interpreter interpreterOf(ScriptPlan::Kind kind, const std::string& file) {
 
 const char kProgramList[] = "getProgramList", kMachineList[] = "getStateMachineList";
 
-/** An operation of the component's service that runs scripts; not ready if there is none. */
+/** An operation of the component's scripting service; not ready if there is none. */
 template <class Signature>
 RTT::OperationCaller<Signature> scripting(RTT::TaskContext& component, const std::string& operation) {
     const RTT::Service::shared_ptr own = component.provides();
@@ -47,7 +47,7 @@ Names namesBy(RTT::TaskContext& component, const char* list) {
     return names.ready() ? names() : Names();
 }
 
-/** Those of `names` that are not in `without`. */
+/** The names that are not in `without`. */
 Names but(const Names& names, const Names& without) {
     Names result;
     for (const std::string& name : names)
@@ -55,7 +55,7 @@ Names but(const Names& names, const Names& without) {
     return result;
 }
 
-/** Those that are still there. */
+/** Unloads the programs and state machines that still exist. */
 void unload(RTT::TaskContext& component, const LoadedScript& loaded) {
     const auto remove = [&](const Names& names, const char* list, const char* operation) {
         RTT::OperationCaller<bool(const std::string&)> one = scripting<bool(const std::string&)>(component, operation);
@@ -98,7 +98,7 @@ bool runScript(RTT::TaskContext& component, ScriptPlan::Kind kind, const std::st
     return false;
 }
 
-bool runScript(Record& record, const ScriptPlan& script, std::string& error) {
+bool runScript(ComponentRecord& record, const ScriptPlan& script, std::string& error) {
     RTT::TaskContext& component = *record.instance;
     if (const auto earlier = findIn(record.loaded, script); earlier != record.loaded.end()) {
         unload(component, *earlier);

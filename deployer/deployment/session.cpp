@@ -12,8 +12,8 @@ RTT::TaskContext* Session::component(const std::string& name) const {
     return isDeployer(name) ? deployer : deployer->getPeer(name);
 }
 
-Record& Session::recordOf(RTT::TaskContext& component) {
-    if (Record* known = records.find(&component)) return *known;
+ComponentRecord& Session::recordOf(RTT::TaskContext& component) {
+    if (ComponentRecord* known = records.find(&component)) return *known;
     return records.add(component.getName(), &component);
 }
 

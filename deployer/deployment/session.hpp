@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// One deployer's state and the steps that change it. Each step reports to a sink and goes on as far as it can.
+// The state of a deployer and the steps that change it. Each step reports to a sink and goes on as far as it can.
 //
 //     load: imports → validate → create components and load services
 //     configure: check ports → peers → connections → activities → properties → scripts → configure → streams
@@ -24,14 +24,14 @@ namespace OCL::deploy {
 
 struct Session {
     RTT::TaskContext* deployer = nullptr;
-    Records records;
-    std::vector<Plan> planned;                      // that are only to be checked
-    Foreseen foreseen;                              // by scripts that are only looked through
-    std::set<std::string> masters;                  // whose activities have, or once had, slaves
-    std::map<int, RTT::ConnPolicy> formerDefaults;  // by the group that replaced it
-    int nextGroup = 1;                              // of the next file; 0: components created one by one
-    bool startsNothing = false;                     // it only checks
-    int waitPeriodPolicy = 0;                       // for the threads of new activities
+    ComponentRecords records;
+    std::vector<Plan> planned;                      // plans that are only checked
+    Foreseen foreseen;                              // by scripts that are only checked
+    std::set<std::string> masters;                  // components whose activities have, or had, slaves
+    std::map<int, RTT::ConnPolicy> formerDefaults;  // the replaced default, by the group that replaced it
+    int nextGroup = 1;                              // the group of the next file; 0: components created one by one
+    bool startsNothing = false;                     // only checks
+    int waitPeriodPolicy = 0;                       // for threads of new activities
     std::function<bool(RTT::TaskContext*)> loaded;  // false refuses the component
     std::function<void(RTT::TaskContext*)> unloaded;
 
@@ -40,33 +40,33 @@ struct Session {
     /** Names that component() accepts, without "this". */
     std::vector<std::string> componentNames() const;
     bool isDeployer(const std::string& name) const;
-    /** The record of a component, made if there is none. The reference holds until records change. */
-    Record& recordOf(RTT::TaskContext& component);
+    /** The record of a component, created if there is none. The reference is valid until records change. */
+    ComponentRecord& recordOf(RTT::TaskContext& component);
 };
 
 // load.cpp
-/** Imports, finds the types that library files stand for, and validates; creates nothing. True if nothing was wrong. The
-    components of a plan that is only looked at are never seen: then what libraries tell of them is all there is to know. */
+/** Imports, replaces library files by their types, and validates; creates nothing. True without errors. With `planOnly`
+    the components will never exist, so the descriptions in libraries are all that is known of them. */
 bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink);
-/** Prepares and creates; true if nothing was wrong. What was created stays: see takeDown. */
+/** Prepares and creates; true without errors. After an error, what was created stays: see takeDown(). */
 bool load(Session& session, Plan plan, int group, diag::Sink& sink);
-/** The component type that is meant: `word`, or the one type of the library file of that name, which is loaded. The reason
-    in `error` if the file cannot be loaded, or has none or several. */
+/** The component type: `word`, or the only type in the library file of that name, which is loaded. `error` gets the
+    reason if the file cannot be loaded, or does not have exactly one type. */
 std::string componentTypeOf(const std::string& word, std::string& error);
 /** Why no component of that type can be created; empty if the loader has it. */
 std::string unknownType(const std::string& type);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);
-/** Takes the effect from the operation "start", by which scripts start a component. */
+/** Makes the operation "start", by which scripts start the component, do nothing. */
 void holdBack(RTT::TaskContext& component);
 bool loadService(RTT::TaskContext& component, const std::string& service);
 bool loadLibrary(const std::string& file, std::string& error);
-/** Those of a list of directories, separated by colons or semicolons, that are none. */
+/** The entries of a list, separated by colons or semicolons, that are not directories. */
 std::vector<std::string> missingDirectories(const std::string& paths);
 /** Adds directories to the search path of components and plugins. */
 void addSearchPath(const std::string& paths);
-/** Has the search path be what it was before, at the end. */
+/** Restores the search path in its destructor. */
 class KeptSearchPath {
 public:
     KeptSearchPath();
@@ -80,22 +80,22 @@ private:
 
 // check_components.cpp
 /**
- * Reports connections that cannot be made between the real components, and properties they do not have.
- * A port that a component may still add while it is configured is not missed before `configured`.
+ * Reports connections that cannot be made between the real components, and properties that they do not have. A missing
+ * port that a component may still add while it is configured is an error only if `configured`.
  */
 void checkComponents(const Session& session, int group, bool configured, diag::Sink& sink);
 
 // connect.cpp
 void addPeers(Session& session, int group, diag::Sink& sink);
-/** Connects every output of a connection with every input of it; again is harmless. */
+/** Connects each output of a connection with each input; may be repeated. */
 void connectPorts(Session& session, diag::Sink& sink);
 void connectSameNames(Session& session, int group, diag::Sink& sink);
-/** Makes streams of the connections that have one port only. */
+/** Creates streams for the connections that have only one port. */
 void createStreams(Session& session, diag::Sink& sink);
 
 // configure.cpp
-/** In a session that starts nothing: stops the components that C++ code started, in a constructor or hook, which nothing can
-    keep it from. `by` is told as the place of those that stand in no file. */
+/** In a session that starts nothing: stops components that C++ code started in a constructor or hook, which cannot be
+    prevented. Components that no file names are reported at `by`. */
 void stopWhatStarted(Session& session, const diag::Location& by, diag::Sink& sink);
 bool configure(Session& session, int group, diag::Sink& sink);
 bool start(Session& session, int group, diag::Sink& sink);
@@ -107,7 +107,8 @@ bool unload(Session& session, int group);
 bool stopOne(RTT::TaskContext& component);
 bool cleanupOne(Session& session, RTT::TaskContext& component);
 bool unloadOne(Session& session, RTT::TaskContext& component);
-/** All three, as far as possible, in reverse order of creation; true if nothing of the group is left. */
+/** Stops, cleans up and unloads as far as possible, in reverse order of creation; true if nothing of the group is left.
+     */
 bool takeDown(Session& session, int group);
 
 }  // namespace OCL::deploy

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How an application is told that the deployer ends.
+// Tells an application that the deployer ends.
 #include "shutdown.hpp"
 
 #include <ocl/DeploymentComponent.hpp>
@@ -26,7 +26,7 @@ const char kPeer[] = "shutdownPeer";
 const char kWait[] = "shutdownWait_ms";
 const char kTotal[] = "shutdownTotalWait_ms";
 
-/** What the user's property says, or `usual`: without the property, and with a warning if it has no such value. */
+/** The value of the user's property, or `usual` without the property; also, with a warning, if its value is invalid. */
 template <class T, class IsGood>
 T valueOr(const RTT::PropertyBag& properties, const char* name, const T& usual, const char* expected, IsGood isGood) {
     const RTT::base::PropertyBase* const property = properties.find(name);
@@ -39,7 +39,8 @@ T valueOr(const RTT::PropertyBag& properties, const char* name, const T& usual, 
     return usual;
 }
 
-/** Begins the shutdown of an application, by its operation or its program; what it returns tells whether that goes on. */
+/** Begins the shutdown of an application, by its operation or its program. The result tells whether that is still
+    running. */
 boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::ExecutionEngine* caller) {
     const std::string name = "shutdownDeployment";
     if (application.provides()->hasOperation(name)) {

@@ -8,7 +8,7 @@
 
 namespace OCL::deploy {
 
-/** The properties that users may give the deployer, which tell how DeploymentComponent::shutdownDeployment() goes. */
+/** The properties that users may give the deployer to control DeploymentComponent::shutdownDeployment(). */
 std::vector<std::string> shutdownProperties();
 
 }  // namespace OCL::deploy

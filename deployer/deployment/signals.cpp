@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The handler may only do what is safe in any thread at any point: it writes the number into a pipe.
+// The handler does only what is safe in any thread at any point: it writes the number into a pipe.
 #include "signals.hpp"
 
 #include <rtt/os/detail/terminal_flow.hpp>
@@ -18,7 +18,7 @@
 namespace OCL::deploy {
 namespace {
 
-std::mutex chain;  // held by those who change or follow it; the handler does not
+std::mutex chain;  // guards the chain of catchers; the handler does not lock it
 SignalCatcher* innermost = nullptr;
 // Set before a handler can see it.
 std::atomic<SignalCatcher*> catcherOf[NSIG];
@@ -33,12 +33,14 @@ void SignalCatcher::onSignal(int signal) {
     const int kept = errno;
     if (ends(signal)) RTT::os::detail::letTerminalsWrite();
     const unsigned char number = static_cast<unsigned char>(signal);
-    // seq_cst, like the end of a catcher: either it sees us and waits, or we see that it is gone.
+    // seq_cst, like the end of a catcher: either that sees this handler and waits, or this sees that the catcher is
+    // gone.
     handling.fetch_add(1);
     SignalCatcher* const catcher = catcherOf[signal];
-    // A second signal while the first still waits for attention: somebody is losing patience.
+    // A second signal before the first one was handled means that the user loses patience.
     const bool second = catcher && catcher->caught_.exchange(signal) != 0;  // before somebody can read it
-    // If the last catcher has ended since, what was there before it has its turn; unless somebody put us back meanwhile.
+    // If the last catcher has ended, the previous action takes effect, unless other code has installed this handler
+    // again.
     struct sigaction now = {};
     const bool dies = catcher ? second || write(catcher->pipe_[1], &number, 1) != 1
                               : sigaction(signal, nullptr, &now) == 0 && now.sa_handler == &onSignal;
@@ -87,7 +89,7 @@ SignalCatcher::SignalCatcher(std::initializer_list<int> signals) {
             ready_ = false;
             continue;
         }
-        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // as nohup has it
+        if (signal == SIGHUP && previous.action.sa_handler == SIG_IGN) continue;  // ignored, as by nohup
         previous.catcher = catcherOf[signal];
         catcherOf[signal] = this;
         if (sigaction(signal, &action, nullptr) == 0) {
@@ -103,7 +105,8 @@ SignalCatcher::~SignalCatcher() {
     const std::lock_guard<std::mutex> lock(chain);
     for (const Previous& previous : previous_) {
         if (catcherOf[previous.signal] == this) {
-            // The outer catcher has the same handler. If there is none, the handler is out of reach before the table is empty.
+            // An outer catcher has the same handler. If there is none, the handler is removed before its entry in the
+            // table.
             sigaction(previous.signal, &previous.action, nullptr);
             catcherOf[previous.signal] = previous.catcher;
             continue;
@@ -115,7 +118,7 @@ SignalCatcher::~SignalCatcher() {
     SignalCatcher** place = &innermost;
     while (*place != this) place = &(*place)->outer_;
     *place = outer_;
-    // Another thread may still execute the handler for this one; it needs no lock to end.
+    // Another thread may still execute the handler with this catcher; it needs no lock to end.
     while (handling != 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
     close(pipe_[0]);
     close(pipe_[1]);
@@ -131,10 +134,10 @@ int SignalCatcher::wait() {
         }
         if (poll(watched.data(), watched.size(), -1) < 0) continue;  // EINTR
         own = (watched.front().revents & POLLIN) != 0;
-        // What an outer catcher has caught stays there: it concerns both.
+        // A signal that an outer catcher has caught concerns both, so it stays there.
         if (const int ending = own ? 0 : pendingSignal()) return ending;
     }
-    caught_ = 0;  // a further one from here on does not end the program
+    caught_ = 0;  // from here on, another signal does not end the program
     unsigned char number = 0;
     while (read(pipe_[0], &number, 1) < 0 && errno == EINTR) {
     }

@@ -11,15 +11,17 @@
 
 namespace OCL::deploy {
 
-/** SIGINT, SIGTERM or SIGHUP if it was caught and nobody has waited for it yet; 0 if there is none. Any thread. */
+/** SIGINT, SIGTERM or SIGHUP if it was caught and nobody has waited for it yet; 0 if there is none. May be called from
+    any thread. */
 int pendingSignal();
 
-/** Done before a second signal ends the process: what puts the terminal back, say. It must be safe in signal handlers. */
+/** Sets a function that is called before a second signal ends the process, for example to restore the terminal. It must
+    be safe in signal handlers. */
 void beforeSecondSignal(void (*action)());
 
 /**
- * Catches signals for its life time; a second one that nobody waits for has its usual effect, so that a program that hangs
- * can still be ended. Of several, also of several threads, the one that was made last and is for a signal catches it.
+ * Catches signals while it exists. A second signal that nobody waits for has its usual effect, so that a program that
+ * hangs can still be ended. Of several catchers, in any threads, the one that was made last for a signal catches it.
  */
 class SignalCatcher {
 public:
@@ -30,14 +32,14 @@ public:
 
     /** False if one of the signals cannot be caught. */
     bool ready() const { return ready_; }
-    /** Blocks until one of the signals has come since construction, or one that ends the program and was caught by an earlier
-        catcher; returns its number. */
+    /** Blocks until one of the signals has come since construction, or until an earlier catcher has caught one that
+        ends the program. Returns its number. */
     int wait();
-    /** Done in the handler when a signal comes and none is waiting; null: nothing. It must be safe in signal handlers. */
+    /** Sets a function that the handler calls at the first signal, or null. It must be safe in signal handlers. */
     void atFirst(void (*action)()) { atFirst_ = action; }
     /** True if wait() would not block. */
     bool caught() const { return caught_ != 0; }
-    /** Can be read as soon as a signal was caught. */
+    /** Becomes readable when a signal was caught. */
     int descriptor() const { return pipe_[0]; }
 
 private:
@@ -52,7 +54,7 @@ private:
     };
     std::vector<Previous> previous_;
     SignalCatcher* outer_;
-    std::atomic<int> caught_{0};  // and not waited for
+    std::atomic<int> caught_{0};  // the signal, until somebody waits for it
     std::atomic<void (*)()> atFirst_{nullptr};
     bool ready_ = true;
     int pipe_[2];

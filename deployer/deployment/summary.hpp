@@ -9,7 +9,7 @@ namespace OCL::deploy {
 
 struct Session;
 
-/** How many components and connections the files describe that were only planned. */
+/** The numbers of components and connections that the planned files describe. */
 std::string summaryOf(const Session& session);
 
 }  // namespace OCL::deploy

@@ -15,7 +15,7 @@
 namespace OCL::deploy {
 namespace {
 
-/** The components that this group created, the last first. Instances, because unloading changes the records. */
+/** The components that this group created, the last first. Not records, because unloading changes them. */
 std::vector<RTT::TaskContext*> created(const Session& session, int group) {
     std::vector<RTT::TaskContext*> result;
     for (auto record = session.records.all.rbegin(); record != session.records.all.rend(); ++record)
@@ -34,7 +34,7 @@ bool succeeds(RTT::TaskContext& component, bool (RTT::TaskContext::*change)(), c
     }
 }
 
-/** What this thread executes of the component, which must not be deleted then; null: nothing. */
+/** What this thread executes of the component, which must not be deleted meanwhile; null for nothing. */
 const char* executing(const RTT::TaskContext& component) {
     using RTT::internal::HookInProgress;
     for (const HookInProgress* hook = HookInProgress::innermost(); hook; hook = hook->outer)
@@ -60,8 +60,8 @@ bool cleanupOne(Session& session, RTT::TaskContext& component) {
                              << RTT::endlog();
         return false;
     }
-    if (const Record* record = session.records.find(&component)) autoSave(*record);
-    // From PreOperational there is nothing to clean up; its false is no failure.
+    if (const ComponentRecord* record = session.records.find(&component)) autoSave(*record);
+    // In PreOperational there is nothing to clean up, so false is not a failure.
     (void)succeeds(component, &RTT::TaskContext::cleanup, "cleanup");
     return true;
 }

@@ -25,20 +25,20 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool isDeployer(const std::string& name, const Surroundings& surroundings) {
-    return name == "this" || name == surroundings.deployer;
+bool isDeployer(const std::string& name, const PlanContext& context) {
+    return name == "this" || name == context.deployer;
 }
 
-/** A struct of this type describes no component of its own: it adds to one. */
+/** True for the type of a struct that adds options to a component. */
 bool isBag(const ComponentPlan& component) { return component.type.value == "PropertyBag"; }
 
 class Validation {
 public:
-    Validation(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink)
-        : plan_(plan), around_(surroundings), sink_(sink), reachable_(surroundings.components) {
-        reachable_.push_back(surroundings.deployer);
+    Validation(const Plan& plan, const PlanContext& context, diag::Sink& sink)
+        : plan_(plan), around_(context), sink_(sink), reachable_(context.components) {
+        reachable_.push_back(context.deployer);
         reachable_.push_back("this");
-        for (const Plan* earlier : surroundings.planned)
+        for (const Plan* earlier : context.planned)
             for (const ComponentPlan& component : earlier->components) reachable_.push_back(component.name.value);
         for (const ComponentPlan& component : plan.components) reachable_.push_back(component.name.value);
     }
@@ -50,7 +50,8 @@ public:
     }
 
 private:
-    /** Plugins bring them, and this process may lack the one that another deployer had. */
+    /** Warns of unknown global properties: plugins add them, and this process may lack a plugin that another deployer
+        had. */
     void checkGlobals() {
         const RTT::PropertyBag& known = *RTT::types::GlobalsRepository::Instance()->properties();
         for (const xml::Element& properties : plan_.globals)
@@ -71,7 +72,7 @@ private:
         for (const PolicyPlan& policy : plan_.policies) {
             const auto first = seen.emplace(policy.name.value, &policy.name);
             if (!first.second) {
-                // The same words may be read twice, from a file that two others include.
+                // The same statement may be read twice, if two files include its file.
                 if (policy.name.where != first.first->second->where)
                     sink_
                         .warning(policy.name.where, "DEP021",
@@ -104,7 +105,7 @@ private:
         checkMasters();
     }
 
-    /** A struct for a component of this plan adds to its options. It may repeat the type, but not give another one. */
+    /** A second struct for a component adds options. It may repeat the type, but not change it. */
     void checkSecond(const ComponentPlan& component, const ComponentPlan& first) {
         const Text& name = component.name;
         const diag::Location& where = first.name.where;
@@ -179,7 +180,8 @@ private:
         }
     }
 
-    /** What scripts that are to run say of the component itself, it tells when they do. */
+    /** Checks only the syntax of a script that will run, because running it reports other errors; of others, checks the
+        rest. */
     void checkScript(const ComponentPlan& component, const ScriptPlan& script) {
         using namespace RTT::scripting::detail;
         const std::string file = resolveFile(script.file);
@@ -197,7 +199,7 @@ private:
         return why.empty();
     }
 
-    /** A component may bring a service of that name itself, unless it looks like that of a plugin. */
+    /** Warns only if the name is similar to that of a plugin, because a component may have a service of its own. */
     void checkServices(const ComponentPlan& component) {
         if (!around_.planOnly) return;
         for (const Text& service : component.services)
@@ -207,18 +209,19 @@ private:
                                   "'" + diag::didYouMean(service.value, around_.services));
     }
 
-    /** Each slave's master may be a slave; one that comes back to itself that way has no thread. */
+    /** Reports circles: the master of a slave may be a slave, but if that leads back to the first one, none has a
+        thread. */
     void checkMasters() {
         for (const Plan* earlier : around_.planned) addMasters(*earlier, false);
         addMasters(plan_, true);
-        std::map<std::string, std::size_t> walks;  // that came by first
+        std::map<std::string, std::size_t> walks;  // the first walk that reached a component
         std::size_t walk = 0;
         for (const auto& start : masters_) {
             ++walk;
             auto at = masters_.find(start.first);
             while (at != masters_.end() && walks.emplace(at->first, walk).second)
                 at = masters_.find(at->second.name->value);
-            if (at != masters_.end() && walks[at->first] == walk) tellCircle(at->first);
+            if (at != masters_.end() && walks[at->first] == walk) reportCircle(at->first);
         }
     }
 
@@ -227,7 +230,7 @@ private:
         bool isOfThisPlan;
     };
 
-    /** The last activity of a component is the one that it gets. */
+    /** Collects slaves and masters; the last activity of a component is used. */
     void addMasters(const Plan& plan, bool isThisPlan) {
         for (const ComponentPlan& component : plan.components) {
             if (!component.activity) continue;
@@ -238,8 +241,9 @@ private:
         }
     }
 
-    /** Unless all of it was told with an earlier plan. A component that names itself is told otherwise. */
-    void tellCircle(const std::string& first) {
+    /** Reports a circle, unless an earlier plan has all of it. Another check reports a component that is its own
+        master. */
+    void reportCircle(const std::string& first) {
         std::map<std::string, const Text*> members;
         bool isNew = false;
         for (auto at = masters_.find(first); members.emplace(at->first, at->second.name).second;) {
@@ -252,28 +256,28 @@ private:
     }
 
     const Plan& plan_;
-    const Surroundings& around_;
+    const PlanContext& around_;
     diag::Sink& sink_;
     std::vector<std::string> reachable_;
     std::map<std::string, Master> masters_;  // of slaves
-    std::set<diag::FileName> repeated_;      // files of which it was told
+    std::set<diag::FileName> repeated_;      // files for which it was reported
 };
 
 }  // namespace
 
-void validate(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink) {
-    Validation(plan, surroundings, sink).run();
-    checkDescribed(plan, surroundings, sink);
+void validate(const Plan& plan, const PlanContext& context, diag::Sink& sink) {
+    Validation(plan, context, sink).run();
+    checkDescribed(plan, context, sink);
 }
 
-bool exists(const ComponentPlan& component, const Surroundings& surroundings) {
-    return isDeployer(component.name.value, surroundings) || contains(surroundings.components, component.name.value);
+bool exists(const ComponentPlan& component, const PlanContext& context) {
+    return isDeployer(component.name.value, context) || contains(context.components, component.name.value);
 }
 
-bool addsOptions(const ComponentPlan& component, const Surroundings& surroundings) {
+bool addsOptions(const ComponentPlan& component, const PlanContext& context) {
     const auto plans = [&](const ComponentPlan& earlier) { return earlier.name.value == component.name.value; };
-    return exists(component, surroundings) ||
-           std::any_of(surroundings.planned.begin(), surroundings.planned.end(), [&](const Plan* earlier) {
+    return exists(component, context) ||
+           std::any_of(context.planned.begin(), context.planned.end(), [&](const Plan* earlier) {
                return std::any_of(earlier->components.begin(), earlier->components.end(), plans);
            });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What can be told about a plan before anything is created.
+// Checks a plan before anything is created.
 #ifndef OROFORGE_DEPLOYMENT_VALIDATE_HPP
 #define OROFORGE_DEPLOYMENT_VALIDATE_HPP
 
@@ -16,25 +16,25 @@
 
 namespace OCL::deploy {
 
-/** What the plan can refer to, after its imports have been done. */
-struct Surroundings {
-    std::string deployer;                 // its own name; "this" means the same
-    std::vector<std::string> components;  // that exist already
-    std::set<std::string> connections;    // in which ports of these take part
-    std::vector<const Plan*> planned;     // before this one, and not applied
+/** What a plan may refer to after its imports. */
+struct PlanContext {
+    std::string deployer;                 // its name; "this" means the same
+    std::vector<std::string> components;  // existing components
+    std::set<std::string> connections;    // connections of their ports
+    std::vector<const Plan*> planned;     // earlier plans that are not applied
     std::vector<std::string> componentTypes;
-    std::map<std::string, const RTT::internal::ComponentDescription*> descriptions;  // of those that have one
-    std::vector<std::string> services;                                               // that can be loaded
-    bool planOnly = false;  // the plan will not be applied: nobody looks at the components themselves
+    std::map<std::string, const RTT::internal::ComponentDescription*> descriptions;  // of types that have one
+    std::vector<std::string> services;                                               // services that can be loaded
+    bool planOnly = false;  // the plan will not be applied, so the components will not exist
 };
 
-/** Reports every name that is used twice or refers to nothing, and every file that is missing. */
-void validate(const Plan& plan, const Surroundings& surroundings, diag::Sink& sink);
+/** Reports each name that is used twice or refers to nothing, and each missing file. */
+void validate(const Plan& plan, const PlanContext& context, diag::Sink& sink);
 
-/** True if the component is there already, the deployer itself included. */
-bool exists(const ComponentPlan& component, const Surroundings& surroundings);
-/** True if the struct adds options to a component that exists, or that a plan before this one has. */
-bool addsOptions(const ComponentPlan& component, const Surroundings& surroundings);
+/** True if the component exists already or is the deployer itself. */
+bool exists(const ComponentPlan& component, const PlanContext& context);
+/** True if the struct adds options to a component that exists or that an earlier plan has. */
+bool addsOptions(const ComponentPlan& component, const PlanContext& context);
 
 }  // namespace OCL::deploy
 

@@ -22,16 +22,16 @@ namespace fs = std::filesystem;
 namespace OCL::deploy {
 namespace {
 
-/** False also for what cannot be a path. */
+/** True if the file exists; false also for an invalid path. */
 bool isThere(const fs::path& path) {
     std::error_code error;
     return fs::exists(path, error);
 }
 
-/** Files that include the next ones twice are soon more than anybody waits for. */
+/** A limit, because files that each include the next one twice would take for ever. */
 constexpr std::size_t kMostIncludes = 1000;
 
-/** Reads a file and, in the place of each Include, the file included. */
+/** Reads a file and, in the place of each Include, the included file. */
 class PlanReader {
 public:
     PlanReader(Plan& plan, diag::Sink& sink) : plan_(plan), sink_(sink) {}
@@ -42,7 +42,7 @@ public:
         open_.pop_back();
     }
 
-    /** Statement by statement: only what the plan needs of them stays in memory. */
+    /** Reads statement by statement, so that only what the plan needs stays in memory. */
     void readText(const std::string& text, const std::string& name) {
         const auto take = [this](const xml::Element& root, xml::Element&& child) {
             if (root.name == "properties" && child.name != "description") readTopLevel(std::move(child));
@@ -84,7 +84,7 @@ private:
             plan_.components.push_back(readComponent(std::move(element), sink_));
     }
 
-    /** The policy of this name is that of connections for which none is given, and where others leave out members. */
+    /** The policy of this name is used for connections without one, and for members that others leave out. */
     void readPolicyStruct(const xml::Element& element) {
         PolicyPlan policy = readPolicy(element, plan_.defaultPolicy.value_or(RTT::ConnPolicy()), sink_);
         if (policy.name.value == "Default")
@@ -139,8 +139,8 @@ private:
             return;
         }
         ++includes_;
-        // One file, one name, so that places in it tell what is read again. A link to it in another directory is another file:
-        // what it names is looked for there.
+        // A file has one name, so that places show what is read again. A link to it in another directory counts as
+        // another file, because files that it names are looked up there.
         const fs::path directory = fs::path(path).parent_path();
         const std::string key =
             identity(directory.empty() ? "." : directory.string()) + '/' + fs::path(path).filename().string();
@@ -163,11 +163,11 @@ private:
     diag::Sink& sink_;
     std::size_t includes_ = 0;
     bool tooMany_ = false;
-    std::vector<std::string> open_;             // the file being read and those that include it
-    std::map<std::string, std::string> names_;  // by which included files were first read
+    std::vector<std::string> open_;             // the current file and those that include it
+    std::map<std::string, std::string> names_;  // the first name of each included file
 };
 
-/** A file that says nothing is a mistake; one that could not be read has been reported. */
+/** Reports an empty plan, unless the file could not be read, which has been reported. */
 void checkNotEmpty(const Plan& plan, diag::Sink& sink) {
     if (plan.imports.empty() && plan.policies.empty() && plan.components.empty() && plan.globals.empty() &&
         !plan.defaultPolicy && !sink.hadErrors())
@@ -197,7 +197,7 @@ std::string resolveFile(const Text& file) {
     if (path.is_absolute() || isThere(path)) return file.value;
     const fs::path beside = fs::path(file.where.file.str()).parent_path() / path;
     if (!isThere(beside)) return file.value;
-    // For messages; not where "dir/.." is elsewhere, dir being a link.
+    // Shortens the path for messages, unless that changes it because the directory before ".." is a link.
     const fs::path plain = beside.lexically_normal();
     std::error_code ignored;
     return (fs::equivalent(plain, beside, ignored) ? plain : beside).string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/** The component macros, under the name by which older component libraries include them. */
+/** The component macros, for older component libraries that include this header. */
 #ifndef ORO_OCL_COMPONENT_HPP
 #define ORO_OCL_COMPONENT_HPP
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/** The component loader, under the name by which older programs include it. */
+/** The component loader, for older programs that include this header. */
 #ifndef ORO_OCL_COMPONENT_LOADER_HPP
 #define ORO_OCL_COMPONENT_LOADER_HPP
 

@@ -9,7 +9,7 @@
 
 namespace OCL {
 
-/** Reports to a stream, usually the console. A thread of its own writes to the stream between start() and stop(). */
+/** Reports to a stream, usually the console. Between start() and stop(), a separate thread writes to the stream. */
 class OCL_API ConsoleReporting : public ReportingComponent {
 public:
     explicit ConsoleReporting(std::string name = "ConsoleReporting", std::ostream& console = std::cerr);

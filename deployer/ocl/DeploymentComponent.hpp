@@ -4,7 +4,7 @@
 #define ORO_DEPLOYMENT_COMPONENT_HPP
 
 #include <ocl/OCL.hpp>
-#include <rtt/Component.hpp>  // users take the macros from here
+#include <rtt/Component.hpp>  // users get the macros from here
 #include <rtt/TaskContext.hpp>
 #include <rtt/rtt-config.h>
 
@@ -27,39 +27,38 @@ namespace OCL {
  * A component that imports component libraries, creates components, connects, configures, starts and removes them,
  * either by single operations or as an XML file describes.
  *
- * A component is named by the deployer's own name or "this" (the deployer itself) or by the name of one of its peers.
- * Ports and services are named by paths, `component[.service…].port`. The functions below are the operations of the
- * component, of the same names and run in the calling thread. They are not real-time, may block, and report failures in
- * the log and by returning false; errors in files are also written to standard error with their place.
- * Do not call them from several threads at once.
+ * A component is given by the name of one of the deployer's peers; the deployer itself by its own name or "this". Ports
+ * and services are given by paths, `component[.service…].port`. The functions below are also operations of the same
+ * names, executed in the calling thread. They are not real-time, may block, log failures and return false; errors in
+ * files are also written to standard error with their places. Do not call them from several threads at once.
  */
 class OCL_API DeploymentComponent : public RTT::TaskContext {
 public:
-    /** What is to become of files. */
+    /** What the deployer does with files. */
     enum class Purpose {
         Deploy,
-        Check,    ///< their components are not started, neither by the deployer nor by scripts
-        PlanOnly  ///< of the site file, as planOnly() does
+        Check,    ///< components are created but not started, neither by the deployer nor by scripts
+        PlanOnly  ///< the site file is only checked, as by planOnly()
     };
 
     /**
      * @param name the name of this component
-     * @param siteFile a file that is deployed at once; empty: `<name>-site.cpf`. If there is none, the component
-     *        library `ocl` is imported instead. Problems are logged; the constructor does not fail.
+     * @param siteFile a file that is deployed at once; empty: `<name>-site.cpf`. If it does not exist, imports the
+     *        component library `ocl` instead. Errors are logged; the constructor does not fail.
      */
     explicit DeploymentComponent(std::string name = "Deployer", std::string siteFile = std::string(),
                                  Purpose purpose = Purpose::Deploy);
-    /** With the property AutoUnload set, stops, cleans up and unloads everything this component loaded. */
+    /** If the property AutoUnload is set, stops, cleans up and unloads everything that this component loaded. */
     ~DeploymentComponent() override;
 
     // --- libraries -------------------------------------------------------------------------------------------------
     /** Imports a package, directory or library file. @throw std::runtime_error if a library in it cannot be loaded. */
     bool import(const std::string& package);
-    /** Adds directories to the search path and imports what lies directly in them. */
+    /** Adds directories to the search path and imports the libraries directly in them. */
     void path(const std::string& paths);
     /** Loads one plugin, typekit or component library file. */
     bool loadLibrary(const std::string& name);
-    /** Unloads and loads a component library again; there must be no components of it. */
+    /** Unloads a component library, of which no components may exist, and loads it again. */
     bool reloadLibrary(const std::string& filepath);
     /** Writes the known component types to standard output. */
     void displayComponentTypes() const;
@@ -70,7 +69,7 @@ public:
     bool loadComponent(const std::string& name, const std::string& type);
     /** Deletes a component that this deployer loaded and that does not run. */
     bool unloadComponent(const std::string& name);
-    /** Loads a service into a component; true if it is there already. */
+    /** Loads a service into a component; true also if it is loaded already. */
     bool loadService(const std::string& name, const std::string& service);
     bool configureComponent(const std::string& name);
     bool startComponent(const std::string& name);
@@ -78,12 +77,12 @@ public:
     bool cleanupComponent(const std::string& name);
 
     // --- files -----------------------------------------------------------------------------------------------------
-    /** Reads a file, imports and creates what it says; undoes that if anything in it is wrong. */
+    /** Reads a file, imports and creates what it says; undoes that if there is an error. */
     bool loadComponents(const std::string& file);
     bool loadConfiguration(const std::string& file) { return loadComponents(file); }
     /** As loadConfiguration, from a text. */
     bool loadConfigurationString(const std::string& text);
-    /** Forgets what files said about components and connections; components stay. */
+    /** Forgets what files say about components and connections; components stay. */
     void clearConfiguration();
     /** Connects and configures the components of all files, in order. */
     bool configureComponents();
@@ -96,24 +95,26 @@ public:
     bool kickStart(const std::string& file);
     /** As kickStart, or without starting anything. */
     bool kickStart2(const std::string& file, bool start);
-    /** Reads a file, does its imports and checks it, together with those read so before; creates nothing. */
+    /** Reads a file, does its imports and checks it, together with files that were checked so before; creates nothing.
+         */
     bool planOnly(const std::string& file);
     /** What the files given to planOnly() describe: "3 components, 4 connections"; empty if there was none. */
     std::string planSummary() const;
     /**
-     * Looks through a script for this component, see rtt/scripting/check.hpp; does the imports that it will do. Deploying:
-     * what is found goes to the log if there are errors, and else nothing, as running it will tell the rest. Otherwise
-     * creates the components that it will create, so that their operations are known, and writes to standard error.
+     * Checks a script for this component, see rtt/scripting/check.hpp, and does the imports that the script will do.
+     * With Purpose::Deploy, logs the diagnostics if there are errors; otherwise nothing, because running the script
+     * reports the rest. With other purposes, creates the components that the script will create, to know their
+     * operations, and writes the diagnostics to standard error.
      */
     bool checkScript(const std::string& file);
-    /** True if there is a site file and something was wrong with it. */
+    /** True if there is a site file and it has errors. */
     bool siteFileFailed() const;
-    /** The components with their connections and peers, in the language of Graphviz. */
+    /** The components, connections and peers as a graph for Graphviz. */
     std::string graph() const;
     /** Stops, cleans up and unloads all components loaded by this deployer, the last created first. */
     bool kickOutAll();
     bool kickOutComponent(const std::string& name);
-    /** Kicks out the components named in a file. */
+    /** Stops, cleans up and unloads the components that a file names. */
     void kickOut(const std::string& file);
     /** Runs a script in the deployer; needs the scripting service. */
     bool runScript(const std::string& file);
@@ -123,7 +124,7 @@ public:
     // --- waiting ---------------------------------------------------------------------------------------------------
     /** Blocks until SIGINT, SIGTERM or SIGHUP. */
     void waitForInterrupt();
-    /** Blocks until the signal comes. False if it cannot be caught, or one came that ends the program. */
+    /** Blocks until the signal comes. False if it cannot be caught, or if a signal came that ends the program. */
     bool waitForSignal(int signal);
 
     // --- peers, ports, services ------------------------------------------------------------------------------------
@@ -133,41 +134,41 @@ public:
     using RTT::TaskContext::loadService;
     using RTT::TaskContext::setActivity;
     bool connectPeers(const std::string& one, const std::string& two);
-    /** False for a name with control characters or '/', which no component of a deployer has. */
+    /** False for a name with control characters or '/', which a deployer does not allow. */
     bool addPeer(RTT::TaskContext* peer, std::string alias = "") override;
     bool addPeer(const std::string& from, const std::string& to);
     bool aliasPeer(const std::string& from, const std::string& to, const std::string& alias);
-    /** Connects all ports of two components that have the same name. */
+    /** Connects the ports of two components that have the same names. */
     bool connectPorts(const std::string& one, const std::string& two);
     bool connectTwoPorts(const std::string& one, const std::string& portOne, const std::string& two,
                          const std::string& portTwo);
-    /** Connects two ports; which of them is the output does not matter. */
+    /** Connects two ports, in any order. */
     bool connect(const std::string& portOne, const std::string& portTwo, RTT::ConnPolicy policy);
     /** Connects a port to a stream of the policy's transport. */
     bool stream(const std::string& port, RTT::ConnPolicy policy);
     bool createStream(const std::string& component, const std::string& port, RTT::ConnPolicy policy);
     bool connectServices(const std::string& one, const std::string& two);
-    /** Connects an operation that a component requires, `component[.service...].operation`, to one that another provides. False
-        if it is connected already. */
+    /** Connects an operation that a component requires, `component[.service...].operation`, to one that another
+        component provides. False if it is connected already. */
     bool connectOperations(const std::string& requested, const std::string& provided);
 
     // --- activities: periods in seconds; the component must not run -------------------------------------------------
     bool setActivity(const std::string& name, double period, int priority, int scheduler);
     bool setActivityOnCPU(const std::string& name, double period, int priority, int scheduler, unsigned int cpu);
     bool setPeriodicActivity(const std::string& name, double period, int priority, int scheduler);
-    /** A thread that waits for file descriptors; `timeout` in milliseconds, 0 for none. */
+    /** Sets an activity that waits for file descriptors; `timeout` in milliseconds, 0 for none. */
     bool setFileDescriptorActivity(const std::string& name, double timeout, int priority, int scheduler);
     bool setSequentialActivity(const std::string& name);
     bool setSlaveActivity(const std::string& name, double period);
     bool setMasterSlaveActivity(const std::string& master, const std::string& slave);
-    /** How the component's thread waits for its period: ORO_WAIT_ABS or ORO_WAIT_REL. */
+    /** Sets how the component's thread waits for its period: ORO_WAIT_ABS or ORO_WAIT_REL. */
     bool setWaitPeriodPolicy(const std::string& name, int policy);
 
     /** Fills or applies the property RTT_COMPONENT_PATH. */
     bool configureHook() override;
 
 protected:
-    /** Called after a component was created. False refuses it: it is deleted again. */
+    /** Called after a component was created. False refuses it; then it is deleted. */
     virtual bool componentLoaded(RTT::TaskContext* component);
     /** Called before a component is deleted. */
     virtual void componentUnloaded(RTT::TaskContext* component);

@@ -7,7 +7,7 @@
 
 namespace OCL {
 
-/** Reports to the file that the property ReportFile names, which start() begins anew and stop() completes. */
+/** Reports to the file that the property ReportFile names; start() begins it anew and stop() completes it. */
 class OCL_API FileReporting : public ReportingComponent {
 public:
     explicit FileReporting(const std::string& name = "FileReporting");

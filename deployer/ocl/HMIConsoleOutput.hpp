@@ -13,17 +13,17 @@
 
 namespace OCL {
 
-/** Shows messages of other components on the console, in a thread of its own while it runs. */
+/** Shows messages of other components on the console, in its own thread while it runs. */
 class OCL_API HMIConsoleOutput : public RTT::TaskContext {
 public:
     explicit HMIConsoleOutput(const std::string& name = "cout");
     ~HMIConsoleOutput() override;
 
-    /** Whether the prompt is blue; without a call it is on a terminal. */
+    /** Turns the blue prompt on or off; by default it is on for a terminal. */
     void enableColor(bool on);
-    /** What is shown before messages. */
+    /** Sets the text before messages. */
     void setPrompt(const std::string& prompt);
-    /** Keeps a message until the next cycle, and asks for that. From any thread. Allocates. */
+    /** Keeps a message until the next cycle, and triggers that. Allocates; may be called from any thread. */
     template <class T>
     void enqueue(const T& message) {
         std::ostringstream text;
@@ -31,7 +31,7 @@ public:
         enqueueText(text.str());
     }
 
-    // The operations, in the thread of the caller. Those called log… write to the log, at level Info.
+    // The operations, executed in the thread of the caller. Those named log… write to the log at level Info.
     void display(const std::string& message) { enqueueText(message); }
     void displayBool(bool boolean) { enqueue(boolean); }
     void displayInt(int integer) { enqueue(integer); }
@@ -48,7 +48,7 @@ private:
     void enqueueText(const std::string& text);
 
     RTT::os::Mutex mutex_;
-    std::string messages_;  // that wait
+    std::string messages_;  // waiting for the next cycle
     std::string prompt_;
     bool color_;
 };

@@ -13,7 +13,7 @@
 
 namespace OCL {
 
-/** One of everything that a component's interface may have, to try things with. Ten cycles a second. */
+/** A component with one of everything that an interface may have, to try things. It has ten cycles a second. */
 class OCL_API HelloWorld : public RTT::TaskContext {
 public:
     explicit HelloWorld(std::string name);

@@ -19,40 +19,42 @@ class TextTarget;
 }
 
 /**
- * A component that writes down what its peers' output ports send and what their properties and attributes are, as a table: a
- * row is a time stamp and one or more columns per value.
+ * A component that records output ports, properties and attributes of its peers as a table: a row has a time stamp and
+ * one or more columns per value.
  *
- * With a periodic activity it writes a row in each cycle. Without, it writes one whenever a port has a new sample, or, with the
- * property Snapshot, when snapshot() is called. What is reported is set by the property ReportData, which configure() reads,
- * or by the operations; a change takes effect with the next start().
+ * With a periodic activity it writes a row in each cycle. Otherwise it writes one whenever a port has a new sample or,
+ * with the property Snapshot, when snapshot() is called. The property ReportData, which configure() reads, and the
+ * operations select what is reported; a change takes effect at the next start().
  *
- * FileReporting and ConsoleReporting say where the rows go. A class of your own adds marshallers.
+ * FileReporting and ConsoleReporting determine where rows go. A class of your own may add marshallers.
  */
 class OCL_API ReportingComponent : public RTT::TaskContext {
 public:
     explicit ReportingComponent(std::string name = "Reporting");
     ~ReportingComponent() override;
 
-    /** Has each report written by these too, both of which it owns from now on: the header gets the first row once, the body
-        gets every row. One of them may be null; false if both are. They allocate and are called in this component's thread. Not
-        while the component runs. */
+    /**
+     * Adds a pair of marshallers, which the component then owns: the header gets the first row once, the body gets each
+     * row. One of them may be null; false if both are. They are called in this component's thread and allocate. Do not
+     * call it while the component runs.
+     */
     bool addMarshaller(RTT::marsh::MarshallInterface* header, RTT::marsh::MarshallInterface* body);
     bool removeMarshallers();
 
     // --- operations; false, and an error in the log, if there is no such peer or port ---
-    /** Writes down what the interface of a peer is at this moment. */
+    /** Writes the present interface of a peer. */
     virtual bool screenComponent(const std::string& component);
     /** Reports all output ports of a peer. */
     bool reportComponent(const std::string& component);
     bool unreportComponent(const std::string& component);
-    /** Reports a property or attribute of a peer. An unknown name is an error in the log, but not false. */
+    /** Reports a property or attribute of a peer. An unknown name is an error in the log, but returns true. */
     bool reportData(const std::string& component, const std::string& data);
     bool unreportData(const std::string& component, const std::string& data);
-    /** Reports an output port of a peer; `port` may name one of a service: "service.port". */
+    /** Reports an output port of a peer; `port` may be in a service: "service.port". */
     bool reportPort(const std::string& component, const std::string& port);
     bool unreportPort(const std::string& component, const std::string& port);
-    /** Writes a row now, unless the activity is periodic or the component does not run. For this component's own thread, in
-        which the operation is executed. */
+    /** Writes a row now, unless the activity is periodic or the component does not run. Must be called in this
+        component's own thread, in which the operation is executed. */
     void snapshot();
 
 protected:
@@ -64,7 +66,7 @@ protected:
 
     /** Writes the properties, attributes and ports of a peer. */
     bool screenImpl(const std::string& component, std::ostream& output);
-    /** Rows go there as text, from the next start() to the stop() after it. */
+    /** Sets where rows go as text, from the next start() to the stop() after it. */
     void writeTo(std::unique_ptr<reporting::TextTarget> target);
 
 private:

@@ -13,34 +13,38 @@
 namespace OCL {
 
 /**
- * A console that shows a component and its peers and commands them.
+ * A console that shows and commands a component and its peers.
  *
  *     OCL::TaskBrowser browser(&component);
  *     browser.loop();
  *
- * With a terminal on standard input and output it has a prompt, history, completion and colours; otherwise it reads commands
- * from standard input, and writes nothing but what they give. docs/console.md describes what can be typed.
+ * On a terminal it has a prompt, history, completion and colours. Otherwise it reads commands from standard input and
+ * writes only their results. docs/console.md describes the commands.
  *
- * It connects no port of a component by looking at it. Not real-time; all functions are for one thread at a time. The
+ * It never connects a port by showing it. Not real-time; only one thread at a time may call its functions. The
  * component may be destroyed before the browser, which then ends.
  */
 class OCL_API TaskBrowser : public RTT::TaskContext {
 public:
     enum ColorTheme { nocolors, darkbg, whitebg };
 
-    /** With the colours for a dark background on a terminal, unless the environment has a NO_COLOR that is not empty. */
+    /** Uses the colours for a dark background on a terminal, unless the environment variable NO_COLOR is set and not
+        empty. */
     explicit TaskBrowser(RTT::TaskContext* component);
     explicit TaskBrowser(RTT::TaskContext& component) : TaskBrowser(&component) {}
     ~TaskBrowser() override;
 
-    /** Reads and executes lines until `quit` or the end of the input. SIGTERM and SIGHUP stop the command that is being
-        executed and end it, too; SIGINT as well, but on a terminal it stops no more than a command. */
+    /** Reads and executes lines until `quit` or the end of the input. SIGTERM, SIGHUP and SIGINT stop the current
+        command and end the loop; on a terminal, SIGINT only stops the command. */
     void loop();
-    /** For programs that catch signals themselves: loop() ends as soon as this descriptor can be read. On a terminal it has
-        SIGINT while a command is executed, and Ctrl-C at the prompt; otherwise their handler gets it. */
+    /**
+     * For programs that catch signals themselves: loop() ends when this descriptor becomes readable. On a terminal the
+     * console handles SIGINT while a command is executed, and Ctrl-C at the prompt; otherwise the handler of the
+     * program gets it.
+     */
     void endOn(int descriptor);
 
-    /** True if loop() read lines from what is no terminal, and one of them could not be executed. All others were. */
+    /** True if loop() did not read from a terminal and a line could not be executed. It executes all other lines. */
     bool failed() const;
 
     /** True if standard input and output are a terminal. */
@@ -50,7 +54,7 @@ public:
     /** Executes one line as if it had been typed. */
     void evaluate(const std::string& line);
     void evalCommand(const std::string& line) { evaluate(line); }
-    /** Goes to that component. */
+    /** Visits that component. */
     void switchTaskContext(RTT::TaskContext* component);
 
 private:

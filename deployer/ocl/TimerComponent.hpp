@@ -14,8 +14,8 @@
 namespace OCL {
 
 /**
- * Timers that write to ports when they expire: each to the port `timeout` and, the first 32, to the port `timer_<number>`; the
- * sample is the number. They run from start() to stop().
+ * Timers that write their number to ports when they expire: each to the port `timeout`, and the first 32 also to the
+ * port `timer_<number>`. They run from start() to stop().
  */
 class OCL_API TimerComponent : public RTT::TaskContext {
 public:

@@ -19,7 +19,7 @@ FileReporting::~FileReporting() { stopForGood(); }
 
 bool FileReporting::startHook() {
     std::string error;
-    writeTo(nullptr);  // of a start that failed: it has the file
+    writeTo(nullptr);  // a start that failed may have left the file open
     writeTo(reporting::openFile(reportFile_, error));
     if (!error.empty())
         RTT::log(RTT::Error) << "could not open file '" << reportFile_ << "' for reporting: " << error << RTT::endlog();
@@ -27,7 +27,7 @@ bool FileReporting::startHook() {
 }
 
 bool FileReporting::screenComponent(const std::string& component) {
-    if (!getPeer(component)) return screenImpl(component, std::cerr);  // which says so
+    if (!getPeer(component)) return screenImpl(component, std::cerr);  // which reports the error
     if (component.find('/') != std::string::npos) {
         RTT::log(RTT::Error) << "could not screen component '" << component
                              << "': a name with a '/' would write to another folder" << RTT::endlog();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The component and its life. What is reported: report_entries.cpp; rows: running_report.cpp.
+// The component and its life cycle. report_entries.cpp selects what is reported, running_report.cpp writes rows.
 #include <ocl/ReportingComponent.hpp>
 
 #include "reporting_state.hpp"
@@ -18,7 +18,7 @@ using RTT::log;
 
 namespace {
 
-/** Rows that are written at most before somebody else has a turn: a writer that never pauses must not keep us from stopping. */
+/** The most rows written in one cycle, so that a writer that never pauses cannot prevent a stop. */
 constexpr int kRowsPerCycle = 10000;
 
 }  // namespace
@@ -75,7 +75,7 @@ ReportingComponent::ReportingComponent(std::string name) : RTT::TaskContext(name
 
 ReportingComponent::~ReportingComponent() {
     stopForGood();
-    impl_->sources.clear();  // their ports leave this component while it is whole
+    impl_->sources.clear();  // removes their ports from this component before it is destroyed
 }
 
 bool ReportingComponent::addMarshaller(RTT::marsh::MarshallInterface* header, RTT::marsh::MarshallInterface* body) {
@@ -110,7 +110,7 @@ reporting::ReportOptions ReportingComponent::Impl::options() const {
     result.header = writeHeader;
     result.repeatHeader = repeatHeader;
     result.onlyNewData = onlyNewData;
-    result.onFailure = [this] { (void)self.trigger(); };  // updateHook() looks
+    result.onFailure = [this] { (void)self.trigger(); };  // updateHook() checks for the failure
     result.digits = std::max(1, std::min(precision, std::numeric_limits<double>::max_digits10));
     result.begin =
         synchronize ? RTT::Logger::Instance()->getReferenceTime() : RTT::os::TimeService::Instance()->getTicks();
@@ -134,7 +134,7 @@ bool ReportingComponent::startHook() {
     return true;
 }
 
-/** False if there may be more. */
+/** Writes rows for new samples; false if there may be more. */
 bool ReportingComponent::Impl::writeNewRows(RunningReport& from) {
     for (int rows = 0; rows < kRowsPerCycle; ++rows) {
         if (!from.read()) return true;
@@ -152,12 +152,12 @@ void ReportingComponent::updateHook() {
         if (!impl_->writeNewRows(report)) (void)trigger();
     }
     impl_->lostRows = static_cast<unsigned int>(report.lost());
-    // Nothing goes on until somebody has made room, and starts the report anew.
+    // The user must make room and then start the report anew.
     if (report.failed()) error();
 }
 
 void ReportingComponent::snapshot() {
-    // Not held by anybody while the component is running; stopHook() may be in another thread.
+    // Nobody else locks it while the component runs, but stopHook() may run in another thread.
     const std::unique_lock<std::mutex> rows(impl_->rows, std::try_to_lock);
     if (!rows || !impl_->report || impl_->isPeriodic()) return;
     (void)impl_->report->read();
@@ -169,7 +169,7 @@ void ReportingComponent::stopHook() {
     const std::lock_guard<std::mutex> rows(impl_->rows);
     if (!impl_->report) return;
     impl_->report->wakeOnData(false);
-    // What came before stop() belongs to the report, even if our thread had no time for it.
+    // Samples from before stop() belong to the report, even if this thread had no time for them.
     if (!impl_->snapshotOnly && !impl_->isPeriodic()) (void)impl_->writeNewRows(*impl_->report);
     impl_->report->finish();
     impl_->lostRows = static_cast<unsigned int>(impl_->report->lost());

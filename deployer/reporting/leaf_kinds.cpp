@@ -78,7 +78,7 @@ const Kind kKinds[] = {
     text<std::string>(),   text<RTT::rt_string>(),
 };
 
-// As everywhere in the runtime: plugins agree about types by name.
+// Compares names, because plugins may have different type_info objects of one type.
 bool same(const std::type_info& one, const std::type_info& other) { return std::strcmp(one.name(), other.name()) == 0; }
 
 }  // namespace

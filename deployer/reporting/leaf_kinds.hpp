@@ -10,15 +10,15 @@ namespace OCL::reporting {
 
 class Record;
 
-/** Appends the value at `value`. Allocates only if the record has to grow. */
+/** Appends the value at `value`. Allocates only if the record must grow. */
 typedef void (*Encode)(const void* value, Record& record);
 
-/** How numbers, characters and strings go into a record; null for other types. */
+/** The function that encodes numbers, characters or strings of that type; null for other types. */
 Encode encodeOf(const std::type_info& type);
 
-/** A std::vector of numbers, which need not be looked at element by element. */
+/** A std::vector of numbers, which is encoded as a whole. */
 struct NumberVector {
-    Encode encode;  ///< its elements
+    Encode encode;  ///< encodes the elements
     std::size_t (*size)(const void* vector);
 };
 /** Null for other types. */

@@ -30,7 +30,7 @@ std::string OtherValue::text(const char* bytes) const {
 const OtherValue* OtherValues::of(const RTT::types::TypeInfo& type) {
     const RTT::types::TypeOps* const ops = type.getOps();
     const char* const element = type.getArrayElement();
-    if (!ops || !ops->trivial || (element && *element)) return nullptr;  // a view's elements are not part of it
+    if (!ops || !ops->trivial || (element && *element)) return nullptr;  // copying a view does not copy its elements
     std::unique_ptr<OtherValue>& made = known_[&type];
     if (!made) {
         const Value place = type.buildValue();

@@ -13,17 +13,17 @@
 
 namespace OCL::reporting {
 
-/** The text of a value that is neither a number nor a string: what its type makes of it (the name of an enumerator, for
-    example), else what its stream operator writes. Allocates. */
+/** The text of a value that is neither a number nor a string, made by its type (for example the name of an enumerator)
+    or by its stream operator. Allocates. */
 std::string textOf(const RTT::base::DataSourceBase::shared_ptr& value);
 
-/** A place for values of a type that can be copied byte by byte, so that the thread that writes makes text of them. */
+/** Storage for values of a type that can be copied byte by byte, which the writing thread turns into text. */
 class OtherValue {
 public:
     OtherValue(RTT::base::DataSourceBase::shared_ptr place, std::size_t size);
 
     std::size_t size() const { return size_; }
-    /** The text of the value that these bytes are. */
+    /** The text of the value with these bytes. */
     std::string text(const char* bytes) const;
 
 private:
@@ -31,7 +31,7 @@ private:
     const std::size_t size_;
 };
 
-/** One place per type. Grows with the types in a report; what it has made lives as long as it. */
+/** One OtherValue for each such type in a report; they live as long as this. */
 class OtherValues {
 public:
     /** Null if values of this type cannot be copied byte by byte. */

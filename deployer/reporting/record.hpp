@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /**
- * A row of a report on its way from the component to the thread that writes it: values as they are in memory, each after a
- * tag that says what it is. Nothing else needs to be known to turn it into text, so columns may change at any time.
+ * A row of a report on its way from the component to the thread that writes it: values as in memory, each after a tag
+ * with its type. It can be turned into text without other knowledge, so columns may change at any time.
  */
 #ifndef ORO_OCL_REPORTING_RECORD_HPP
 #define ORO_OCL_REPORTING_RECORD_HPP
@@ -15,9 +15,9 @@
 
 namespace OCL::reporting {
 
-/** What follows in a record. */
+/** The type of what follows in a record. */
 enum class Tag : unsigned char {
-    Bag,       ///< nothing: the next values are the members of one
+    Bag,       ///< nothing; the next values are members
     Bool,      ///< bool
     Char,      ///< char, printed as a character
     Signed,    ///< std::int64_t
@@ -25,15 +25,15 @@ enum class Tag : unsigned char {
     Float,     ///< float
     Real,      ///< double
     Text,      ///< std::uint32_t and as many characters
-    Other,     ///< const OtherValue* and as many bytes as its type has
-    Line,      ///< as Text: a whole line, not a row
+    Other,     ///< const OtherValue* and the bytes of the value
+    Line,      ///< as Text, but a whole line instead of a row
 };
 
-/** Put together by one thread. Allocates only when a record is longer than all before. */
+/** Encodes records, in one thread. Allocates only if a record is longer than all before. */
 class Record {
 public:
     Record() { grow(kFirstRoom); }
-    /** Room for records of that size without allocating. */
+    /** Makes room for records of that size. */
     void expect(std::size_t size) {
         if (size > static_cast<std::size_t>(end_ - begin_.get())) grow(size);
     }
@@ -83,7 +83,7 @@ private:
     char* end_ = nullptr;
 };
 
-/** Takes a record apart, in the order in which it was put together. */
+/** Decodes a record, in the order in which it was encoded. */
 class RecordReader {
 public:
     RecordReader(const char* data, std::size_t size) : at_(data), end_(data + size) {}

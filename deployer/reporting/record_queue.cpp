@@ -14,14 +14,14 @@ RecordQueue::~RecordQueue() {
 
 void RecordQueue::makeRoom(std::size_t room) {
     Part* const next = new Part(room);
-    // Release, pairs with pop() and empty(): who sees the new ring sees all that the old one will ever have.
+    // Release, pairs with pop() and empty(): a thread that sees the new ring sees all that the old one will ever have.
     filling_->next.store(next, std::memory_order_release);
     filling_ = next;
 }
 
 bool RecordQueue::pop(std::vector<char>& record) {
     for (;;) {
-        // Looked at first: only then does an empty ring stay empty.
+        // Must be read first: only if there is a next ring does an empty one stay empty.
         Part* const next = emptying_->next.load(std::memory_order_acquire);
         if (emptying_->ring.pop(record)) return true;
         if (!next) return false;

@@ -13,8 +13,8 @@
 namespace OCL::reporting {
 
 /**
- * A RecordRing that is followed by a larger one when records have become larger: the filling thread goes on to the new one at
- * once, the emptying thread when it has emptied the old one, which it then frees.
+ * A RecordRing that is followed by a larger one when records become larger. The filling thread uses the new ring at
+ * once. The emptying thread first empties the old ring and frees it.
  */
 class RecordQueue {
 public:
@@ -24,16 +24,16 @@ public:
     RecordQueue(const RecordQueue&) = delete;
     RecordQueue& operator=(const RecordQueue&) = delete;
 
-    // For the one thread that fills.
-    /** False if there is no room for it now. Real-time safe. */
+    // Called only by the thread that fills.
+    /** False if there is no room now. Real-time safe. */
     bool push(const char* record, std::size_t size) { return filling_->ring.push(record, size); }
-    /** Bytes that the present ring takes. */
+    /** The size of the present ring in bytes. */
     std::size_t capacity() const { return filling_->ring.capacity(); }
-    /** Goes on with a new ring of that size. Allocates. */
+    /** Continues with a new ring of that size. Allocates. */
     void makeRoom(std::size_t room);
 
-    // For the one thread that empties.
-    /** Moves the oldest one into `record`; false if there is none. */
+    // Called only by the thread that empties.
+    /** Moves the oldest record into `record`; false if there is none. */
     bool pop(std::vector<char>& record);
     bool empty() const;
 
@@ -44,7 +44,7 @@ private:
         std::atomic<Part*> next{nullptr};
     };
     Part* filling_;   // the last one
-    Part* emptying_;  // the first one, which owns those behind it
+    Part* emptying_;  // the first one, which owns those after it
 };
 
 }  // namespace OCL::reporting

@@ -25,14 +25,14 @@ bool RecordRing::push(const char* record, std::size_t size) {
     const std::uint64_t at = filled_.load(std::memory_order_relaxed);  // only this thread changes it
     const std::size_t needed = sizeof(Length) + size;
     if (at + needed - seenEmptied_ > capacity()) {
-        // Acquire, pairs with pop(): what it copied out of these bytes was read before we overwrite them.
+        // Acquire, pairs with pop(), which has read these bytes before they are overwritten here.
         seenEmptied_ = emptied_.load(std::memory_order_acquire);
         if (at + needed - seenEmptied_ > capacity()) return false;
     }
     const Length length = static_cast<Length>(size);
     put(at, &length, sizeof length);
     put(at + sizeof length, record, size);
-    // Release, pairs with pop() and empty(): who sees the new number sees the bytes.
+    // Release, pairs with pop() and empty(): a thread that sees the new number sees the bytes.
     filled_.store(at + needed, std::memory_order_release);
     return true;
 }

@@ -11,18 +11,18 @@
 
 namespace OCL::reporting {
 
-/** Records from one thread to another one, in a fixed amount of memory. Neither side ever waits for the other. */
+/** Passes records from one thread to another in a fixed amount of memory. Neither thread ever waits for the other. */
 class RecordRing {
 public:
-    /** Takes at least that many bytes, and touches all of them, so that no page is missing later. Allocates. */
+    /** Allocates at least that many bytes and touches all of them, so that there are no page faults later. */
     explicit RecordRing(std::size_t capacity);
 
     std::size_t capacity() const { return mask_ + 1; }
-    /** False if there is no room for it now. For the one thread that fills. Real-time safe. */
+    /** False if there is no room now. Called only by the thread that fills. Real-time safe. */
     bool push(const char* record, std::size_t size);
-    /** Moves the oldest one into `record`; false if there is none. For the one thread that empties. */
+    /** Moves the oldest record into `record`; false if there is none. Called only by the thread that empties. */
     bool pop(std::vector<char>& record);
-    /** For the thread that empties. */
+    /** Called only by the thread that empties. */
     bool empty() const;
 
 private:
@@ -33,8 +33,9 @@ private:
 
     std::unique_ptr<char[]> bytes_;
     std::size_t mask_;
-    // Bytes written and read since the beginning: they only grow, the place of a byte is its number modulo the capacity.
-    // Each side changes its own only. On cache lines of their own, as is what the filling side remembers of the other.
+    // Bytes written and read since the beginning. The numbers only grow; the place of a byte is its number modulo the
+    // capacity. Each side changes only its own number. They have cache lines of their own, as has the filling side's
+    // copy of the other.
     alignas(64) std::atomic<std::uint64_t> filled_{0};
     std::uint64_t seenEmptied_ = 0;
     alignas(64) std::atomic<std::uint64_t> emptied_{0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What is reported: peers, ports and values by name, and the property ReportData that lists them.
+// Selects what is reported: peers, ports and values by name, and the property ReportData, which lists them.
 #include "report_name.hpp"
 #include "reporting_state.hpp"
 
@@ -26,7 +26,7 @@ using RTT::base::OutputPortInterface;
 
 namespace {
 
-/** The service that `path`, with dots, ends in, and the last part of it; null if there is none. */
+/** The service in which the last part of `path` is; removes the other parts. Null if there is none. */
 RTT::Service::shared_ptr serviceOf(TaskContext& component, std::string& path) {
     RTT::Service::shared_ptr service = component.provides();
     for (std::size_t dot; service && (dot = path.find('.')) != path.npos; path.erase(0, dot + 1))
@@ -42,7 +42,7 @@ DataSourceBase::shared_ptr valueOf(TaskContext& component, std::string path) {
     return attribute ? attribute->getDataSource() : nullptr;
 }
 
-/** Null, and an error, if values of that type cannot be reported. */
+/** A new value of that type. Logs an error and returns null if values of the type cannot be reported. */
 DataSourceBase::shared_ptr placeFor(const RTT::types::TypeInfo* type, const std::string& name) {
     const bool known = type && type != RTT::types::Types()->unknownType();
     const DataSourceBase::shared_ptr place = known ? type->buildValue() : nullptr;
@@ -68,13 +68,13 @@ TaskContext* peerOf(TaskContext& self, const std::string& component) {
     return peer;
 }
 
-/** Null if it has none of that name, not even an input. */
+/** The port of the component, output or input; null if there is none. */
 RTT::base::PortInterface* portOf(TaskContext& component, std::string path) {
     const RTT::Service::shared_ptr service = serviceOf(component, path);
     return service ? service->getPort(path) : nullptr;
 }
 
-// Those of the component itself; for messages.
+// The names of the component's own output ports, for messages.
 std::vector<std::string> outputsOf(TaskContext& component) {
     std::vector<std::string> names;
     for (RTT::base::PortInterface* port : component.ports()->getPorts())
@@ -88,7 +88,7 @@ std::vector<std::string> valuesOf(TaskContext& component) {
     return names;
 }
 
-/** Null, and an error, if there is none that could be reported. */
+/** The output port. Logs an error and returns null if there is none that can be reported. */
 OutputPortInterface* outputOf(TaskContext& peer, const std::string& component, const std::string& path) {
     RTT::base::PortInterface* const port = portOf(peer, path);
     auto* const output = dynamic_cast<OutputPortInterface*>(port);
@@ -130,7 +130,7 @@ bool ReportingComponent::Impl::isUpToDate(const Source& source) const {
 std::string ReportingComponent::Impl::freeName(const std::string& component, const std::string& port) {
     const auto old = find(component + "." + port);
     const RTT::base::PortInterface* const replaced = old == sources.end() ? nullptr : (*old)->port();
-    // Port c of component a_b, and port b_c of component a.
+    // Port c of component a_b and port b_c of component a would have the same name.
     std::string name = component + "_" + port;
     for (const RTT::base::PortInterface* at; (at = self.ports()->getPort(name)) && at != replaced;) name += "_";
     return name;
@@ -146,7 +146,7 @@ void ReportingComponent::Impl::put(std::shared_ptr<Source> source) {
     }
     if (!source->port()) return;
     self.ports()->addLocalEventPort(*source->port());
-    source->port()->signalInterface(false);  // until the component runs
+    source->port()->signalInterface(false);  // no signals until the component runs
 }
 
 bool ReportingComponent::Impl::remove(const std::string& name) {
@@ -160,7 +160,7 @@ bool ReportingComponent::Impl::remove(const std::string& name) {
 bool ReportingComponent::Impl::addComponent(const std::string& component, Known known) {
     TaskContext* const peer = peerOf(self, component);
     if (!peer) return false;
-    // A port of a type that no typekit has is said to be left out: the others of such a component have their columns.
+    // A port whose type is in no typekit is left out with a message; the other ports of the component have columns.
     for (RTT::base::PortInterface* port : peer->ports()->getPorts()) {
         if (!dynamic_cast<OutputPortInterface*>(port)) continue;
         const bool stays = known == Known::Stay && isReportedNow(component + "." + port->getName());
@@ -202,7 +202,7 @@ bool ReportingComponent::Impl::addData(const std::string& component, const std::
     if (!value) {
         log(RTT::Error) << "could not report '" << data << "': no such property or attribute of component '"
                         << component << "'" << didYouMean(data, valuesOf(*peer)) << endlog();
-        return true;  // files that name what is not there have always been accepted
+        return true;  // files have always been accepted if they name something unknown
     }
     const DataSourceBase::shared_ptr sample = placeFor(value->getTypeInfo(), name);
     if (!sample) return false;
@@ -213,7 +213,7 @@ bool ReportingComponent::Impl::addData(const std::string& component, const std::
 bool ReportingComponent::Impl::renew(const Source& source) {
     TaskContext* const peer = self.getPeer(source.component());
     if (source.port()) {
-        // One that has gone keeps its column, with the last value.
+        // A port that does not exist any more keeps its column, with the last value.
         RTT::base::PortInterface* const port = peer ? portOf(*peer, source.path()) : nullptr;
         if (auto* const output = dynamic_cast<OutputPortInterface*>(port))
             (void)connect(source.component(), source.path(), *output);
@@ -289,7 +289,7 @@ bool ReportingComponent::Impl::addEntry(const RTT::base::PropertyBase& entry) {
                         << (kind == "Port" ? "ports" : "properties or attributes") << endlog();
         return false;
     }
-    // By an operation that was called before configure(). What has gone since is looked for again.
+    // Reported already, by an operation before configure(). If it does not exist any more, it is looked up again.
     if (isReportedNow(value)) return true;
     const std::string component = value.substr(0, dot), name = value.substr(dot + 1);
     return kind == "Port" ? addPort(component, name) : addData(component, name);
@@ -297,7 +297,7 @@ bool ReportingComponent::Impl::addEntry(const RTT::base::PropertyBase& entry) {
 
 void ReportingComponent::Impl::rememberEntry(const std::string& kind, const std::string& value) {
     for (const RTT::base::PropertyBase* entry : reportData)
-        if (isEntry(entry, kind, value)) return;  // its place is that of the column
+        if (isEntry(entry, kind, value)) return;  // keeps the place of its column
     reportData.ownProperty(new RTT::Property<std::string>(kind, "", value));
 }
 

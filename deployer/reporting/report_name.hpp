@@ -8,7 +8,7 @@
 
 namespace OCL::reporting {
 
-/** True for a name that would begin another line of a report, or move the cursor of who reads it. */
+/** True for a name with control characters, which would begin a line in a report or move the cursor of a terminal. */
 inline bool hasControl(const std::string& name) {
     return std::any_of(name.begin(), name.end(),
                        [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });

@@ -21,7 +21,7 @@ struct ReportingComponent::Impl {
     explicit Impl(ReportingComponent& component) : self(component) {}
 
     // --- report_entries.cpp; the caller holds `changes` ---
-    /** What a component's ports are that are reported already. */
+    /** What happens to ports of a component that are reported already. */
     enum class Known {
         ConnectAnew,  ///< with a warning
         Stay
@@ -31,22 +31,23 @@ struct ReportingComponent::Impl {
     bool addData(const std::string& component, const std::string& data);
     bool isReported(const std::string& name);
     reporting::Sources::iterator find(const std::string& name);
-    /** And up to date. */
+    /** True if a source of that name is reported and up to date. */
     bool isReportedNow(const std::string& name);
-    /** It is of the component that the peer of that name is now. */
+    /** True if the source belongs to the component that is now the peer of that name. */
     bool isUpToDate(const reporting::Source& source) const;
-    /** Those that there are; components may have gone, or been replaced, since their values and ports were added. */
+    /** The sources that exist: components may have been destroyed or replaced since their values and ports were added.
+         */
     reporting::Sources present();
-    /** Takes another one of that name. False, and an error: there is no such value any more. */
+    /** Replaces a source by the present one of that name. Logs an error and returns false if there is none. */
     bool renew(const reporting::Source& source);
-    /** Of a port of ours that is to be connected to that one. */
+    /** A free name for the component's own port that is connected to that one. */
     std::string freeName(const std::string& component, const std::string& port);
     bool connect(const std::string& component, const std::string& port, RTT::base::OutputPortInterface& output);
-    /** In the place of the one of that name, or behind all others. */
+    /** Replaces the source of that name, or adds it after all others. */
     void put(std::shared_ptr<reporting::Source> source);
     bool remove(const std::string& name);
     bool removeAllOf(const std::string& component);
-    /** What ReportData says; reports all its errors. */
+    /** Adds what ReportData lists; reports all errors. */
     bool addEntries();
     bool addEntry(const RTT::base::PropertyBase& entry);
     void rememberEntry(const std::string& kind, const std::string& value);
@@ -72,12 +73,12 @@ struct ReportingComponent::Impl {
     RTT::ConnPolicy policy = RTT::ConnPolicy::data(RTT::ConnPolicy::LOCK_FREE, true, false);
     unsigned int lostRows = 0;
 
-    std::mutex changes;  // of the sources, by operations in any thread
+    std::mutex changes;  // guards the sources, which operations in any thread may change
     reporting::Sources sources;
     std::vector<reporting::Marshallers> marshallers;
     std::unique_ptr<reporting::TextTarget> target;  // for the next report
 
-    std::mutex rows;  // held by snapshot() and by those who begin and end the report
+    std::mutex rows;  // held by snapshot() and while the report begins or ends
     std::unique_ptr<reporting::RunningReport> report;
 };
 

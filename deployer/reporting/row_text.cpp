@@ -24,7 +24,7 @@ void appendOneLine(Text& text, std::string_view value) {
     append(text, value);
 }
 
-/** Without a value, those behind it would stand in other columns than their names. */
+/** Writes "" in quotes for an empty text, because otherwise later values would move to other columns. */
 void appendText(Text& text, std::string_view value) {
     if (value.empty())
         append(text, "\"\"");
@@ -32,7 +32,7 @@ void appendText(Text& text, std::string_view value) {
         appendOneLine(text, value);
 }
 
-/** Longer than any number: general format has at most that many digits, a sign, a point and an exponent. */
+/** Enough for any number: its digits, a sign, a point and an exponent. */
 constexpr std::size_t kNumberRoom = 320;
 
 template <class T, class... Format>

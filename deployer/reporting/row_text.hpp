@@ -9,9 +9,9 @@
 namespace OCL::reporting {
 
 /**
- * Appends the line of a record: a blank before each value, a further one where a value with members begins, a blank at the
- * end. Numbers have the digits that a C++ stream gives them. A line end inside a text is written as `\n`, so that a row stays
- * one line.
+ * Appends the line of a record: a blank before each value, another one before a value with members, and a blank at the
+ * end. Numbers are written as by a C++ stream with that many digits. A line end inside a text is written as `\n`, so
+ * that a row is one line.
  */
 void appendRow(std::vector<char>& text, const char* record, std::size_t size, int digits);
 

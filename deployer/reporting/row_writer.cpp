@@ -15,16 +15,18 @@
 namespace OCL::reporting {
 namespace {
 
-/** As much text as is collected before it is written. */
+/** The amount of text that is collected before it is written. */
 constexpr std::size_t kChunk = 256 * 1024;
-/** How long rows may gather: many short writes cost more than few long ones, and a wake-up costs the component. */
+/** How long rows may gather, because many short writes cost more than few long ones, and a wake-up costs the component.
+     */
 constexpr std::chrono::milliseconds kGathering(5);
-/** How often it is looked whether the last row is written, and how long that may take before the log says so. */
+/** How often finish() checks whether the last row is written, and how long that may take before it logs that it waits.
+     */
 constexpr std::chrono::milliseconds kEndCheck(1);
 constexpr std::chrono::seconds kPatience(2);
 
-/** A pipe whose reader has gone and a file that may not become larger are errors of write(). The signals that the thread
-    would get as well end the process, with all its other components. */
+/** Blocks the signals that a closed pipe or a file size limit would send to this thread: they would end the process
+    with all other components, and write() returns an error anyway. */
 void takeNoSignalsOfWriting() {
     sigset_t signals;
     sigemptyset(&signals);
@@ -53,8 +55,9 @@ bool RowWriter::push(const Record& record) {
         lose(1);
         return false;
     }
-    // Both sides exchange. If ours comes second we find it asleep; if it comes first, the one in waitForRows() reads what
-    // we left, and so sees the record. With a plain load here, each could miss what the other one does.
+    // Both sides exchange the flag. If this exchange comes second, it finds the thread asleep. If it comes first, that
+    // in waitForRows() reads from it and so sees the record. With a plain load here, each side could miss what the
+    // other does.
     if (asleep_.exchange(false, std::memory_order_acq_rel)) wake_.signal();
     return true;
 }
@@ -68,7 +71,7 @@ void RowWriter::finish() {
     (void)stop();
 }
 
-/** Rows are not given up, however long a disk or a pipe takes; who is waiting should know for what. */
+/** Waits without limit, because rows must not be lost if a disk or pipe is slow; logs that it waits. */
 void RowWriter::waitUntilDone() {
     const auto begin = std::chrono::steady_clock::now();
     for (bool told = false; !done_.trywait(); std::this_thread::sleep_for(kEndCheck)) {
@@ -84,7 +87,7 @@ void RowWriter::loop() {
     for (;;) {
         const bool last = ending_.load(std::memory_order_acquire);
         writeAll();
-        if (last) break;  // what was pushed before finish() has been written
+        if (last) break;  // all that was pushed before finish() has been written
         waitForRows();
     }
     done_.signal();
@@ -92,7 +95,7 @@ void RowWriter::loop() {
 
 void RowWriter::waitForRows() {
     (void)asleep_.exchange(true, std::memory_order_acq_rel);
-    // Who takes the flag back first decides: if it was push(), there is a signal to be taken.
+    // The first side that resets the flag decides: if it was push(), there is a signal to wait for.
     if (queue_.empty() || !asleep_.exchange(false, std::memory_order_acq_rel)) wake_.wait();
     if (!ending_.load(std::memory_order_acquire)) std::this_thread::sleep_for(kGathering);
 }
@@ -112,7 +115,7 @@ void RowWriter::writeOut() {
     if (!error.empty()) {
         RTT::log(RTT::Error) << "could not write to " << target_->name() << ": " << error
                              << "; no further rows are written" << RTT::endlog();
-        failed_ = true;  // a part of a line may be there: nothing may follow it
+        failed_ = true;  // part of a line may have been written, so nothing may follow it
         if (onFailure_) onFailure_();
     }
     if (failed_) lose(rows_);

@@ -20,34 +20,34 @@ namespace OCL::reporting {
 class Record;
 
 /**
- * The thread that makes text of records and writes it.
+ * The thread that turns records into text and writes it.
  *
  *     component: Record ──push──► RecordQueue ──pop──► text ──write──► TextTarget       (this thread)
  *
- * Lines are written whole and in order, some milliseconds after the row was taken.
+ * Writes whole lines, in order, some milliseconds after the row was pushed.
  */
 class RowWriter final : public RTT::Activity {
 public:
-    /** Starts the thread. @param room for records, in bytes  @param digits of numbers  @param onFailure called once by the
+    /** Starts the thread. @param room bytes for records @param digits of numbers @param onFailure called once by the
         thread, when it has failed() */
     RowWriter(const std::string& name, std::unique_ptr<TextTarget> target, std::size_t room, int digits,
               std::function<void()> onFailure = {});
-    /** As finish(). */
+    /** Calls finish(). */
     ~RowWriter() override;
 
-    // For one thread at a time.
-    /** False if there is no room, the row is lost then. Real-time safe. */
+    // Called by one thread at a time.
+    /** False if there is no room, and the row is lost. Real-time safe. */
     bool push(const Record& record);
-    /** Bytes that there is room for now, with the records that wait. */
+    /** The room in bytes, including waiting records. */
     std::size_t room() const { return queue_.capacity(); }
-    /** Room for that many bytes, besides the records that wait. Allocates. */
+    /** Makes room for that many bytes, in addition to waiting records. Allocates. */
     void makeRoom(std::size_t bytes) { queue_.makeRoom(bytes); }
 
-    /** Waits until everything has been written, and ends the thread. If that takes long, the log says what is waited for. */
+    /** Waits until everything is written, and ends the thread. If that takes long, logs what it waits for. */
     void finish();
-    /** Rows for which there was no room, or that could not be written. */
+    /** The number of rows for which there was no room or that could not be written. */
     unsigned long lost() const { return lost_.load(std::memory_order_relaxed); }
-    /** Nothing more is written, because something could not be. */
+    /** True if a write failed; nothing more is written then. */
     bool failed() const { return failed_.load(std::memory_order_relaxed); }
 
 protected:
@@ -65,13 +65,13 @@ private:
     const int digits_;
     RecordQueue queue_;
     std::atomic<unsigned long> lost_{0};
-    std::atomic<bool> asleep_{false};  // the thread waits, or is about to wait, for wake_
+    std::atomic<bool> asleep_{false};  // the thread waits, or will wait, for wake_
     std::atomic<bool> ending_{false};
     RTT::os::Semaphore wake_{0}, done_{0};
     bool started_ = false;
-    // Of the thread:
+    // Used only by the thread:
     std::vector<char> record_, text_;
-    unsigned long rows_ = 0;  // in text_
+    unsigned long rows_ = 0;  // rows in text_
     std::atomic<bool> failed_{false};
     const std::function<void()> onFailure_;
 };

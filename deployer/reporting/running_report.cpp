@@ -14,11 +14,11 @@ namespace {
 
 const char* const kTimeStamp = "TimeStamp";
 
-/** Rows that the writer may be behind: two seconds at 1 kHz, and more for short rows. */
+/** How many rows the writer may be behind: two seconds at 1 kHz. */
 constexpr std::size_t kRowsBehind = 2000;
 constexpr std::size_t kLeastRoom = std::size_t(1) << 20;
 constexpr std::size_t kMostRoom = std::size_t(1) << 26;
-/** However long they are: a sequence may hold an image. */
+/** The fewest rows, even if they are long: a sequence may hold an image. */
 constexpr std::size_t kFewestRows = 4;
 
 void write(RTT::marsh::MarshallInterface* marshaller, const RTT::PropertyBag& bag) {
@@ -38,7 +38,7 @@ RunningReport::RunningReport(const Sources& sources, const ReportOptions& option
     : options_(options), marshallers_(marshallers) {
     entries_.reserve(sources.size());
     for (const std::shared_ptr<Source>& source : sources) {
-        source->prepare();  // how many elements a sequence has decides about the columns
+        source->prepare();  // the columns depend on the size of sequences
         entries_.emplace_back(source, ValueTree(source->name(), source->sample(), options.decomposition, others_));
     }
     if (target) {
@@ -69,7 +69,8 @@ void RunningReport::chooseEntries() {
     }
 }
 
-/** A port has changed if there was a new sample; a value, if it is another one. All have, before the first row. */
+/** True for a port with a new sample and for a value that differs from the last row; always true before the first row.
+     */
 bool RunningReport::hasChanged(Entry& entry) {
     if (entry.source->port()) return entry.changed;
     part_.clear();
@@ -132,7 +133,7 @@ void RunningReport::fill(RTT::PropertyBag& bag, double time) {
 }
 
 void RunningReport::push(const Record& record) {
-    // Not for each byte that a row grows: while it grows to twice its size, half of the room is enough.
+    // Not at each growth of a row: until it has twice its size, half of the room is enough.
     const std::size_t room = roomFor(record.size());
     if (writer_->room() < room / 2) writer_->makeRoom(room);
     if (writer_->push(record) || std::exchange(everLost_, true)) return;

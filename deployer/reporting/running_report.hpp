@@ -21,7 +21,7 @@ namespace OCL::reporting {
 
 typedef std::vector<std::shared_ptr<Source>> Sources;
 
-/** Those that write reports in a form of their own; either may be null. */
+/** Marshallers that write reports in a format of their own; either may be null. */
 struct Marshallers {
     std::unique_ptr<RTT::marsh::MarshallInterface> header, body;
 };
@@ -29,33 +29,33 @@ struct Marshallers {
 struct ReportOptions {
     std::string component;
     Decomposition decomposition = Decomposition::Members;
-    bool header = true;         ///< before the first row
-    bool repeatHeader = false;  ///< also whenever the columns have changed
-    bool onlyNewData = false;   ///< leave out what has not changed since the last row
+    bool header = true;         ///< write a header before the first row
+    bool repeatHeader = false;  ///< also write one whenever the columns change
+    bool onlyNewData = false;   ///< leave out values that have not changed since the last row
     int digits = 6;
     RTT::os::TimeService::ticks begin = 0;  ///< zero of the time stamps
-    std::function<void()> onFailure;        ///< called once, by another thread, when the target takes no more
+    std::function<void()> onFailure;        ///< called once, by another thread, when the target has failed
 };
 
-/** A report from start() to stop() of its component: fixed sources, a header, rows. Used by one thread at a time. */
+/** A report from start() to stop() of its component, with fixed sources. Used by one thread at a time. */
 class RunningReport {
 public:
-    /** Reads all sources and takes them apart. `target` may be null, `marshallers` must outlive this. */
+    /** Reads all sources and takes their values apart. `target` may be null; `marshallers` must outlive this. */
     RunningReport(const Sources& sources, const ReportOptions& options, std::unique_ptr<TextTarget> target,
                   const std::vector<Marshallers>& marshallers);
 
-    /** Reads all sources; true if a port had a new sample. Real-time safe as far as copying the values is. */
+    /** Reads all sources; true if a port had a new sample. Real-time safe if copying the values is. */
     bool read();
-    /** Hands over a row of what was read. Without marshallers it allocates nothing, unless a value has grown. */
+    /** Writes a row of the values that were read. Without marshallers, allocates only if a value has grown. */
     void writeRow();
     /** Forgets samples that came before the report. */
     void clearPorts();
-    /** New samples of ports wake the component, or do not. */
+    /** Selects whether new samples wake the component. */
     void wakeOnData(bool on);
     /** Waits until everything is written. */
     void finish();
     unsigned long lost() const { return writer_ ? writer_->lost() : 0; }
-    /** Its target takes no more rows. */
+    /** True if the target has failed. */
     bool failed() const { return writer_ && writer_->failed(); }
 
 private:
@@ -65,8 +65,8 @@ private:
         std::shared_ptr<Source> source;
         ValueTree tree;
         bool changed = true;  // since the last row
-        bool wanted = true;   // in this row
-        std::string last;     // of a value without a port: its record, to see whether it has changed
+        bool wanted = true;   // included in this row
+        std::string last;     // the last record of a value without a port, to see whether it has changed
     };
     void chooseEntries();
     bool hasChanged(Entry& entry);
@@ -81,7 +81,7 @@ private:
     OtherValues others_;
     std::vector<Entry> entries_;
     Record record_, part_;
-    bool otherColumns_ = false;  // than the row before
+    bool otherColumns_ = false;  // the columns differ from the previous row
     bool everChanged_ = false;
     bool everLost_ = false;
     std::unique_ptr<RowWriter> writer_;  // last: its thread uses others_

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What the interface of a component is at one moment.
+// Writes the present interface of a component.
 #include <ocl/ReportingComponent.hpp>
 
 #include "report_name.hpp"

@@ -12,15 +12,15 @@
 
 namespace OCL::reporting {
 
-/** A port, or a property or attribute, that is reported, and the value that was read from it last. */
+/** A port, property or attribute that is reported, and its last value. */
 class Source {
 public:
     typedef RTT::base::DataSourceBase::shared_ptr Value;
 
-    /** What a peer sends, which comes in through `port`. */
+    /** An output of a peer, which is connected to `port`. */
     Source(const std::string& component, std::string path, std::unique_ptr<RTT::base::InputPortInterface> port,
            Value sample);
-    /** A value of a peer, which must live as long as it is read. */
+    /** A value of a peer, which must live as long as this. */
     Source(const std::string& component, std::string path, Value original, Value sample);
 
     /** "Component.service.port" */
@@ -34,12 +34,13 @@ public:
     const Value& original() const { return original_; }
     const Value& sample() const { return sample_; }
 
-    /** The first read(). If a port has no sample yet, its value gets the size that the writer announced by setDataSample(). */
+    /** Must be called before read(). If a port has no sample yet, its value gets the size that the writer set by
+        setDataSample(). */
     void prepare();
-    /** Takes the present value over; true if it is a sample of a port that was not read before. Real-time safe if copying
-        the value is. For one thread at a time. */
+    /** Copies the present value; true if it is a new sample of a port. Real-time safe if copying the value is. Called
+        by one thread at a time. */
     bool read();
-    /** Forgets samples that were not read yet. */
+    /** Drops samples that were not read yet. */
     void clear();
 
 private:
@@ -48,7 +49,7 @@ private:
     const std::unique_ptr<RTT::internal::PortLink> link_;  // reads without looking the type up each time
     const Value original_;
     const Value sample_;
-    void* const address_;  // of the sample
+    void* const address_;  // the address of the sample
 };
 
 }  // namespace OCL::reporting

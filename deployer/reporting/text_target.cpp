@@ -39,7 +39,7 @@ public:
     FileTarget(int file, std::string name) : file_(file), name_(std::move(name)) {}
     ~FileTarget() override { ::close(file_); }
 
-    // No buffer of ours: what was written survives the end of this process, whatever ends it.
+    // Not buffered, so that output survives any end of this process.
     std::string write(const char* text, std::size_t size) override {
         const std::string_view lines(text, size);
         for (std::size_t written = 0; written != size;) {
@@ -57,13 +57,13 @@ public:
     std::string name() const override { return "file '" + name_ + "'"; }
 
 private:
-    /** The row that is there in part, after the last whole one. What else took the bytes, a pipe, has them. */
+    /** Removes the part of a row after the last whole one from a file; a pipe has passed it on. */
     void takeBack(std::string_view written) {
-        const std::size_t whole = written.rfind('\n') + 1;  // npos + 1 is none
+        const std::size_t whole = written.rfind('\n') + 1;  // npos + 1 is 0
         struct stat status {};
         if (whole == written.size() || ::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) return;
         if (::ftruncate(file_, status.st_size - static_cast<off_t>(written.size() - whole)) != 0) {
-            // It ends within a row, and the component says that it does.
+            // The file then ends within a row, and the component reports the failure.
         }
     }
 
@@ -78,7 +78,7 @@ public:
     std::string write(const char* text, std::size_t size) override {
         stream_.write(text, static_cast<std::streamsize>(size)).flush();
         if (stream_) return {};
-        stream_.clear();  // others write there, too
+        stream_.clear();  // other code also writes to it
         return "the stream does not take it";
     }
     std::string name() const override { return "the console"; }
@@ -90,10 +90,10 @@ private:
 }  // namespace
 
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error) {
-    // To open a pipe that nobody reads from would last until somebody does, and start() with it.
+    // Without O_NONBLOCK, opening a pipe would block start() until somebody reads from it.
     constexpr int kFlags = O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK;
     int file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
-    // Whoever is to read may just be starting.
+    // The reader may just be starting.
     for (int times = 0; file < 0 && errno == ENXIO && isPipe(name) && times != kTries; ++times) {
         std::this_thread::sleep_for(kPause);
         file = RTT::os::detail::openOwnFile(name.c_str(), kFlags);
@@ -102,10 +102,10 @@ std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error
         error = errno == ENXIO && isPipe(name) ? "nobody reads from this pipe" : RTT::os::detail::openError(errno);
         return nullptr;
     }
-    (void)::fcntl(file, F_SETFL, O_APPEND);  // written to it is as fast as it takes it
+    (void)::fcntl(file, F_SETFL, O_APPEND);  // writes wait for the reader
     std::unique_ptr<TextTarget> target(new FileTarget(file, name));
     if (!isRegular(file)) return target;
-    // Its rows would be gone, and ours among those that follow. Not all file systems have locks: without, nobody knows.
+    // Two reports in a file would destroy each other's rows. File systems without locks do not show that.
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         error = "another reporter is writing to it";
     else if (::ftruncate(file, 0) != 0)

@@ -10,19 +10,19 @@
 
 namespace OCL::reporting {
 
-/** Where the lines of a report go. Used by one thread at a time. */
+/** Writes the lines of a report. Used by one thread at a time. */
 class TextTarget {
 public:
     virtual ~TextTarget() = default;
-    /** Whole lines. Returns why they could not be written, or nothing. */
+    /** Writes whole lines. Returns the reason of a failure, or nothing. */
     virtual std::string write(const char* text, std::size_t size) = 0;
-    /** What errors call it. */
+    /** The name of the target in errors. */
     virtual std::string name() const = 0;
 };
 
-/** Begins the file anew; null, and `error` says why, if it cannot be opened, or has a target already in whatever process. */
+/** Begins the file anew. If it cannot be opened, or any process writes a report to it, returns null with the reason. */
 std::unique_ptr<TextTarget> openFile(const std::string& name, std::string& error);
-/** A stream that must outlive the target. */
+/** Writes to a stream, which must outlive the target. */
 std::unique_ptr<TextTarget> useStream(std::ostream& stream);
 
 }  // namespace OCL::reporting

@@ -29,8 +29,8 @@ const PropertyBag* bagOf(const Value& value) {
                                                 : nullptr;
 }
 
-/** The number of elements of a sequence, as a value that is counted anew; null if it is none. A member of a struct may be
-    called `size` as well, but can be changed. */
+/** The value with the number of elements of a sequence, counted whenever it is read; null if this is not a sequence. A
+    struct may have a member `size` as well, but that can be assigned. */
 Value countOf(const Value& value, const std::vector<std::string>& members) {
     for (const char* name : {"size", "capacity"})
         if (std::find(members.begin(), members.end(), name) == members.end()) return nullptr;
@@ -131,14 +131,14 @@ bool ValueTree::encode(Record& record) {
     return false;
 }
 
-/** The value as a bag now. */
+/** Converts the present value to a bag. */
 bool ValueTree::currentBag(PropertyBag& bag) const {
     (void)value_->evaluate();
     if (const PropertyBag* const given = bagOf(value_)) return RTT::copyProperties(bag, *given);
     return RTT::types::typeDecomposition(value_, bag, true);
 }
 
-/** Makes the members that the value has now its parts. */
+/** Makes the present members of the value the parts of this node. */
 bool ValueTree::takeMembers() {
     PropertyBag bag;
     parts_.clear();

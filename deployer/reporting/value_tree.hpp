@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /**
- * A value taken apart into the columns of a report. The tree is built once; each row then only follows it:
+ * A value taken apart into the columns of a report. The tree is built once; rows only follow it:
  *
  *     struct ──► a Group with a node per member            double, string, …  ──► a Leaf
  *     sequence ──► a Group with a node per element          vector of numbers  ──► Numbers, as a whole
- *     anything else: a Leaf with the text that its type makes of it
+ *     anything else: a Leaf with the text of the value
  */
 #ifndef ORO_OCL_REPORTING_VALUE_TREE_HPP
 #define ORO_OCL_REPORTING_VALUE_TREE_HPP
@@ -23,14 +23,14 @@ namespace OCL::reporting {
 
 class Record;
 
-/** How far values are taken apart. */
+/** How values are taken apart. */
 enum class Decomposition {
     None,     ///< not at all: one column with the text of the value
     Members,  ///< members by name, elements by index
-    Types,    ///< as the types put themselves into property files; allocates for each row
+    Types,    ///< as in property files; allocates for each row
 };
 
-/** One value, or part of a value. Follows the value, which belongs to the thread that uses the tree. */
+/** A value, or part of one. The value belongs to the thread that uses the tree. */
 class ValueTree {
 public:
     typedef RTT::base::DataSourceBase::shared_ptr Value;
@@ -38,11 +38,11 @@ public:
     /** `others` must outlive the records. */
     ValueTree(std::string name, Value value, Decomposition decomposition, OtherValues& others);
 
-    /** Appends the value as it is now. True if it has other columns than before. */
+    /** Appends the present value. True if its columns have changed. */
     bool encode(Record& record);
     /** Appends the names of the columns, a blank before each. */
     void appendNames(std::string& line) const { appendNames(line, name_); }
-    /** Adds the value as properties that are copies, one bag per value with members. */
+    /** Adds the value as properties with copies, one bag per value with members. */
     void addTo(RTT::PropertyBag& bag);
 
 private:
@@ -57,9 +57,9 @@ private:
     bool takeMembers();
     bool currentBag(RTT::PropertyBag& bag) const;
     std::size_t elements() const;
-    /** What is empty has one column all the same, "name[0]"; without a value those behind it would move. */
+    /** An empty sequence has a column "name[0]", because otherwise later values would move to other columns. */
     void encodeEmptiness(Record& record) const;
-    /** A part without a name is called by its number, from 1. */
+    /** Appends the names of the columns; a part without a name gets its number, from 1. */
     void appendNames(std::string& line, const std::string& name) const;
 
     std::string name_;
@@ -67,12 +67,12 @@ private:
     Decomposition decomposition_;
     OtherValues* others_;
     Kind kind_ = Kind::Text;
-    const void* fixed_ = nullptr;  // where the value is, if it stays there
+    const void* fixed_ = nullptr;  // the address of the value, if it is constant
     Encode encode_ = nullptr;      // Leaf
     const NumberVector* numbers_ = nullptr;
-    const OtherValue* other_ = nullptr;  // Text: null if the text is made here
-    Value count_;                        // Group: of a sequence
-    int size_ = 0;                       // elements of Numbers or of a sequence
+    const OtherValue* other_ = nullptr;  // Text: null if this thread makes the text
+    Value count_;                        // Group: the size of a sequence
+    int size_ = 0;                       // number of elements of Numbers or a sequence
     std::vector<ValueTree> parts_;
 };
 

@@ -63,12 +63,12 @@ bool count(const Call& whole) noexcept {
         if (state == Finding::kFree && finding.state.compare_exchange_strong(state, Finding::kBeingMade)) {
             finding.fill(call, hash, generation);
             finding.count.store(1, std::memory_order_relaxed);
-            // Release: who sees the state sees the rest.
+            // Release: a thread that sees the state sees the other members.
             finding.state.store(Finding::kMade, std::memory_order_release);
             return true;
         }
-        // One that another thread is making is passed by, because that thread may be waiting for this one's processor. If it
-        // is the same, there are two of it then, which the report adds up.
+        // Skips a finding that another thread is making, because that thread may be waiting for this processor. If it
+        // is for the same call, there are two findings, which the report adds up.
         if (state != Finding::kMade || !finding.isOf(call, hash, generation)) continue;
         finding.count.fetch_add(1, std::memory_order_relaxed);
         return true;

@@ -10,7 +10,7 @@
 
 namespace oroforge::rt_check {
 
-/** A call that was made: what, by whom, from where. */
+/** A call that was made, by which component and from where. */
 struct Call {
     const char* component;
     oroforge_rt_place place;
@@ -21,8 +21,8 @@ struct Call {
 };
 
 /**
- * One for each place that calls were made from, with their number. A table of fixed size: counting neither allocates nor
- * locks, also where several threads do it at once. Its texts are made later, by threads that may take their time.
+ * A place from which calls were made, with their number. Findings are in a table of fixed size: counting neither
+ * allocates nor locks, even in several threads at once. Texts are made later, by threads that are not real-time.
  */
 struct Finding {
     static constexpr std::size_t kLongestName = 96;
@@ -30,34 +30,35 @@ struct Finding {
 
     bool isOf(const Call& call, std::size_t hash, unsigned generation) const noexcept;
     void fill(const Call& call, std::size_t hash, unsigned generation) noexcept;
-    /** What is done to the pool of real-time memory is no fault: its lock is held for a bounded number of instructions. */
+    /** True for calls inside the pool of real-time memory, which holds its lock for a bounded number of instructions.
+         */
     bool isAllowed() const noexcept;
 
     enum State : int { kFree, kBeingMade, kMade };
     std::atomic<int> state{kFree};
     std::atomic<unsigned long> count{0};
     std::size_t hash = 0;
-    unsigned number = 0;      // in the order in which they were made
-    unsigned generation = 0;  // of the addresses in frames
+    unsigned number = 0;      // in order of creation
+    unsigned generation = 0;  // generation of the addresses in frames
     char component[kLongestName] = {};
     oroforge_rt_place place = OROFORGE_RT_UPDATE;
     oroforge_rt_fault fault = OROFORGE_RT_ALLOCATION;
     const char* function = nullptr;
     unsigned depth = 0;
     void* frames[kMaxFrames] = {};
-    char* texts[kMaxFrames] = {};  // null: not known yet
+    char* texts[kMaxFrames] = {};  // null if not made yet
 };
 
-/** Any thread. False if there is no room. */
+/** Counts a call, in any thread. False if there is no room. */
 bool count(const Call& call) noexcept;
 
-/** A library has left the process: something else may come to the addresses that calls were made from. */
+/** Begins a generation of addresses, because a library was unloaded and others may be loaded to its addresses. */
 void beginAddressesAnew() noexcept;
 
-/** For one thread at a time: makes the texts that are not made yet. */
+/** Makes missing texts. Called by one thread at a time. */
 void describeFindings();
 
-/** Calls `visit(finding)` for all that are complete. */
+/** Calls `visit(finding)` for all complete findings. */
 template <class Visit>
 void forEachFinding(Visit visit);
 
@@ -67,7 +68,7 @@ extern Finding findings[kFindings];
 template <class Visit>
 void forEachFinding(Visit visit) {
     for (Finding& finding : findings)
-        // Acquire: pairs with count(); what describes the call is there.
+        // Acquire: pairs with count(), which has written the other members.
         if (finding.state.load(std::memory_order_acquire) == Finding::kMade) visit(finding);
 }
 

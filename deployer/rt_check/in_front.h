@@ -5,7 +5,7 @@
 
 #include "interface.h"
 
-/* How a function is written that stands in front of one of libc's. */
+/* Macros that define functions which replace functions of libc and call them. */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -13,25 +13,25 @@ extern "C" {
 /* Everything else is hidden. */
 #define OROFORGE_IN_FRONT __attribute__((visibility("default")))
 
-/* Of the calling thread: within how many watched hooks it is, and within how many calls that are reported already (what
-   libc does for them is no finding of its own). Initial-exec: to look at them must not allocate. */
+/* For the calling thread: the number of watched hooks around it, and of calls that are reported already (calls by libc
+    inside them are not findings). Initial-exec, because access must not allocate. */
 extern __thread int oroforge_rt_watched __attribute__((tls_model("initial-exec")));
 extern __thread int oroforge_rt_inside __attribute__((tls_model("initial-exec")));
 
 static inline int oroforge_rt_watching(void) { return oroforge_rt_watched != 0 && oroforge_rt_inside == 0; }
 
-/* Counts a call; `caller` is where it returns to. Keeps errno. */
+/* Counts a call, which returns to `caller`. Keeps errno. */
 void oroforge_rt_note(enum oroforge_rt_fault fault, const char* function, const void* caller);
-/* Finds out what the frames of all findings are, before the library that they are in may go. */
+/* Resolves the frames of all findings, before a library with some of them is unloaded. */
 void oroforge_rt_resolve(void);
-/* After a library was closed, and may have gone. */
+/* Must be called after a library was closed, because it may have been unloaded. */
 void oroforge_rt_closed(void);
 
-/* Whether a call that uses this descriptor may block. */
+/* Non-zero if a call with this descriptor may block. */
 int oroforge_rt_may_block(int fd);
 
-/* The function of that name in the libraries behind this one, kept in `slot`. Null only for a function that is
-   needed to find it. A version is tried first, for functions of which libc has older ones: of these, dlsym() gives the oldest. */
+/* The function of that name in the libraries after this one, cached in `slot`. Null only for a function that is needed
+    for the look-up. Tries the version first: if libc has several versions of a function, dlsym() gives the oldest. */
 void* oroforge_rt_next(void** slot, const char* name, const char* version);
 
 #ifdef __cplusplus
@@ -46,7 +46,7 @@ void* oroforge_rt_next(void** slot, const char* name, const char* version);
         (__typeof__(&NAME))oroforge_rt_next(&slot_, #NAME, VERSION); \
     })
 
-/* Defines NAME. BLOCKS tells of the arguments whether this call may block; if so it is counted. */
+/* Defines NAME. The call is counted if BLOCKS, an expression of the arguments, says that it may block. */
 #define OROFORGE_WATCH_VERSION(FAULT, VERSION, RESULT, NAME, PARAMETERS, ARGUMENTS, BLOCKS) \
     OROFORGE_IN_FRONT RESULT NAME PARAMETERS {                                              \
         const __typeof__(&NAME) next_ = OROFORGE_NEXT_OF(NAME, VERSION);                    \
@@ -62,7 +62,7 @@ void* oroforge_rt_next(void** slot, const char* name, const char* version);
 #define OROFORGE_WATCH(FAULT, RESULT, NAME, PARAMETERS, ARGUMENTS) \
     OROFORGE_WATCH_VERSION(FAULT, 0, RESULT, NAME, PARAMETERS, ARGUMENTS, 1)
 
-/* The same in two halves, for functions that need more than one expression. */
+/* The same in two parts, for functions that need more than one expression. */
 #define OROFORGE_COUNT(FAULT, NAME)                                                         \
     const int counted_ = oroforge_rt_watching();                                            \
     if (counted_) oroforge_rt_note(OROFORGE_RT_##FAULT, NAME, __builtin_return_address(0)); \

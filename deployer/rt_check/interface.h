@@ -4,14 +4,14 @@
 #define OROFORGE_RT_CHECK_INTERFACE_H
 
 /*
- * Between a program and the library that stands in front of libc's functions when the program is started with it preloaded
- * (deployer --rt-check). The program does not link the library: it asks the dynamic linker for these functions.
+ * The interface between a program and the library that replaces functions of libc when it is preloaded (deployer
+ * --rt-check). The program does not link the library; it looks these functions up by the dynamic linker.
  */
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a real-time component must not do. */
+/* Faults of a real-time component. */
 enum oroforge_rt_fault {
     OROFORGE_RT_ALLOCATION = 1,
     OROFORGE_RT_RELEASE = 2,
@@ -21,13 +21,13 @@ enum oroforge_rt_fault {
     OROFORGE_RT_STREAM = 6
 };
 
-/* What a component's thread executes for it. */
+/* The kinds of user code that a component's thread executes. */
 enum oroforge_rt_place {
     OROFORGE_RT_UPDATE,    /* updateHook() */
     OROFORGE_RT_ERROR,     /* errorHook() */
-    OROFORGE_RT_CALLBACK,  /* of a port */
-    OROFORGE_RT_OPERATION, /* that somebody else has called or sent */
-    OROFORGE_RT_SCRIPT,    /* a step of one, or of another function */
+    OROFORGE_RT_CALLBACK,  /* a callback of a port */
+    OROFORGE_RT_OPERATION, /* an operation that another component has called or sent */
+    OROFORGE_RT_SCRIPT,    /* a step of a script or of another function */
     OROFORGE_RT_PLACES
 };
 
@@ -36,22 +36,23 @@ struct oroforge_rt_finding {
     const char* component;
     enum oroforge_rt_place place;
     enum oroforge_rt_fault fault;
-    const char* function; /* that was called */
+    const char* function; /* the called function */
     unsigned long count;
     unsigned depth;
-    const char* const* frames; /* of the first call, the innermost first */
+    const char* const* frames; /* the frames of the first call, the innermost first */
 };
 
-/* The calling thread begins and ends one of these. They nest; within a watched one all are watched. */
+/* Called when the thread begins and ends such code. They nest; within watched code everything is watched. */
 void oroforge_rt_check_begin(const char* component, enum oroforge_rt_place place, int real_time);
 void oroforge_rt_check_end(void);
 
 struct oroforge_rt_totals {
-    unsigned long executions[OROFORGE_RT_PLACES]; /* of what is watched */
+    unsigned long executions[OROFORGE_RT_PLACES]; /* executions of watched code */
     unsigned long lost;                           /* calls for which there was no room */
 };
 typedef void (*oroforge_rt_visitor)(void* to, const struct oroforge_rt_finding* finding);
-/* Hands over what was found so far, ordered by component, place, fault, and number of calls. For one thread at a time. */
+/* Visits the findings so far, ordered by component, place, fault and number of calls. Called by one thread at a time.
+     */
 struct oroforge_rt_totals oroforge_rt_check_findings(oroforge_rt_visitor visit, void* to);
 
 #ifdef __cplusplus

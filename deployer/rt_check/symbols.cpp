@@ -13,7 +13,7 @@
 namespace oroforge::rt_check {
 
 char* describeFrame(void* returnAddress) {
-    // Within the call, not behind it, where the next line or function may begin.
+    // An address within the call: after it, the next line or function may begin.
     char* const address = static_cast<char*>(returnAddress) - 1;
     std::ostringstream text;
     Dl_info info{};

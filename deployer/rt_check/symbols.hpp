@@ -6,12 +6,12 @@
 namespace oroforge::rt_check {
 
 /**
- * "'Class::function(int)' (file+0x1234)" for an address that a function returns to; as much of it as can be told. The
- * offset is that of the call, as addr2line takes it. Never freed.
+ * "'Class::function(int)' (file+0x1234)" for a return address, without the parts that are unknown. The offset is that
+ * of the call, as addr2line needs it. Never freed.
  */
 char* describeFrame(void* returnAddress);
 
-/** A text of describeFrame(): is this a function of the pool of real-time memory? */
+/** True if `frame`, a text of describeFrame(), is a function of the pool of real-time memory. */
 bool isInRealTimeMemory(const char* frame) noexcept;
 
 }  // namespace oroforge::rt_check

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Which thread is watched, on whose behalf, and what is reported of it.
+// Watches threads on behalf of components, and reports the findings.
 #include "findings.hpp"
 #include "in_front.h"
 
@@ -27,16 +27,16 @@ namespace {
 constexpr int kMaxFrames = 64;
 constexpr unsigned kMaxNested = 8;
 
-/** What is being executed for a component; the frames are those in which it was begun. */
+/** Code that is executed for a component, with the frames in which it began. */
 struct Hook {
-    char component[Finding::kLongestName];  // a copy: it may destroy itself
+    char component[Finding::kLongestName];  // a copy, because the component may destroy itself
     oroforge_rt_place place;
     bool watched;
     int depth;
     void* frames[kMaxFrames];
 };
 
-/** Those of a thread. Plain data, so that a thread costs nothing to begin or end. */
+/** The hooks of a thread. Plain data, so that begin and end of a thread cost nothing. */
 struct Hooks {
     unsigned count;
     Hook nested[kMaxNested];
@@ -46,18 +46,18 @@ __thread Hooks hooks __attribute__((tls_model("initial-exec")));
 std::atomic<unsigned long> executions[OROFORGE_RT_PLACES];
 std::atomic<unsigned long> callsLost{0};
 
-// Its first call loads a library.
+// The first call of backtrace() loads a library.
 [[gnu::constructor]] void prepareBacktrace() {
     void* frame = nullptr;
     backtrace(&frame, 1);
 }
 
-/** The component's own part of the frames: without ours, and without those that lead to its hook. */
+/** The component's own frames, without those of this library and those that lead to its hook. */
 std::pair<void* const*, unsigned> ownFrames(void* const* frames, int depth, const void* caller, const Hook& hook) {
     void* const* const end = frames + depth;
     void* const* first = std::find(frames, end, caller);
     if (first == end) first = frames;
-    // Both begin with what the thread began with, up to the function that executes hooks, which is in two places.
+    // Both end with the outermost frames of the thread, up to the function that executes hooks, which is at two places.
     int common = 0;
     while (common < depth && common < hook.depth && end[-1 - common] == hook.frames[hook.depth - 1 - common]) ++common;
     void* const* last = end - (common != 0 ? common + 1 : 0);
@@ -76,19 +76,19 @@ void note(oroforge_rt_fault fault, const char* function, const void* caller) {
 
 std::timed_mutex& textMutex() {
     static std::timed_mutex& mutex =
-        *new std::timed_mutex;  // libraries are closed by destructors of static objects as well
+        *new std::timed_mutex;  // never destroyed, because destructors of static objects may close libraries
     return mutex;
 }
 
-/** "'function()' (file+0x1234)" and "file+0x1234" are in that file. */
+/** The file in "'function()' (file+0x1234)" or "file+0x1234". */
 std::string libraryOf(const std::string& frame) {
     const std::size_t named = frame[0] == '\'' ? frame.find("' (", 1) : std::string::npos;
     const std::size_t begin = named == std::string::npos ? 0 : named + 3;
     return frame.substr(begin, frame.rfind("+0x") - begin);
 }
 
-/** The line that has the call made: what the libraries below the component's own do for it, a hundred allocations in a hundred
-    places, is one finding. */
+/** The frame in the component's own library that leads to the call, so that a hundred allocations in the libraries
+    below are one finding. */
 std::vector<std::string> ownPlace(const Finding& finding) {
     const std::vector<std::string> texts(finding.texts, finding.texts + finding.depth);
     const std::string library = libraryOf(texts.back());
@@ -96,9 +96,9 @@ std::vector<std::string> ownPlace(const Finding& finding) {
             texts.end()};
 }
 
-/** What the report says of a place, and how often that was. */
+/** A row of the report: a place and the number of calls. */
 struct Row {
-    const Finding* finding;  // the first one there
+    const Finding* finding;  // the first one at the place
     std::vector<std::string> place;
     unsigned long count;
 
@@ -121,7 +121,7 @@ std::vector<Row> sortedRows() {
     std::vector<Row> rows;
     forEachFinding([&rows](const Finding& finding) {
         const bool described = finding.depth != 0 && finding.texts[finding.depth - 1];
-        if (!described || finding.isAllowed()) return;  // a thread that is still running may have made one just now
+        if (!described || finding.isAllowed()) return;  // a running thread may have just made it
         const Row row = {&finding, ownPlace(finding), finding.count.load(std::memory_order_relaxed)};
         const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& known) { return known.isSame(row); });
         if (same != rows.end())
@@ -133,7 +133,7 @@ std::vector<Row> sortedRows() {
     return rows;
 }
 
-/** The name that a program calls it by: headers give some functions another one, as for _FORTIFY_SOURCE. */
+/** The name in the source: headers give some functions another one, for example with _FORTIFY_SOURCE. */
 const char* plainName(std::string name) {
     const auto drop = [&name](const std::string& suffix) {
         if (name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
@@ -148,7 +148,7 @@ const char* plainName(std::string name) {
     return names.insert(name).first->c_str();
 }
 
-/** While one exists, what this thread calls is not reported. */
+/** While it exists, calls of this thread are not reported. */
 class Unwatched {
 public:
     Unwatched() { ++oroforge_rt_inside; }
@@ -173,7 +173,8 @@ void oroforge_rt_note(oroforge_rt_fault fault, const char* function, const void*
 
 void oroforge_rt_resolve() {
     const Unwatched unwatched;
-    // Whoever has it may be waiting for the loader, whose lock this thread may have: then the texts are left to that one.
+    // The thread that has it may wait for the loader, whose lock this thread may have. Then that thread makes the
+    // texts.
     const std::unique_lock<std::timed_mutex> lock(textMutex(), std::chrono::seconds(1));
     if (lock) describeFindings();
 }
@@ -184,7 +185,7 @@ void oroforge_rt_closed() {
     unsigned long long now = 0;
     const auto countRemoved = [](dl_phdr_info* info, std::size_t, void* to) {
         *static_cast<unsigned long long*>(to) = info->dlpi_subs;
-        return 1;  // it says the same for all
+        return 1;  // all entries have the same number
     };
     dl_iterate_phdr(countRemoved, &now);
     if (known.exchange(now) != now) beginAddressesAnew();
@@ -192,7 +193,7 @@ void oroforge_rt_closed() {
 
 OROFORGE_IN_FRONT void oroforge_rt_check_begin(const char* component, oroforge_rt_place place, int real_time) {
     const Unwatched unwatched;
-    // Those that are nested deeper count as the last one.
+    // Hooks nested deeper count as the last one.
     if (hooks.count++ < kMaxNested) {
         Hook& hook = hooks.nested[hooks.count - 1];
         std::strncpy(hook.component, component, Finding::kLongestName - 1);

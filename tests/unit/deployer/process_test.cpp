@@ -136,7 +136,7 @@ TEST_F(DeployerProgram, AWordIsAFileOrTheNameOfTheDeployer) {
     for (const char* word : {"app.xm", "./app", "."}) {
         const Outcome outcome = run(command({"--check", "app.xml", word}));
         EXPECT_EQ(255, outcome.status) << word;
-        EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + word + "' is no file to deploy")) << word;
+        EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + word + "' is neither a file to deploy")) << word;
     }
     const Outcome two = run(command({"--check", "app.xml", "One", "Two"}));
     EXPECT_EQ(0, two.status);

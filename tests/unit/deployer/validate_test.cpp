@@ -16,8 +16,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Surroundings surroundings() {
-    Surroundings result;
+PlanContext context() {
+    PlanContext result;
     result.deployer = "Deployer";
     result.components = {"Existing"};
     result.componentTypes = {"ns::Controller", "ns::Plant"};
@@ -31,7 +31,7 @@ Plan planOf(const std::string& elements) {
     return plan;
 }
 
-std::vector<std::string> messages(const std::string& elements, const Surroundings& around = surroundings()) {
+std::vector<std::string> messages(const std::string& elements, const PlanContext& around = context()) {
     Sink validation;
     validate(planOf(elements), around, validation);
     std::vector<std::string> result;
@@ -67,7 +67,7 @@ TEST(Validate, MastersInACircleHaveNoThread) {
 TEST(Validate, AServiceThatNobodyHasIsToldWhereTheComponentIsNotSeen) {
     const std::string asks =
         component("a", "ns::Plant", "<simple name='Service' type='string'><value>marshaling</value></simple>");
-    Surroundings around = surroundings();
+    PlanContext around = context();
     around.services = {"marshalling"};
     EXPECT_THAT(messages(asks, around), IsEmpty());
     around.planOnly = true;
@@ -162,8 +162,8 @@ const ComponentDescription kPlant{"ns::Plant", "plants", kPorts, kProperties, fa
 const ComponentDescription kDynamic{"ns::Dynamic", "plants", kPorts, kProperties, true};
 
 /** ns::Plant and ns::Dynamic are described, ns::Controller is not. */
-Surroundings described(bool planOnly) {
-    Surroundings result = surroundings();
+PlanContext described(bool planOnly) {
+    PlanContext result = context();
     result.componentTypes.push_back("ns::Dynamic");
     result.descriptions = {{"ns::Plant", &kPlant}, {"ns::Dynamic", &kDynamic}};
     result.services = {"scripting"};
@@ -261,14 +261,14 @@ TEST(ValidateDescribed, DirectionsAreToldWhereNobodyLooksLater) {
     EXPECT_THAT(dry(component("a", "ns::Plant", port("command"))), IsEmpty());
     EXPECT_THAT(dry(component("a", "ns::Plant", port("command")) + component("a", "PropertyBag", port("command"))),
                 IsEmpty());
-    Surroundings around = described(true);
+    PlanContext around = described(true);
     around.connections = {"wire"};
     EXPECT_THAT(messages(inputs, around), IsEmpty());
 }
 
 TEST(ValidateDescribed, PlansBeforeTakePart) {
     const Plan earlier = planOf(component("a", "ns::Plant", port("state") + port("x")));
-    Surroundings around = described(true);
+    PlanContext around = described(true);
     around.planned = {&earlier};
     EXPECT_THAT(messages(component("b", "ns::Plant", port("arm.force")), around),
                 ElementsAre(HasSubstr("DEP041 port 'b.arm.force'")));
