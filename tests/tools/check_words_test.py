@@ -16,7 +16,28 @@ class CheckWords(unittest.TestCase):
         })
 
     def test_only_prose_is_read(self):
-        check_none(self, SCRIPT, {"runtime/rtt/a.cpp": "// Who reads is told.\n", "examples/t01/expected_output.txt": "is told\n"})
+        check_none(self, SCRIPT, {"tests/unit/a.cpp": "// Who reads is told.\n", "examples/t01/expected_output.txt": "is told\n"})
+        check_none(self, SCRIPT, {"runtime/xml/a.cpp": "int Who; // the number 10'000, that's it\nbool is_told = '\"';\n"})
+
+    def test_comments_are_read(self):
+        check_one(self, SCRIPT, {"runtime/xml/a.cpp": "int a;\n/// One.\n/// Whoever reads, waits.\n"},
+                  "runtime/xml/a.cpp:3: error: [WRD01]")
+        check_one(self, SCRIPT, {"deployer/a.hpp": "/**\n * The error is\n * told at once.\n */\n"},
+                  "deployer/a.hpp:3: error: [WRD02]")
+        check_one(self, SCRIPT, {"runtime/rtt/os/a.cpp": "int b;  // a number\n        // that is none\n"},
+                  "runtime/rtt/os/a.cpp:2: error: [WRD03]")
+
+    def test_literals_are_read(self):
+        check_one(self, SCRIPT, {"deployer/a.cpp": 'f("it // can "\n  "not");\n'}, "deployer/a.cpp:2: error: [WRD04]")
+
+    def test_long_lines(self):
+        check_none(self, SCRIPT, {"deployer/a.cpp": "// " + "ä" * 117 + "\n"})
+        check_one(self, SCRIPT, {"deployer/a.cpp": "\n// " + "a" * 118 + "\n"}, "deployer/a.cpp:2: error: [WRD05]")
+
+    def test_texts_of_arguments(self):
+        check_none(self, SCRIPT, {"deployer/a.cpp": 'x.doc("Opens it.").arg("force", "in newton");\n'})
+        check_one(self, SCRIPT, {"deployer/a.cpp": 'x.doc("Opens it.").arg("force", "in "\n "newton.");\n'},
+                  "deployer/a.cpp:2: error: [WRD06]")
 
     def test_who_as_a_subject(self):
         check_one(self, SCRIPT, {"docs/a.md": "One line.\nIt waits. Whoever reads now, waits.\n"}, "docs/a.md:2: error: [WRD01]")
