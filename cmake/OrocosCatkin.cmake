@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: where a project is built. Plain CMake, or catkin, which builds what is to be loaded into
-# a "devel space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one, or rosbuild, where the source folder of
-# a package is such a prefix. Neither need be there.
+# Private part of UseOrocos.cmake: where a project is built: by plain CMake; by catkin, which builds libraries into a "devel
+# space" (CATKIN_DEVEL_PREFIX), a prefix that is used like an installed one; or by rosbuild, where the source folder of a
+# package is such a prefix. Neither of the latter is required.
 
-# catkin asks the first python3 on PATH for catkin_pkg, unless PYTHON_EXECUTABLE is given: here, before catkin is looked for,
-# it is, if there is a python3 that has catkin_pkg.
+# catkin expects catkin_pkg in the first python3 on PATH, unless PYTHON_EXECUTABLE is set. This sets it, before catkin is
+# looked up, to a python3 that has catkin_pkg, if there is one.
 function(_oro_choose_catkin_python)
   if(PYTHON_EXECUTABLE)
     return()
@@ -24,7 +24,7 @@ function(_oro_choose_catkin_python)
     "where there is one, pass -DPYTHON_EXECUTABLE=<it>")
 endfunction()
 
-# Whether package.xml says that catkin builds the package.
+# Finds out whether package.xml says that catkin builds the package.
 function(_oro_names_catkin result)
   set(lines "")
   if(EXISTS ${PROJECT_SOURCE_DIR}/package.xml)
@@ -65,7 +65,7 @@ macro(_oro_choose_flavour)
     endif()
     get_filename_component(_oro_devel ${CATKIN_DEVEL_PREFIX} ABSOLUTE BASE_DIR ${CMAKE_BINARY_DIR})
   elseif(NOT _oro_rosbuild AND NOT DEFINED ORO_USE_CATKIN)
-    # The package may look for catkin further on.
+    # The package may look for catkin later.
     _oro_names_catkin(_oro_later)
     if(_oro_later)
       _oro_choose_catkin_python()
@@ -73,8 +73,8 @@ macro(_oro_choose_flavour)
   endif()
 endmacro()
 
-# ORO_{COMPONENT,TYPEKIT,PLUGIN}_OUTPUT_DIRECTORY. What a package puts into one of them is used instead of what is written
-# here; but what is here for one project is not for the next, which inherits the variables.
+# ORO_{COMPONENT,TYPEKIT,PLUGIN}_OUTPUT_DIRECTORY. A package may set them to other folders. Values set here for one project
+# are not used for the next one, which inherits the variables.
 macro(_oro_set_output_directories)
   foreach(_oro_kind COMPONENT TYPEKIT PLUGIN)
     _oro_default_output(${_oro_kind} _oro_default_${_oro_kind}_new)
@@ -85,7 +85,7 @@ macro(_oro_set_output_directories)
   endforeach()
 endmacro()
 
-# Where libraries of a kind are built if nobody says otherwise.
+# The default folder in which libraries of a kind are built.
 function(_oro_default_output kind result)
   set(COMPONENT "")
   set(TYPEKIT /types)
@@ -99,8 +99,8 @@ function(_oro_default_output kind result)
   set(${result} ${base}/orocos${OROCOS_SUFFIX}/${PROJECT_NAME}${${kind}} PARENT_SCOPE)
 endfunction()
 
-# The folder that a target of the kind is to be built into; the variable may have been set, or
-# CMAKE_LIBRARY_OUTPUT_DIRECTORY, since the macros were included.
+# The folder in which a target of the kind is built; the package may have set the variable, or
+# CMAKE_LIBRARY_OUTPUT_DIRECTORY, after it included the macros.
 function(_oro_output_directory kind result)
   _oro_default_output(${kind} directory)
   if(NOT "${ORO_${kind}_OUTPUT_DIRECTORY}" STREQUAL "${_oro_default_${kind}}" AND ORO_${kind}_OUTPUT_DIRECTORY)
@@ -126,7 +126,7 @@ function(_oro_write_devel_pkg_config name version requires targets include_dirs)
   list(REMOVE_DUPLICATES libs)
   set(cflags ${include_dirs})
   if(_oro_rosbuild)
-    # Packages of old include files by their place below the folder of all packages.
+    # Old packages include files by their path below the folder of all packages.
     list(APPEND cflags ${_oro_devel}/..)
   endif()
   list(TRANSFORM cflags PREPEND -I)
@@ -134,7 +134,7 @@ function(_oro_write_devel_pkg_config name version requires targets include_dirs)
     "${libs}" "${cflags}")
 endfunction()
 
-# catkin wants every package to call catkin_package(). Those that do not, have it called for them.
+# catkin requires each package to call catkin_package(), so this calls it for packages that do not.
 macro(_oro_catkin_package)
   if(_oro_catkin AND COMMAND catkin_package AND NOT ${PROJECT_NAME}_CATKIN_PACKAGE)
     catkin_package()

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: what all targets of a package have in common.
+# Private part of UseOrocos.cmake: the common settings of all targets of a package.
 #
-# Libraries are linked by setting properties, not by target_link_libraries(), because CMake forbids to mix its two
-# signatures on one target and packages use both.
+# Libraries are linked by setting properties, not by target_link_libraries(): CMake forbids mixing its two signatures on one
+# target, and packages use both.
 
-# Stops unless these are targets that can be changed; says which there are.
+# Fails, and lists the existing targets, unless these are targets that can be changed.
 function(_oro_require_targets caller)
   if(NOT ARGN)
     message(FATAL_ERROR "${caller}(): no target given")
@@ -27,7 +27,7 @@ function(_oro_require_targets caller)
   endforeach()
 endfunction()
 
-# Everything a target of a package has in common: language level, include path, libraries, run path.
+# The common settings of a target: language level, include path, libraries, run path.
 function(_oro_configure_target target)
   target_compile_features(${target} PRIVATE cxx_std_17)
   cmake_language(EVAL CODE "cmake_language(DEFER CALL _oro_raise_standard [[${target}]])")
@@ -45,7 +45,7 @@ function(_oro_configure_target target)
   set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ${libraries})
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE")
-    # Components and types register themselves: a library of them is needed though nobody calls its functions.
+    # Components and types register themselves, so their library is needed even if no function of it is called.
     set_property(TARGET ${target} APPEND PROPERTY LINK_OPTIONS -Wl,--no-as-needed)
   else()
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${libraries})
@@ -53,7 +53,7 @@ function(_oro_configure_target target)
   separate_arguments(compile_flags UNIX_COMMAND "${USE_OROCOS_COMPILE_FLAGS}")
   separate_arguments(link_flags UNIX_COMMAND "${USE_OROCOS_LINK_FLAGS}")
   if(NOT type STREQUAL "EXECUTABLE")
-    # Of the static components of a package a library takes what it calls, as of other archives.
+    # A library takes only what it calls from static components, as from other archives.
     _oro_whole_archive(option "([^,]+)")
     foreach(flag ${link_flags})
       if(flag MATCHES "^${option}$")
@@ -71,12 +71,12 @@ function(_oro_configure_target target)
   if(USE_OROCOS_EXPORTED_TARGETS)
     add_dependencies(${target} ${USE_OROCOS_EXPORTED_TARGETS})
   endif()
-  # Targets made before a generator is called learn of its files when it is.
+  # Targets that exist before a generator is called get its files at that call.
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_TARGETS ${target})
 endfunction()
 
-# Options of this directory that change how a target is compiled but are no property of it: what is in CMAKE_CXX_FLAGS,
-# and what add_definitions() took for no definition.
+# Options of this directory that are not properties of a target: those in CMAKE_CXX_FLAGS, and those in add_definitions()
+# that are not definitions.
 function(_oro_directory_flags result)
   cmake_policy(PUSH)
   set(CMAKE_WARN_DEPRECATED OFF)
@@ -89,8 +89,9 @@ function(_oro_directory_flags result)
   set(${result} "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${definitions}" PARENT_SCOPE)
 endfunction()
 
-# A package, or one that it links, may ask for less than the headers need. Called at the end of the directory, when every
-# way to say so is known; the options of the library linked last come last on the command line, but for those of a source.
+# Raises the language level if a package, or one that it links, asks for less than the headers need. Called at the end of the
+# directory, when all settings are known. Options of the last linked library come last on the command line, except for those
+# of a source.
 function(_oro_raise_standard target)
   set(old "-std=(c|gnu)\\+\\+(98|03|0x|11|1y|14)")
   get_target_property(options ${target} COMPILE_OPTIONS)
@@ -123,15 +124,15 @@ function(_oro_raise_standard target)
   endforeach()
 endfunction()
 
-# The option that makes a linker take all of a static library, given its file. Components register themselves, so nothing
-# else asks for them.
+# The option that makes a linker take all of a static library, given its file. Components register themselves, so no symbol
+# refers to them.
 function(_oro_whole_archive result file)
   set(${result} -Wl,--push-state,--whole-archive,${file},--pop-state PARENT_SCOPE)
 endfunction()
 
 # orocos_link_whole(target…): programs that link these static libraries take all of them, and so have their components.
-# orocos_component() and orocos_library() do so themselves. Shared libraries take what they call: the components are the
-# program's, and each of its libraries would have them once more.
+# orocos_component() and orocos_library() call it. Shared libraries take only what they call, because otherwise each library
+# of a program would have the components again.
 function(orocos_link_whole)
   _oro_require_targets(orocos_link_whole ${ARGN})
   foreach(target ${ARGN})
@@ -167,9 +168,9 @@ function(orocos_add_link_flags target)
   set_property(TARGET ${target} APPEND PROPERTY LINK_OPTIONS ${flags})
 endfunction()
 
-# orocos_set_install_rpath(target [directory…]): where a target finds libraries once installed. First its own prefix, by
-# relative paths, so that it can be moved; then the given directories; then the toolchain.
-# With DESTDIR, where libraries are found is not where they will be.
+# orocos_set_install_rpath(target [directory…]): where an installed target finds libraries. First its own prefix, by relative
+# paths, so that it can be moved; then the given directories; then the toolchain.
+# With DESTDIR, libraries are not yet where they will be installed.
 function(orocos_set_install_rpath target)
   _oro_require_targets(orocos_set_install_rpath ${target})
   get_target_property(here ${target} OROCOS_DESTINATION)

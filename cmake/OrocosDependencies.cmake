@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: packages used by a package.
+# Private part of UseOrocos.cmake: packages that a package uses.
 
-# The text of an XML file without comments; these may hold elements.
+# The text of an XML file without comments, because these may have elements.
 function(_oro_read_xml result file)
   file(READ ${file} text)
   string(FIND "${text}" "<!--" begin)
@@ -50,7 +50,7 @@ function(orocos_get_manifest_deps result)
   set(${result} ${names} PARENT_SCOPE)
 endfunction()
 
-# Directories of a package that is staged below DESTDIR, as they will be.
+# The final paths of directories of a package that is staged below DESTDIR.
 function(_oro_strip_destdir result)
   set(paths "")
   foreach(path ${ARGN})
@@ -64,7 +64,7 @@ function(_oro_strip_destdir result)
   set(${result} ${paths} PARENT_SCOPE)
 endfunction()
 
-# The other way round: directories that a package names, where they are now.
+# The present paths of directories that a package names.
 function(_oro_apply_destdir variable)
   set(paths "")
   foreach(path ${${variable}})
@@ -76,7 +76,7 @@ function(_oro_apply_destdir variable)
   set(${variable} ${paths} PARENT_SCOPE)
 endfunction()
 
-# Where pkg-config looks besides its own folders.
+# The additional folders for pkg-config.
 function(_oro_pkg_config_path result)
   set(path "$ENV{PKG_CONFIG_PATH}")
   if(NOT "$ENV{DESTDIR}" STREQUAL "")
@@ -85,7 +85,7 @@ function(_oro_pkg_config_path result)
   if(_oro_devel)
     string(APPEND path ":${_oro_devel}/lib/pkgconfig")
   endif()
-  # Packages that rosbuild built lie in their source folders, alone or in stacks.
+  # Packages built by rosbuild are in their source folders, alone or in stacks.
   string(REPLACE ":" ";" roots "$ENV{ROS_PACKAGE_PATH}")
   foreach(root ${roots})
     file(GLOB found ${root}/lib/pkgconfig ${root}/*/lib/pkgconfig ${root}/*/*/lib/pkgconfig)
@@ -96,7 +96,7 @@ function(_oro_pkg_config_path result)
   set(${result} "${path}:${CMAKE_INSTALL_PREFIX}/lib/pkgconfig:${OROCOS-RTT_PATH}/lib/pkgconfig" PARENT_SCOPE)
 endfunction()
 
-# What is known of a package that was not found: modules whose names are alike, else some that there are.
+# A hint about a package that was not found: modules with similar names, or some that exist.
 function(_oro_tell_missing result package modules)
   list(JOIN modules ", " names)
   set(text "package ${package} not found: no pkg-config module named any of: ${names} (searched CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and the toolchain)")
@@ -137,7 +137,7 @@ function(_oro_tell_missing result package modules)
   set(${result} "${text}; packages for ${OROCOS_TARGET}: ${here}" PARENT_SCOPE)
 endfunction()
 
-# Whole static libraries by the paths that imported targets have, for the linker takes the same one only once.
+# Whole static libraries with the paths of imported targets, because the linker takes the same path only once.
 function(_oro_simplify_flags variable)
   set(flags "")
   _oro_whole_archive(option "([^,]+)")
@@ -157,7 +157,7 @@ function(_oro_find_libraries package names directories)
   set(targets "")
   foreach(name ${names})
     unset(${package}_${name}_LIBRARY CACHE)
-    # First where the module says, so that its headers and its libraries are of one installation.
+    # First in the folders of the module, so that headers and libraries are from one installation.
     find_library(${package}_${name}_LIBRARY ${name} PATHS ${directories} NO_DEFAULT_PATH)
     find_library(${package}_${name}_LIBRARY ${name})
     mark_as_advanced(${package}_${name}_LIBRARY)
@@ -179,8 +179,8 @@ function(_oro_find_libraries package names directories)
   set(_oro_${package}_TARGETS ${targets} PARENT_SCOPE)
 endfunction()
 
-# Makes the imported targets of a package whose module lies in the directory, if orocos_generate_package() wrote any. Its
-# own dependencies are where pkg-config would find them.
+# Creates the imported targets of a package whose module is in the directory, if orocos_generate_package() wrote any. Its
+# dependencies are found where pkg-config finds them.
 function(_oro_load_targets package directory)
   get_filename_component(config ${directory}/../cmake/${package} REALPATH)
   if(NOT EXISTS ${config}/orocos-targets.cmake)
@@ -196,7 +196,7 @@ function(_oro_load_targets package directory)
   endif()
 endfunction()
 
-# Why modules that are there were not found: what they require is not. Nothing if they are not there.
+# The missing requirements of modules that exist but were not found; nothing if they do not exist.
 function(_oro_find_fault result)
   string(REPLACE ";" ":" folders "${CMAKE_PREFIX_PATH};$ENV{CMAKE_PREFIX_PATH}")
   string(REGEX REPLACE "([^:])(:|$)" "\\1/lib/pkgconfig\\2" folders "${folders}")
@@ -226,7 +226,7 @@ function(_oro_find_module package orocos_only)
   _oro_pkg_config_path(path)
   set(ENV{PKG_CONFIG_PATH} "${path}")
   set(PKG_CONFIG_USE_CMAKE_PREFIX_PATH ON)
-  # What is installed may have changed since the last run.
+  # Installed packages may have changed since the last run.
   unset(ORO_${package}_FOUND CACHE)
   unset(__pkg_config_checked_ORO_${package} CACHE)
   pkg_search_module(ORO_${package} QUIET ${modules})
@@ -234,14 +234,14 @@ function(_oro_find_module package orocos_only)
   if(ORO_${package}_FOUND)
     pkg_get_variable(directory ${ORO_${package}_MODULE_NAME} pcfiledir)
     if(EXISTS "${directory}/${ORO_${package}_MODULE_NAME}.pc")
-      # When the package is installed anew, all of this is asked again.
+      # All of this is looked up again when the package is installed anew.
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${directory}/${ORO_${package}_MODULE_NAME}.pc)
     endif()
     foreach(kind INCLUDE_DIRS LIBRARY_DIRS)
       _oro_apply_destdir(ORO_${package}_${kind})
     endforeach()
     _oro_simplify_flags(ORO_${package}_LDFLAGS_OTHER)
-    # For the compiler of the toolchain; the runtime's target has those for the compiler that is used.
+    # These are for the compiler of the toolchain; the target of the runtime has those for the present compiler.
     list(FILTER ORO_${package}_CFLAGS_OTHER EXCLUDE REGEX "^-Wno-(attributes=oro::|unknown-attributes)$")
     if(NOT "${directory}" STREQUAL "")
       _oro_load_targets(${package} ${directory})
@@ -277,7 +277,7 @@ macro(orocos_use_package)
   _oro_each_package(orocos_use_package _oro_use_one ${ARGN})
 endmacro()
 
-# All that is missing is told at once.
+# Reports all missing packages at once.
 macro(_oro_each_package caller what)
   cmake_parse_arguments(_oro_ask "OROCOS_ONLY;REQUIRED;VERBOSE" "" "" ${ARGN})
   if(NOT _oro_ask_UNPARSED_ARGUMENTS)
@@ -294,7 +294,7 @@ macro(_oro_each_package caller what)
           _oro_tell_missing(_oro_missing_package ${_oro_package} "${_oro_modules}")
           string(APPEND _oro_missing "\n  ${_oro_missing_package}")
         endif()
-        # So that a package of the workspace which comes too late can say so.
+        # Noted, so that a package of the workspace that comes too late can report it.
         set_property(GLOBAL APPEND PROPERTY OROCOS_MISSED_${_oro_package} ${PROJECT_NAME})
       endif()
     endif()

@@ -2,11 +2,11 @@
 # Copyright Oroforge contributors
 # Private part of UseOrocos.cmake: a package for find_package(), with its libraries as imported targets <package>::<name>.
 #
-# install(EXPORT) would not do: it refuses libraries that link what is not installed, or that name the source folder, as
-# those of many packages do. What is written here is what a user of the installed library needs.
+# install(EXPORT) does not work: it refuses libraries that link targets which are not installed, or that name the source
+# folder, and those of many packages do. This writes what a user of the installed library needs.
 
-# Adds the text that stands for a linked item in the package's file, and the packages that have it. An item that is no
-# part of an installation is replaced by what it hands on.
+# Adds the text for a linked item in the package's file, and the packages that have the item. An item that is not installed
+# is replaced by what it passes on.
 function(_oro_export_item to_links to_packages item package only)
   set(links "${${to_links}}")
   set(packages "${${to_packages}}")
@@ -39,7 +39,7 @@ function(_oro_export_item to_links to_packages item package only)
       set(text ${item})
       set(needed ${item})
     else()
-      # Linked into the library, or an interface: what it hands on counts.
+      # Linked into the library, or an interface: only what it passes on is needed.
       get_target_property(inner ${item} INTERFACE_LINK_LIBRARIES)
       set(visited ${visited} ${item})
       set(inner_links "")
@@ -69,7 +69,7 @@ function(_oro_export_item to_links to_packages item package only)
   set(${to_packages} ${packages} ${needed} PARENT_SCOPE)
 endfunction()
 
-# A static library has nothing of those it links: they have to be installed too.
+# A static library does not contain the libraries that it links, so these must be installed, too.
 function(_oro_check_static_part target item)
   string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" item "${item}")
   if(TARGET "${item}")
@@ -93,7 +93,7 @@ function(_oro_export_target result to_packages target package)
     set(items "")
   endif()
   foreach(item ${items})
-    # What a shared library links privately is its own affair.
+    # Users of a shared library do not need what it links privately.
     if(type STREQUAL "STATIC_LIBRARY")
       _oro_check_static_part(${target} "${item}")
     endif()
@@ -102,9 +102,9 @@ function(_oro_export_target result to_packages target package)
     endif()
   endforeach()
   list(REMOVE_DUPLICATES handed_on)
-  # Not for now, but for whoever reads the file.
+  # Evaluated when the file is read, not now.
   string(REPLACE "$<" "\${_oro_dollar}<" handed_on "${handed_on}")
-  # For now: a name may be of a target that comes with a directory of subdirs(), after all others.
+  # Evaluated at the end, because a name may be a target in a directory of subdirs(), which comes after all others.
   list(TRANSFORM handed_on REPLACE "^([A-Za-z0-9_][A-Za-z0-9_.+-]*)$" "$<$<NOT:$<TARGET_EXISTS:\\1>>:\\1>")
   if(NOT IS_ABSOLUTE ${destination})
     set(destination \${_oro_prefix}/${destination})
@@ -134,7 +134,7 @@ function(_oro_configure_template result name)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Writes the files of a package, when all that its directories say about its libraries is known.
+# Writes the files of a package at the end, when its directories have been read.
 function(_oro_write_config package targets include_dirs)
   set(ORO_PACKAGE ${package})
   set(ORO_TARGETS "")
@@ -145,7 +145,7 @@ function(_oro_write_config package targets include_dirs)
     string(APPEND lines "${text}")
     list(APPEND ORO_TARGETS ${package}::${target})
   endforeach()
-  # In an order of dependence: what a needed package needs in turn it finds itself.
+  # In the order of dependencies; each needed package finds its own.
   list(REMOVE_DUPLICATES needed_packages)
   set(ORO_DEPENDENCIES "")
   foreach(other ${needed_packages})

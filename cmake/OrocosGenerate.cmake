@@ -2,13 +2,13 @@
 # Copyright Oroforge contributors
 # Private part of UseOrocos.cmake: code generated at build time by typegen and orocreate-pkg.
 #
-# A generator's OUTPUT is a stamp, its files are BYPRODUCTS: it leaves files alone that would not change, and make, which
-# compares times, would otherwise run it again at every build.
+# A generator's OUTPUT is a stamp and its files are BYPRODUCTS: it does not touch files that would not change, so make, which
+# compares times, would run it again at each build.
 
-# Finds a generator beside this file's prefix. A package cannot be built without it, so a miss is fatal, but for those that
-# say OPTIONAL.
+# Finds a generator beside this file's prefix. A package cannot be built without it, so it is a fatal error if it is missing,
+# unless OPTIONAL is given.
 function(_oro_find_generator result name)
-  # Looked for each time: a build folder may be switched to another toolchain.
+  # Looked up each time, because a build folder may be switched to another toolchain.
   unset(OROCOS_${name}_PROGRAM CACHE)
   find_program(OROCOS_${name}_PROGRAM ${name} HINTS ${OROCOS-RTT_PATH}/bin NO_DEFAULT_PATH)
   if(NOT OROCOS_${name}_PROGRAM)
@@ -21,7 +21,7 @@ function(_oro_find_generator result name)
   set(${result} ${OROCOS_${name}_PROGRAM} PARENT_SCOPE)
 endfunction()
 
-# Output names are a function of the arguments alone, so asking for them is instant and cannot go stale.
+# Output names depend only on the arguments, so asking for them is fast and the answer stays valid.
 function(_oro_list_outputs result)
   execute_process(COMMAND ${ARGN} --list-outputs WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     OUTPUT_VARIABLE text ERROR_VARIABLE errors RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -35,7 +35,7 @@ function(_oro_list_outputs result)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# Folders that every target of the project can include from, whichever directory it is made in, and whenever.
+# Adds include folders for all targets of the project, in all directories, earlier or later.
 function(_oro_add_project_includes)
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_INCLUDE_DIRS ${ARGN})
   get_property(made GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_TARGETS)
@@ -44,7 +44,7 @@ function(_oro_add_project_includes)
   endforeach()
 endfunction()
 
-# Every target of the project is built after the generator's target.
+# Makes all targets of the project depend on the generator's target.
 function(_oro_add_project_generator target)
   if(NOT TARGET ${PROJECT_NAME}-generated)
     add_custom_target(${PROJECT_NAME}-generated)
@@ -59,8 +59,8 @@ function(_oro_add_project_generator target)
   endforeach()
 endfunction()
 
-# A command to be run after a generator has written its dependency file, in the target given. With make CMake adds to what
-# it has noted of an earlier one, for ever; without the note it reads the file anew.
+# A command to run after a generator has written its dependency file, in the given target. With make, CMake keeps adding to
+# its record of the earlier file; without the record, it reads the file anew.
 function(_oro_forget_dependencies result target)
   set(command "")
   if(CMAKE_GENERATOR MATCHES "Makefiles")
@@ -70,7 +70,7 @@ function(_oro_forget_dependencies result target)
   set(${result} ${command} PARENT_SCOPE)
 endfunction()
 
-# make does not know who makes a generated file that somebody has removed: then the stamp goes too, before it is looked at.
+# make does not know how to make a generated file that was removed, so this also removes the stamp before make checks it.
 function(_oro_notice_removed target stamp)
   if(CMAKE_GENERATOR MATCHES "Makefiles")
     add_custom_target(${target}-look
@@ -93,7 +93,7 @@ function(_oro_generate manifest)
   if(NOT EXISTS ${path})
     message(FATAL_ERROR "orocos_generate_components(): no file '${manifest}' in ${CMAKE_CURRENT_SOURCE_DIR}")
   endif()
-  # The classes in the manifest decide which files there are: configure again when it changes.
+  # The files depend on the classes in the manifest, so configures again when it changes.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
   set(command ${generator} --generate ${path} --output ${dir})
   _oro_list_outputs(outputs ${command})
@@ -113,7 +113,7 @@ function(_oro_generate manifest)
   _oro_add_project_generator(${PROJECT_NAME}-components-generate)
   _oro_add_project_includes(${dir})
   set_property(GLOBAL APPEND PROPERTY OROCOS_${PROJECT_NAME}_GENERATED_SOURCES ${outputs})
-  # Each service is a library of its own, the components are one.
+  # Each service has its own library; all components have one.
   set(sources ${outputs})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   set(services ${sources})
@@ -129,7 +129,7 @@ function(_oro_generate manifest)
   set(reference ${outputs})
   list(FILTER reference INCLUDE REGEX "/reference\\.md$")
   install(FILES ${reference} DESTINATION share/doc/${PROJECT_NAME})
-  # The listed files, not the folder: it may hold those of classes that are no longer in the manifest.
+  # The listed files, not the folder, because it may still have files of classes that were removed from the manifest.
   list(FILTER outputs INCLUDE REGEX "\\.hpp$")
   foreach(header ${outputs})
     file(RELATIVE_PATH name ${dir} ${header})

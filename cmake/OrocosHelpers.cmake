@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: helpers that packages written for the original toolchain call in macros of their own.
+# Private part of UseOrocos.cmake: helpers that macros of packages for the original toolchain call.
 
 # oro_parse_arguments(prefix "KEY…" "OPTION…" word…): <prefix>_<KEY> is the list of words after each key, <prefix>_<OPTION>
 # TRUE or FALSE, <prefix>_DEFAULT_ARGS the words before the first key.

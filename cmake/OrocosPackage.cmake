@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: what a package installs and tells others.
+# Private part of UseOrocos.cmake: what a package installs, and what other packages learn about it.
 
 # orocos_install_headers([header…] [FILES header…] [DIRECTORY dir…] [INSTALL dest]); DESTINATION is another name of INSTALL
 function(orocos_install_headers)
@@ -74,7 +74,7 @@ function(_oro_package_libs result)
       list(APPEND libs -L${dir} -l${target}-${OROCOS_TARGET})
     endif()
   endforeach()
-  # What a package has put into the lists by itself.
+  # Entries that the package itself has added to the lists.
   foreach(entry LIBS=lib "COMPS=\${orocos_libdir}" "PLUGINS=\${orocos_libdir}/plugins" "TYPES=\${orocos_libdir}/types")
     string(REGEX MATCH "^([A-Z]+)=(.*)$" entry "${entry}")
     set(dir "${CMAKE_MATCH_2}")
@@ -94,7 +94,7 @@ function(_oro_package_libs result)
   set(${result} "${libs}" PARENT_SCOPE)
 endfunction()
 
-# The name of a package's pkg-config file, if its call does not say.
+# The default name of a package's pkg-config file.
 function(_oro_default_package_name result)
   file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   string(REPLACE "/" "-" below "${below}")
@@ -105,7 +105,7 @@ function(_oro_default_package_name result)
   set(${result} ${name}-${OROCOS_TARGET} PARENT_SCOPE)
 endfunction()
 
-# The version of a package, if its call does not say.
+# The default version of a package.
 function(_oro_default_version result)
   set(version 1.0)
   if(COMPONENT_VERSION)
@@ -121,7 +121,7 @@ function(_oro_default_version result)
   set(${result} ${version} PARENT_SCOPE)
 endfunction()
 
-# What a package tells those that include its headers: once installed, and in this CMake run.
+# What packages that include its headers need: after installation, and in this CMake run.
 function(_oro_package_includes installed built)
   set(cflags -I\${includedir})
   set(include_dirs "")
@@ -153,8 +153,8 @@ function(_oro_package_includes installed built)
   set(${built} ${include_dirs} PARENT_SCOPE)
 endfunction()
 
-# For packages of the same CMake run, and in the cache for those that look there themselves. What was there of packages
-# that have been removed since is forgotten when the first package of a run includes the macros.
+# For packages of the same CMake run, and in the cache for packages that read it themselves. Entries of packages that were
+# removed are dropped when the first package of a run includes the macros.
 function(_oro_tell_workspace key targets include_dirs)
   set(dirs "")
   foreach(target ${targets})
@@ -194,7 +194,7 @@ function(_oro_forget_last_run)
   endif()
 endfunction()
 
-# At the end of a project: what was made after its packages belongs to none. Directories of subdirs() come later still.
+# At the end of a project: targets made after its packages belong to none. Directories of subdirs() come even later.
 function(_oro_check_left_over project)
   set_property(GLOBAL PROPERTY OROCOS_${project}_ENDED TRUE)
   set(left "")
@@ -211,7 +211,7 @@ function(_oro_check_left_over project)
   endif()
 endfunction()
 
-# For colcon: what its setup files do where the package is installed, if colcon.pkg in the source folder lists these hooks.
+# For colcon: hooks for its setup files, if colcon.pkg in the source folder lists them.
 function(_oro_write_colcon_hooks)
   set(hook ${PROJECT_BINARY_DIR}/colcon/orocos_component_path)
   file(CONFIGURE OUTPUT ${hook}.dsv CONTENT "prepend-non-duplicate;RTT_COMPONENT_PATH;lib/orocos\n" @ONLY)
@@ -258,10 +258,10 @@ function(_oro_package)
   if(_oro_devel)
     _oro_write_devel_pkg_config(${name} "${version}" "${requires}" "${targets}" "${include_dirs}")
   endif()
-  # The loader recognises a package by this directory, even where nothing is in it.
+  # The loader recognises a package by this directory, even if it is empty.
   install(DIRECTORY DESTINATION lib/orocos${OROCOS_SUFFIX}/${PROJECT_NAME})
 
-  # In a workspace the package is all of its project, in whatever packages that installs it.
+  # In a workspace, the package is its whole project, even if that installs several packages.
   get_property(all GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_EXPORTED)
   foreach(target ${targets})
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES "$<BUILD_INTERFACE:${include_dirs}>")
@@ -290,8 +290,8 @@ macro(orocos_generate_package)
   _oro_catkin_package()
 endmacro()
 
-# A target "uninstall" that removes what the last installation put down, and directories of packages that are empty then:
-# by them the loader recognises a package.
+# A target "uninstall" that removes the files of the last installation, and then empty directories of packages, because the
+# loader recognises packages by them.
 function(orocos_uninstall_target)
   if(NOT TARGET uninstall)
     set(script ${CMAKE_BINARY_DIR}/orocos_uninstall.cmake)
@@ -299,7 +299,7 @@ function(orocos_uninstall_target)
 if(NOT EXISTS \"\${list}\")
   message(FATAL_ERROR \"nothing to remove: there is no \${list}, which an installation writes\")
 endif()
-# Not file(STRINGS), for which letters beyond ASCII end a string.
+# Not file(STRINGS), where letters beyond ASCII end a string.
 file(READ \"\${list}\" files)
 string(REPLACE \"\\n\" \";\" files \"\${files}\")
 list(REMOVE_ITEM files \"\")

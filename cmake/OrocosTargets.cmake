@@ -2,11 +2,11 @@
 # Copyright Oroforge contributors
 # Private part of UseOrocos.cmake: the macros that create targets.
 #
-# Private names begin with _oro_. "_" + a public name would not do: that is where CMake keeps the old definition when
-# this file is read a second time, and the public macro would then call itself.
+# Private names begin with _oro_. They must not be "_" + a public name: CMake keeps the old definition there when this file is
+# read a second time, so the public macro would call itself.
 
-# Remembers when the present directory has ended: directories of subdirs() come later, and nothing can be put off to an end
-# that has been.
+# Remembers that the present directory has ended: directories of subdirs() come later, and calls cannot be deferred to an end
+# that is past.
 function(_oro_note_directory)
   get_property(noted GLOBAL PROPERTY OROCOS_NOTED_${CMAKE_CURRENT_SOURCE_DIR})
   if(NOT noted)
@@ -16,7 +16,7 @@ function(_oro_note_directory)
   endif()
 endfunction()
 
-# Has a call made at the end of a directory; of the present one if that has ended.
+# Defers a call to the end of a directory, or of the present one if that has ended.
 function(_oro_at_end directory call)
   get_property(ended GLOBAL PROPERTY OROCOS_ENDED_${directory})
   if(ended)
@@ -25,7 +25,7 @@ function(_oro_at_end directory call)
   cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${directory}]] CALL ${call})")
 endfunction()
 
-# Where things of a kind are built (empty: where CMake likes) and installed, and the end of the list that names them.
+# Where targets of a kind are built (empty: CMake's default) and installed, and the suffix of the list with their names.
 # kind: component typekit plugin library executable
 function(_oro_layout kind)
   set(package orocos${OROCOS_SUFFIX}/${PROJECT_NAME})
@@ -50,7 +50,7 @@ function(_oro_layout kind)
   endif()
 endfunction()
 
-# A folder of the prefix, relative to it so that it can be moved; another as it is.
+# Makes a folder in the prefix relative to it, so that the prefix can be moved; leaves other folders as they are.
 function(_oro_relative_to_prefix result path)
   string(FIND "${path}/" "${CMAKE_INSTALL_PREFIX}/" found)
   if(found EQUAL 0)
@@ -74,7 +74,7 @@ function(_oro_add_target kind target)
   if(ended AND NOT kind STREQUAL "executable")
     _oro_at_end(${CMAKE_CURRENT_SOURCE_DIR} "_oro_check_left_over [[${PROJECT_NAME}]]")
   endif()
-  # Sources made by a generator that was called in another directory.
+  # Sources of a generator that was called in another directory.
   get_property(generated GLOBAL PROPERTY OROCOS_${PROJECT_NAME}_GENERATED_SOURCES)
   if(generated)
     set_source_files_properties(${generated} PROPERTIES GENERATED TRUE)
@@ -100,14 +100,14 @@ function(_oro_add_target kind target)
     if(kind STREQUAL "component")
       set_target_properties(${target} PROPERTIES DEFINE_SYMBOL RTT_COMPONENT)
     elseif(kind STREQUAL "typekit")
-      # Its tables of functions need no look-up when it is loaded. Variables stay shared: there must be one of each.
+      # Binds functions while linking, so that loading it needs fewer look-ups. Variables stay shared: there must be one of each.
       set_property(TARGET ${target} APPEND PROPERTY LINK_OPTIONS -Wl,-Bsymbolic-functions)
     endif()
     if(_oro_layout_OUTPUT)
       set_target_properties(${target} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${_oro_layout_OUTPUT})
     endif()
     if(PROJECT_NAME MATCHES "^[A-Za-z0-9_.+-]+$" AND NOT TARGET ${PROJECT_NAME}::${target})
-      # As others will name it who find the installed package.
+      # The name for users of the installed package.
       add_library(${PROJECT_NAME}::${target} ALIAS ${target})
     endif()
     # Remembered per project: packages define targets in sub-directories and the package above them.
@@ -140,7 +140,7 @@ function(_oro_add_target kind target)
     LIBRARY DESTINATION ${destination} ARCHIVE DESTINATION lib RUNTIME DESTINATION ${runtime} ${ARG_INCLUDES})
 endfunction()
 
-# Lists for packages that read or extend them: the libraries of a kind as a linker is told of them, and all as targets.
+# Lists for packages that read or extend them: the libraries of a kind as linker arguments, and all as targets.
 # Macros, because these lists live in the scope of the call.
 macro(_oro_list_target kind target)
   _oro_layout(${kind})
@@ -155,7 +155,7 @@ macro(_oro_list_target kind target)
   endif()
 endmacro()
 
-# At the end of a sub-directory: the directories above, up to that of the project, know the lists too.
+# At the end of a sub-directory: passes the lists to the directories above, up to that of the project.
 macro(_oro_hand_up)
   foreach(_oro_list COMPS TYPES PLUGINS LIBS)
     set(OROCOS_DEFINED_${_oro_list} "${OROCOS_DEFINED_${_oro_list}}" PARENT_SCOPE)
@@ -171,7 +171,7 @@ macro(_oro_hand_up)
   endif()
 endmacro()
 
-# Where a target is built.
+# The folder in which a target is built.
 function(_oro_library_directory result target)
   set(directory "")
   get_target_property(type ${target} TYPE)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Private part of UseOrocos.cmake: orocos_typegen_headers(), on what OrocosGenerate.cmake has for all generators.
+# Private part of UseOrocos.cmake: orocos_typegen_headers(), based on OrocosGenerate.cmake.
 
-# The headers that the arguments name, folders searched, as absolute paths. A header that is added to a folder later is
-# noticed by the next build.
+# The absolute paths of the headers in the arguments, which may be folders. The next build notices headers that are added to a
+# folder.
 function(_oro_find_headers result)
   set(headers "")
   foreach(argument ${ARGN})
@@ -55,8 +55,8 @@ function(_oro_include_name name root header)
   set(${root} "" PARENT_SCOPE)
 endfunction()
 
-# What the compiler is told about the typekit's sources, one word a line, for typegen, which has to see the headers in
-# the same way. Called at the end of the directory: a package may set flags, or link libraries, below the macro.
+# Writes the compiler options of the typekit's sources, one word on a line, for typegen, which must read the headers in the
+# same way. Called at the end of the directory, because a package may set flags or link libraries after the macro.
 function(_oro_write_compiler_flags target file)
   _oro_directory_flags(flags)
   get_target_property(target_flags ${target} COMPILE_FLAGS)
@@ -96,8 +96,8 @@ function(_oro_collect_linked result target)
   set(${result} ${all} PARENT_SCOPE)
 endfunction()
 
-# <project/typekit/Types.hpp> declares instances that are in the library, so whoever can include it is linked to it,
-# unless it is part of the typekit. Called at the end of the project's directory, when all targets are known.
+# <project/typekit/Types.hpp> declares instances that are in the library, so all targets that can include it are linked to
+# the library, except its own parts. Called at the end of the project's directory, when all targets are known.
 function(_oro_link_typekit project)
   set(parts ${project}-typekit)
   _oro_collect_linked(parts ${project}-typekit)
@@ -131,8 +131,8 @@ function(_oro_split_typegen_arguments options files)
   set(${files} ${names} PARENT_SCOPE)
 endfunction()
 
-# The folders to include the headers from, and the options that tell typegen how. Installs the headers. One that does not
-# lie where it can be included from is reached through another, made in the folder given.
+# The include folders of the headers, and the options for typegen. Installs the headers. A header that is not below an include
+# folder is included through another one, which is made in the given folder.
 function(_oro_place_headers include_dirs options dir)
   set(folders "")
   set(words "")
@@ -147,7 +147,7 @@ function(_oro_place_headers include_dirs options dir)
     if(NOT root)
       set(root ${dir})
       file(CONFIGURE OUTPUT ${root}/${name} CONTENT "// Made by orocos_typegen_headers().\n#include \"${header}\"\n" @ONLY)
-      # So that it is made again when somebody has removed it.
+      # Configures again if the file was removed.
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/${name})
     endif()
     list(APPEND folders ${root})
@@ -177,7 +177,7 @@ function(_oro_generate_typekit target command headers)
   _oro_add_project_generator(${target}-generate)
 endfunction()
 
-# Compares committed files with what typegen makes of the headers, and renews them: as targets, and the former as a test.
+# Targets that compare committed files with the output of typegen, and that renew them; the former is a test, too.
 function(_oro_check_committed target command headers dir)
   set(folder ${PROJECT_BINARY_DIR})
   if(folder MATCHES " ")
@@ -262,13 +262,13 @@ function(_oro_typegen)
   endif()
 
   _oro_add_target(typekit ${target} ${sources})
-  # Nearly all that loading it costs is looking up the type information of its classes. Types are told apart by name.
+  # Nearly all of the time of loading it is the look-up of type information, which is needless: types are compared by name.
   set_property(TARGET ${target} APPEND PROPERTY LINK_OPTIONS -Wl,-Bsymbolic)
   set_property(TARGET ${target} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES $<BUILD_INTERFACE:${include_dirs}>)
   set_target_properties(${target} PROPERTIES OROCOS_TYPEKIT_DIR ${dir})
   add_library(${target}-${OROCOS_TARGET} ALIAS ${target})
   _oro_at_end(${PROJECT_SOURCE_DIR} "_oro_link_typekit [[${PROJECT_NAME}]]")
-  # The name depends on the language because options may; only that of C++ is read.
+  # The name depends on the language, because options may; only the file for C++ is read.
   cmake_language(EVAL CODE
     "cmake_language(DEFER CALL _oro_write_compiler_flags [[${target}]] [[${flags}-$<COMPILE_LANGUAGE>-$<CONFIG>.txt]])")
 

@@ -12,13 +12,13 @@ endif()
 
 add_compile_options(-Wall -Wextra)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # STB_GNU_UNIQUE symbols would pin every plugin in memory for ever. Clang makes none.
+  # STB_GNU_UNIQUE symbols would keep each plugin in memory for ever. Clang makes none.
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fno-gnu-unique>)
 else()
-  # A precompiled header that holds the time of its making is another one in every clone, so ccache would find nothing.
+  # A precompiled header with a time stamp differs in each clone, so ccache would not find it.
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
-# What makes a compiler silent about attributes [[oro::…]]. GCC before 12 cannot tell them from others.
+# The options that disable warnings about attributes [[oro::…]]. GCC before 12 cannot do so for some attributes only.
 set(OROFORGE_ATTRIBUTE_OPTIONS
   $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,12>>:-Wno-attributes=oro::>
   $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-unknown-attributes>)
@@ -27,35 +27,35 @@ set(OROFORGE_SANITIZE "" CACHE STRING "address | thread | undefined, or a list j
 if(OROFORGE_SANITIZE)
   add_compile_options(-fsanitize=${OROFORGE_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${OROFORGE_SANITIZE})
-  # GCC's names for what Clang 19 offers as features only.
+  # Macros of GCC for what Clang 19 offers only as features.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     string(REGEX MATCH "address|thread" kind ${OROFORGE_SANITIZE})
     string(TOUPPER "__SANITIZE_${kind}__" macro)
     add_compile_definitions(${macro}=1)
   endif()
-  # `vptr` asks for the dynamic type, which classes compiled without run-time type information, as LLVM's users are, do not
-  # tell; the inline functions that they share with others would ask all the same. The runtime turns it on for itself.
+  # `vptr` needs run-time type information, which code that uses LLVM does not have; inline functions that it shares with other
+  # code would need it, too. The runtime turns it on for itself.
   if(OROFORGE_SANITIZE MATCHES "undefined")
     add_compile_options(-fno-sanitize=vptr)
   endif()
 endif()
-# oroforge_precompile(<target>): the headers of the runtime, once for all sources, which halves what the compiler does at -O0.
-# In sanitizer builds only: the ordinary build shows which source does not include what it uses.
+# oroforge_precompile(<target>): precompiles the headers of the runtime, which halves the compile time at -O0. Only in sanitizer
+# builds, so that the ordinary build shows sources that do not include what they use.
 function(oroforge_precompile target)
   if(OROFORGE_SANITIZE)
     target_precompile_headers(${target} PRIVATE <algorithm> <iostream> <sstream> <thread> <rtt/TaskContext.hpp>)
   endif()
 endfunction()
-# oroforge_bind_functions(): nobody replaces functions of the libraries that are made in this directory and below, so their
-# calls of their own need no jump through a table (a tenth of what a sample costs that wakes a component), and the linker
-# looks up a sixth less when a program starts. Functions only: there must be one of each variable and type information.
+# oroforge_bind_functions(): binds calls of functions within the libraries of this directory and below, which nobody replaces.
+# They need no jump through a table (a tenth of the time of a sample that wakes a component), and the linker looks up a sixth
+# less when a program starts. Only functions: there must be one of each variable and type information.
 function(oroforge_bind_functions)
   add_compile_options(-fno-semantic-interposition)
   add_link_options(-Wl,-Bsymbolic-functions)
 endfunction()
-# oroforge_unit(<target> <unit> <include folder> <file>…): files of one subject become one translation unit, and so share their
-# unnamed namespace. Their names are relative to the include folder. It is not UNITY_BUILD, whose files name the folder of the
-# clone, so that another clone would find nothing in ccache.
+# oroforge_unit(<target> <unit> <include folder> <file>…): compiles files of one subject as one translation unit, in which they
+# share the unnamed namespace. Their names are relative to the include folder. UNITY_BUILD would not do: its files have the path
+# of the clone, so other clones would not find them in ccache.
 option(OROFORGE_UNITS_BY_SUBJECT "Compile all files of one subject as one, where that is faster" ON)
 function(oroforge_unit target unit folder)
   list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE sources)
@@ -69,12 +69,12 @@ function(oroforge_unit target unit folder)
   endif()
   target_sources(${target} PRIVATE ${sources})
 endfunction()
-# Clang links its sanitizers to programs, where the libraries find them when they are loaded.
+# Clang links its sanitizers to programs, so that libraries find them when they are loaded.
 if(NOT OROFORGE_SANITIZE OR CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_link_options(-Wl,-z,defs)
 endif()
 
-# One layout for the build tree and the install tree, so that programs run from either.
+# Build tree and install tree have the same layout, so that programs run from both.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archive)

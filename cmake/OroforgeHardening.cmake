@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# oroforge_harden(): what is compiled in this directory and below defends itself against overwritten memory: tables of
-# functions that cannot be written to, guarded stacks, checked copies of blocks, marked targets of jumps (CET). For what is
-# installed, so not in debug builds; sanitizers look closer, and want to be alone.
+# oroforge_harden(): protects code of this directory and below against overwritten memory: read-only tables of functions,
+# guarded stacks, checked copies of blocks, marked jump targets (CET). Only for code that is installed, so not in debug builds,
+# and not with sanitizers, which find more and do not work together with it.
 option(OROFORGE_HARDENED "Optimised builds defend themselves against overwritten memory" ON)
 function(oroforge_harden)
   if(OROFORGE_SANITIZE OR NOT OROFORGE_HARDENED)
     return()
   endif()
   set(optimised $<CONFIG:Release,RelWithDebInfo,MinSizeRel>)
-  # As one option: CMake drops the second of two equal ones, and a target may say -U_FORTIFY_SOURCE itself.
+  # As one option, because CMake drops the second of two equal ones, and a target may have -U_FORTIFY_SOURCE itself.
   add_compile_options("$<${optimised}:SHELL:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>" $<${optimised}:-fstack-protector-strong>)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
     add_compile_options($<${optimised}:-fcf-protection>)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, which together are what is installed.
+# Debian packages of the toolchain, by cpack (./dev package): runtime, dev and tools, which together are a full installation.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME oroforge)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -31,7 +31,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME oroforge-runtime)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/triggers CONTENT "activate-noawait ldconfig\n")
-# Login shells know the target. Relative to /usr: cpack would take an absolute folder for one of this machine.
+# Sets the target in login shells. Relative to /usr, because cpack would install to an absolute folder on this machine.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/oroforge.sh CONTENT "# Which programs of Oroforge are meant, unless the user says another target.
 export OROCOS_TARGET=\"\${OROCOS_TARGET:-@OROCOS_TARGET@}\"
 " @ONLY)
@@ -55,11 +55,11 @@ be used in ports, scripts and files.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME oroforge-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
-# typegen reads clang's own headers.
+# typegen needs clang's own headers.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS libclang-common-19-dev)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "oroforge-dev ${same_version}")
 
-# What Debian wants in every package, and nobody in another prefix.
+# Files that only Debian packages need.
 set(folder ${PROJECT_BINARY_DIR}/packaging)
 file(CONFIGURE OUTPUT ${folder}/copyright CONTENT "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: Oroforge

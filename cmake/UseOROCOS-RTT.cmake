@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# The name under which downstream packages include the macros.
+# Downstream packages include the macros by this name.
 include(${CMAKE_CURRENT_LIST_DIR}/UseOrocos.cmake)

@@ -22,7 +22,7 @@
 #   orocos_link_whole(target …)      as STATIC, for static libraries made by add_library()
 #   orocos_add_link_flags(target …) orocos_set_install_rpath(target …)
 #
-# Policies are fixed here, so that the macros behave the same whatever version the package asks for.
+# Policies are fixed here, so that the macros behave the same for all versions that packages ask for.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.16...3.25)
 
@@ -52,7 +52,7 @@ if(NOT USE_OROCOS_RTT)
   option(OROCOS_NO_AUTO_LINKING "Do not link targets with the libraries of used packages" OFF)
   _oro_forget_last_run()
 
-  # The word "orocos" stands for the prefix of the toolchain; anything else is a path.
+  # The word "orocos" means the prefix of the toolchain; anything else is a path.
   if(INSTALL_PATH AND NOT ORO_DEFAULT_INSTALL_PREFIX)
     set(ORO_DEFAULT_INSTALL_PREFIX ${INSTALL_PATH})
   endif()
@@ -63,7 +63,7 @@ if(NOT USE_OROCOS_RTT)
   endif()
 endif()
 
-# Once for each project: of a workspace, the first may have included this file for all.
+# Once for each project, because the first one in a workspace may have included this file for all.
 if(NOT "${_oro_set_up}" STREQUAL "${PROJECT_SOURCE_DIR}")
   set(_oro_set_up "${PROJECT_SOURCE_DIR}")
   _oro_choose_flavour()
