@@ -146,8 +146,8 @@ std::vector<std::string> namesByOption(const po::parsed_options& parsed) {
     return names;
 }
 
-/** Takes the words without an option: files, and the name of the deployer. Remappings of ROS launch files are ignored.
-     */
+/** Takes the words without an option: files, and the name of the deployer. Remappings of ROS launch files are
+    ignored. */
 void takeWords(const std::vector<std::string>& words, const std::vector<std::string>& names, Options& options,
                std::string& error) {
     std::string name;

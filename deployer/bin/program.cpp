@@ -158,8 +158,8 @@ int runWithRuntime(const std::vector<char*>& words, const Options& options, Stay
     return status;
 }
 
-/** A program that only checks, or ends after its files, needs one: if there is none, perhaps a shell variable is empty.
-     */
+/** A program that only checks, or ends after its files, needs one: if there is none, perhaps a shell variable is
+    empty. */
 bool hasFiles(const Options& options, const ProgramText& text, std::string& error) {
     const bool needsFiles = options.action == Options::Run && (text.needsFiles || options.endsAtOnce());
     std::error_code unreadable;  // reported when it is read

@@ -27,8 +27,8 @@ namespace documents = oroforge::report;  // report() is a function here
 namespace {
 
 constexpr int kFailure = 255;
-/** The number of diagnostics whose repeats are recognised: a program that runs for months may report one each second.
-     */
+/** The number of diagnostics whose repeats are recognised: a program that runs for months may report one each
+    second. */
 constexpr std::size_t kMost = 2 * diag::Sink::kMost;
 
 struct Kept {

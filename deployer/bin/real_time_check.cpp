@@ -46,8 +46,8 @@ bool isRealTime(const HookInProgress& hook) {
     return (thread && RTT::os::realTimeWanted(*thread)) || RTT::os::inRealTimeThread();
 }
 
-/** The kinds of user code in a step of a component, in the order of oroforge_rt_place, and their names in the report.
-     */
+/** The kinds of user code in a step of a component, in the order of oroforge_rt_place, and their names in the
+    report. */
 const struct {
     const char* hook;
     const char* where;

@@ -33,8 +33,8 @@ private:
 // Any thread and signal handlers may call these.
 /** Restores the terminal if there is a KeptTerminal and the process may set it. */
 void restoreTerminal();
-/** True if there is a KeptTerminal and the process is not in the background, where setting the terminal would stop it.
-     */
+/** True if there is a KeptTerminal and the process is not in the background, where setting the terminal would stop
+    it. */
 bool maySetTerminal();
 
 /** Sequences that make the terminal mark where pasted text begins and ends, or end that. */

@@ -75,8 +75,8 @@ std::string whyNoMaster(Session& session, const RTT::TaskContext& component, con
     return {};
 }
 
-/** The slaves of a component. They refer to its activity, so code that replaces or deletes that must handle them first.
-     */
+/** The slaves of a component. They refer to its activity, so code that replaces or deletes that must handle them
+    first. */
 std::vector<ComponentRecord*> slavesOf(Session& session, const std::string& master) {
     std::vector<ComponentRecord*> slaves;
     if (session.masters.count(master) == 0) return slaves;

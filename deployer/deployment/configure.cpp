@@ -47,8 +47,8 @@ bool waitsForMaster(const ComponentRecord& record, const std::vector<ComponentRe
     });
 }
 
-/** Sets the activities of masters before those of their slaves, which refer to them, whatever their order in the file.
-     */
+/** Sets the activities of masters before those of their slaves, which refer to them, whatever their order in the
+    file. */
 void setActivities(Session& session, const std::vector<ComponentRecord*>& records, diag::Sink& sink) {
     std::vector<ComponentRecord*> pending;
     std::copy_if(records.begin(), records.end(), std::back_inserter(pending),

@@ -30,8 +30,8 @@ bool isSameFile(const std::string& a, const std::string& b) {
     return a == b || std::filesystem::equivalent(a, b, none);
 }
 
-/** Adds scripts, but none that came from the same statement, so that a script of a file that is read again runs once.
-     */
+/** Adds scripts, but none that came from the same statement, so that a script of a file that is read again runs
+    once. */
 void appendScripts(std::vector<ScriptPlan>& scripts, const std::vector<ScriptPlan>& more) {
     for (const ScriptPlan& script : more) {
         const auto isSame = [&](const ScriptPlan& known) { return isSameStatement(known, script); };

@@ -107,8 +107,8 @@ bool unload(Session& session, int group);
 bool stopOne(RTT::TaskContext& component);
 bool cleanupOne(Session& session, RTT::TaskContext& component);
 bool unloadOne(Session& session, RTT::TaskContext& component);
-/** Stops, cleans up and unloads as far as possible, in reverse order of creation; true if nothing of the group is left.
-     */
+/** Stops, cleans up and unloads as far as possible, in reverse order of creation; true if nothing of the group is
+    left. */
 bool takeDown(Session& session, int group);
 
 }  // namespace OCL::deploy

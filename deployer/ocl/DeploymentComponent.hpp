@@ -95,8 +95,8 @@ public:
     bool kickStart(const std::string& file);
     /** As kickStart, or without starting anything. */
     bool kickStart2(const std::string& file, bool start);
-    /** Reads a file, does its imports and checks it, together with files that were checked so before; creates nothing.
-         */
+    /** Reads a file, does its imports and checks it, together with files that were checked so before; creates
+        nothing. */
     bool planOnly(const std::string& file);
     /** What the files given to planOnly() describe: "3 components, 4 connections"; empty if there was none. */
     std::string planSummary() const;

@@ -35,8 +35,8 @@ struct ReportingComponent::Impl {
     bool isReportedNow(const std::string& name);
     /** True if the source belongs to the component that is now the peer of that name. */
     bool isUpToDate(const reporting::Source& source) const;
-    /** The sources that exist: components may have been destroyed or replaced since their values and ports were added.
-         */
+    /** The sources that exist: components may have been destroyed or replaced since their values and ports were
+        added. */
     reporting::Sources present();
     /** Replaces a source by the present one of that name. Logs an error and returns false if there is none. */
     bool renew(const reporting::Source& source);

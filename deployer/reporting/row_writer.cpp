@@ -17,11 +17,11 @@ namespace {
 
 /** The amount of text that is collected before it is written. */
 constexpr std::size_t kChunk = 256 * 1024;
-/** How long rows may gather, because many short writes cost more than few long ones, and a wake-up costs the component.
-     */
+/** How long rows may gather, because many short writes cost more than few long ones, and a wake-up costs the
+    component. */
 constexpr std::chrono::milliseconds kGathering(5);
-/** How often finish() checks whether the last row is written, and how long that may take before it logs that it waits.
-     */
+/** How often finish() checks whether the last row is written, and how long that may take before it logs that it
+    waits. */
 constexpr std::chrono::milliseconds kEndCheck(1);
 constexpr std::chrono::seconds kPatience(2);
 

@@ -69,8 +69,8 @@ void RunningReport::chooseEntries() {
     }
 }
 
-/** True for a port with a new sample and for a value that differs from the last row; always true before the first row.
-     */
+/** True for a port with a new sample and for a value that differs from the last row; always true before the first
+    row. */
 bool RunningReport::hasChanged(Entry& entry) {
     if (entry.source->port()) return entry.changed;
     part_.clear();

@@ -30,8 +30,8 @@ struct Finding {
 
     bool isOf(const Call& call, std::size_t hash, unsigned generation) const noexcept;
     void fill(const Call& call, std::size_t hash, unsigned generation) noexcept;
-    /** True for calls inside the pool of real-time memory, which holds its lock for a bounded number of instructions.
-         */
+    /** True for calls inside the pool of real-time memory, which holds its lock for a bounded number of
+        instructions. */
     bool isAllowed() const noexcept;
 
     enum State : int { kFree, kBeingMade, kMade };

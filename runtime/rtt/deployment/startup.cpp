@@ -27,9 +27,8 @@ bool loadService(const std::string& service, TaskContext* component) {
     return PluginLoader::Instance()->loadService(service, component);
 }
 
-/**
- * Installed by a static object, because components may ask for services in programs that have not started the runtime.
- */
+/** Installed by a static object, because components may ask for services in programs that have not started the
+    runtime. */
 const struct ServiceLoading {
     ServiceLoading() { internal::setServiceLoader(&loadService); }
     ~ServiceLoading() { internal::setServiceLoader(nullptr); }

@@ -30,8 +30,8 @@ public:
     bool start() override;
     /** The same, but at most this number of steps; false for 0. */
     bool start(unsigned maxSteps);
-    /** Makes this number of steps in the calling thread, fewer if stop() is called. False if it runs already, or for 0.
-         */
+    /** Makes this number of steps in the calling thread, fewer if stop() is called. False if it runs already, or for
+        0. */
     bool run(unsigned maxSteps);
     /** After run(): takes effect at the end of the present step, without waiting for it. */
     bool stop() override;

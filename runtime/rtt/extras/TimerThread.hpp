@@ -41,8 +41,8 @@ public:
      * returns false and changes nothing.
      */
     bool removeActivity(PeriodicActivity* activity, nsecs deadline = InfiniteNSecs);
-    /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or executing.
-         */
+    /** Executes a started activity in the calling thread, not within a cycle. False if it is not started or
+        executing. */
     bool executeNow(PeriodicActivity& activity);
     /** Enters an activity, started or not, in the calling thread, until leave(). False if another thread has entered. A
         cycle waits for it. Never blocks; real-time safe. */

@@ -12,9 +12,8 @@ namespace RTT {
 namespace marsh {
 
 namespace detail {
-/**
- * The element of a property file for a property. Logs an error and returns an empty text if the type has no such form.
- */
+/** The element of a property file for a property. Logs an error and returns an empty text if the type has no such
+    form. */
 RTT_API std::string cpfElement(base::PropertyBase& property);
 /** The text of a property file with these elements. */
 RTT_API std::string cpfDocument(const std::string& elements);

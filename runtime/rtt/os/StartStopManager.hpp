@@ -33,9 +33,8 @@ public:
     void removeStartFunction(start_fun function);
     void removeStopFunction(stop_fun function);
 
-    /**
-     * Calls the start functions until one returns non-zero, and returns that value or 0. A second call does nothing.
-     */
+    /** Calls the start functions until one returns non-zero, and returns that value or 0. A second call does
+        nothing. */
     int start();
     /** Calls the stop functions; start() may be called again afterwards. */
     void stop();

@@ -28,9 +28,8 @@ extern "C" {
 RTT_API void* oro_rt_malloc(size_t size);
 /** Allocates zeroed memory for count objects. */
 RTT_API void* oro_rt_calloc(size_t count, size_t size);
-/**
- * Changes the size of a block. Null if there is no room; the old block then stays valid. Size 0 frees and returns null.
- */
+/** Changes the size of a block. Null if there is no room; the old block then stays valid. Size 0 frees and returns
+    null. */
 RTT_API void* oro_rt_realloc(void* block, size_t size);
 /**
  * Does nothing for null and for a block of a destroyed pool. For a block that is already free or comes from elsewhere,

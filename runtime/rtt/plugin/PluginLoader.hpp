@@ -32,9 +32,8 @@ class RTT_API PluginLoader {
 public:
     typedef boost::shared_ptr<PluginLoader> shared_ptr;
 
-    /**
-     * The result of a directory scan: the number of libraries, and "file: reason" for each that could not be loaded.
-     */
+    /** The result of a directory scan: the number of libraries, and "file: reason" for each that could not be
+        loaded. */
     struct Scan {
         unsigned found = 0;
         std::vector<std::string> errors;

@@ -17,8 +17,8 @@ public:
 
     /** A simpler form of `source`, mostly a source of PropertyBag; null if there is none. */
     virtual base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const = 0;
-    /** Sets `target` from such a form. If it does not fit, returns false and, if possible, leaves `target` unchanged.
-         */
+    /** Sets `target` from such a form. If it does not fit, returns false and, if possible, leaves `target`
+        unchanged. */
     virtual bool composeType(base::DataSourceBase::shared_ptr source,
                              base::DataSourceBase::shared_ptr target) const = 0;
 };

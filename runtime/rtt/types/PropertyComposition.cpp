@@ -65,8 +65,8 @@ const PropertyBag* bagIn(const DataSourceBase::shared_ptr& source) {
     return static_cast<const PropertyBag*>(source->getRawConstPointer());
 }
 
-/** Adds a property for `item` to `target`: a bag of its members if it has any, otherwise a property of the same value.
-     */
+/** Adds a property for `item` to `target`: a bag of its members if it has any, otherwise a property of the same
+    value. */
 bool addDecomposed(PropertyBase& item, PropertyBag& target, bool recurse) {
     const auto value = item.getDataSource();
     const auto simpler = recurse && !internal::detail::bagOf(item) ? membersOf(value) : nullptr;

@@ -22,8 +22,8 @@ struct SequenceOps {
     void (*load)(const void* container, std::size_t index, void* element);
     void (*store)(void* container, std::size_t index, const void* element);
     TypeRef elementType;
-    /** If set: the container places elements itself, and resize() only empties it. False if it has the element already.
-         */
+    /** If set: the container places elements itself, and resize() only empties it. False if it has the element
+        already. */
     bool (*insert)(void* container, const void* element) = nullptr;
     /** If set: faster than load() of one index after another. */
     void (*visit)(const void* container, void (*each)(void* context, const void* element), void* context) = nullptr;

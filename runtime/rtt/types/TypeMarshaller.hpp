@@ -17,8 +17,8 @@ public:
     virtual void* createCookie() const;
     virtual void deleteCookie(void* cookie) const;
 
-    /** Writes the sample to `blob` (of `size` bytes) or returns its own memory: start and length. (null, 0) on failure.
-         */
+    /** Writes the sample to `blob` (of `size` bytes) or returns its own memory: start and length. (null, 0) on
+        failure. */
     virtual std::pair<void const*, int> fillBlob(base::DataSourceBase::shared_ptr source, void* blob, int size,
                                                  void* cookie) const = 0;
     /** Reads a sample from `size` bytes; false if they are not a valid sample. */

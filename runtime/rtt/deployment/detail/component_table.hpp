@@ -44,9 +44,8 @@ public:
     /** The types that come from this library file. */
     std::vector<std::string> typesOf(const std::string& library) const;
 
-    /**
-     * Reserves the name and returns the function that creates the type; null with the reason if either is unavailable.
-     */
+    /** Reserves the name and returns the function that creates the type; null with the reason if either is
+        unavailable. */
     ComponentLoaderSignature reserve(const std::string& name, const std::string& type, std::string& error);
     /** Completes reserve() with the component; null gives the name back. */
     void settle(const std::string& name, TaskContext* component);

@@ -95,9 +95,8 @@ inline pid_t currentTid() noexcept {
     return tid;
 }
 
-/**
- * False if the thread of this process with this Linux id has ended; another one may have the id by now. A system call.
- */
+/** False if the thread of this process with this Linux id has ended; another one may have the id by now. A system
+    call. */
 inline bool threadExists(pid_t tid) noexcept { return syscall(SYS_tgkill, getpid(), tid, 0) == 0 || errno != ESRCH; }
 
 }  // namespace detail

@@ -24,9 +24,8 @@ bool checkPriority(int& scheduler, int& priority, const std::string& name);
  */
 bool applyScheduling(pthread_t thread, int scheduler, int priority, const std::string& name);
 
-/**
- * Mask 0 means every CPU with which the process started. Logs a warning and returns false if no such CPU may be used.
- */
+/** Mask 0 means every CPU with which the process started. Logs a warning and returns false if no such CPU may be
+    used. */
 bool applyAffinity(pid_t thread, unsigned mask, const std::string& name);
 /** CPUs 0 to 31 that the thread may use; all bits set if that cannot be found out. */
 unsigned affinityOf(pid_t thread) noexcept;

@@ -39,9 +39,8 @@ public:
         if (word_.fetch_or(reasons, std::memory_order_release) == kSleeping) futexWakeOne(word_);
     }
 
-    /**
-     * Sleeps until there is a reason or the monotonic time has come; takes and returns the reasons, 0 for the latter.
-     */
+    /** Sleeps until there is a reason or the monotonic time has come; takes and returns the reasons, 0 for the
+        latter. */
     std::uint32_t wait(NANO_TIME deadline) noexcept {
         std::uint32_t nothing = 0;
         // Relaxed: success publishes nothing, failure is followed by the acquiring exchange.

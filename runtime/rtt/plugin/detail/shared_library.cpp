@@ -32,9 +32,8 @@ std::vector<std::string> loadedFiles() {
     return files;
 }
 
-/**
- * The library that has the address; null if unknown. Unlike dladdr(), this does not read all symbols of the library.
- */
+/** The library that has the address; null if unknown. Unlike dladdr(), this does not read all symbols of the
+    library. */
 const link_map* ownerOf(const void* address) {
     dl_find_object found;
     return _dl_find_object(const_cast<void*>(address), &found) == 0 ? found.dlfo_link_map : nullptr;
@@ -43,9 +42,8 @@ const link_map* ownerOf(const void* address) {
 /** The number of libraries when this one was initialised: those that were loaded with the program. */
 const std::size_t loadedWithProgram = loadedFiles().size();
 
-/**
- * The size that the headers of the open file claim; 0 if they are malformed, in which case the linker refuses the file.
- */
+/** The size that the headers of the open file claim; 0 if they are malformed, in which case the linker refuses the
+    file. */
 std::uint64_t expectedSize(int file) {
     ElfW(Ehdr) head;
     if (pread(file, &head, sizeof head, 0) != sizeof head || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 ||
@@ -68,9 +66,8 @@ bool isArchive(int file) {
     return pread(file, begin, sizeof begin, 0) == sizeof begin && std::memcmp(begin, magic, sizeof magic) == 0;
 }
 
-/**
- * Why the linker must not open the file: a truncated library would crash it, and on an archive its message is obscure.
- */
+/** Why the linker must not open the file: a truncated library would crash it, and on an archive its message is
+    obscure. */
 std::string whyUnusable(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return std::string();  // the linker says why

@@ -46,9 +46,8 @@ public:
 
     /** True if the file is loaded into the process, by this loader or another. */
     static bool isLoaded(const std::string& file);
-    /**
-     * The file from which the function or object at this address was loaded, as named when opened; empty if unknown.
-     */
+    /** The file from which the function or object at this address was loaded, as named when opened; empty if
+        unknown. */
     static std::string fileWith(const void* address);
     /** The files of libraries that are linked with the program and define one of these symbols. */
     static std::vector<std::string> linkedThatDefine(std::initializer_list<const char*> symbols);

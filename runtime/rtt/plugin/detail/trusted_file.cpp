@@ -70,9 +70,8 @@ std::string advice(uid_t owner) {
     return "; if that is as it should be, set " + std::string(kOwners) + "=" + nameOf(owner);
 }
 
-/**
- * Checks the folders above that of the file. In a folder with the sticky bit, others cannot move what is not theirs.
- */
+/** Checks the folders above that of the file. In a folder with the sticky bit, others cannot move what is not
+    theirs. */
 std::string whyFoldersAbove(const std::string& folder) {
     std::string below = folder;
     for (std::string above = parentPath(below); below != "/"; below = above, above = parentPath(above)) {

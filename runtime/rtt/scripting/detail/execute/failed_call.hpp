@@ -13,8 +13,8 @@
 
 namespace RTT::scripting::detail {
 
-/** The place of a call in a script. It has the line for messages, because threads of components must not read the file.
-     */
+/** The place of a call in a script. It has the line for messages, because threads of components must not read the
+    file. */
 struct CallPlace {
     oroforge::diag::Location where;
     std::string line;  ///< empty if unknown
@@ -26,8 +26,8 @@ std::string lineOf(const std::string& text, unsigned line);
 /** Logs a failed call as a warning or error. */
 void logFailure(oroforge::diag::Severity severity, const CallPlace& place, const std::string& reasons);
 
-/** The failure of a call that fails its statement. It is reported at its own place, not where its function was called.
-     */
+/** The failure of a call that fails its statement. It is reported at its own place, not where its function was
+    called. */
 class FailedCall : public std::runtime_error {
 public:
     FailedCall(CallPlace place, const std::string& reasons) : std::runtime_error(reasons), place_(std::move(place)) {}
@@ -44,8 +44,8 @@ public:
     const CallPlace& place() const { return place_; }
     /** Reports it. `whole` names what failed for this reason at `where`; empty means the statement there. */
     void report(oroforge::diag::Sink& sink, const oroforge::diag::Location& where, const std::string& whole) const;
-    /** Adds the known lines of its places to the sources; `text` is the known text of `file`. Reads nothing from disk.
-         */
+    /** Adds the known lines of its places to the sources; `text` is the known text of `file`. Reads nothing from
+        disk. */
     void addLines(oroforge::diag::SourceCache& sources, const std::string& file, const std::string& text) const;
 
 private:

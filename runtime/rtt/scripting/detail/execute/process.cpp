@@ -171,8 +171,8 @@ void Process::report(oroforge::diag::Sink& sink, const oroforge::diag::FileName&
 
 namespace {
 
-/** True if the component that this thread executes is in Exception, because its own code threw. Its programs then stop.
-     */
+/** True if the component that this thread executes is in Exception, because its own code threw. Its programs then
+    stop. */
 bool componentFailed() {
     const internal::EngineGate::Step* const step = internal::EngineGate::Step::innermost();
     const ExecutionEngine* const engine = step ? step->engine() : nullptr;

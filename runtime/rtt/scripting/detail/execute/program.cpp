@@ -206,8 +206,8 @@ ProgramInterfacePtr makeProgram(const ast::Program& tree, const SourceFile& file
 
 namespace {
 
-/** Code that calls an operation of the service keeps this but not the program, because programs may command each other.
-     */
+/** Code that calls an operation of the service keeps this but not the program, because programs may command each
+    other. */
 template <class Function>
 struct OfProgram {
     boost::weak_ptr<ProgramInterface> program;

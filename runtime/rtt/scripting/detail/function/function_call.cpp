@@ -141,9 +141,9 @@ void FunctionCall::wait() {
             throw internal::Interrupted("interrupted while waiting for " + owner_->describe() + ", which goes on");
         // finish() wakes the engine of the thread that sent, and threads without an engine. Nothing wakes this thread
         // if the owner is destroyed, or if another engine collects than the one that sent.
-        const bool told = !own || own == waiting_.get();
+        const bool isWoken = !own || own == waiting_.get();
         const std::int64_t soon =
-            rtos_get_time_ns() + (interruption ? Interruption::kLook : (told ? 100 : 1) * kMillisecond);
+            rtos_get_time_ns() + (interruption ? Interruption::kLook : (isWoken ? 100 : 1) * kMillisecond);
         if (own) {
             own->engine()->waitForMessages(over, soon);
         } else {

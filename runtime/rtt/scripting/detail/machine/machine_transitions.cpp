@@ -116,7 +116,7 @@ bool MachineCore::requestState(MachineState& target) {
     if (&target == model_.last) decided_ = true;
     if (now == Status::stopped) setStatus(Status::resetting);
     tell("was asked to go to", target.name);
-    // Events cause no transition within the machine's own programs or while it is paused.
+    // Not at once within its own programs, or while it is paused.
     if (within() || now == Status::paused) return true;
     executePending();
     settle();

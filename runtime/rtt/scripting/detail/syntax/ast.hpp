@@ -53,8 +53,8 @@ struct Unary {
     char op;  ///< '+', '-', '!'
     ExpressionPtr operand;
 };
-/** Operators in a row, from left to right: `((first op right) op right) …`. A list, so that long rows are not nested.
-     */
+/** Operators in a row, from left to right: `((first op right) op right) …`. A list, so that long rows are not
+    nested. */
 struct Binary {
     struct Step {
         std::string op;  ///< && || != == >= > <= < + - % * /

@@ -139,8 +139,8 @@ void Parser::preconditions(ast::State& state) {
     }
 }
 
-/** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered instead.
-     */
+/** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered
+    instead. */
 void Parser::precondition(ast::State& state) {
     ast::Transition detour;
     detour.at = place();
