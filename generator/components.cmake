@@ -22,7 +22,7 @@ oroforge_generator_library(oroforge_gen_merge
 oroforge_generator_library(oroforge_gen_driver
   SOURCES driver/add.cpp driver/build_file.cpp driver/compiler_words.cpp driver/create.cpp driver/describe.cpp driver/generate.cpp driver/kinds.cpp driver/manifest_types.cpp driver/options.cpp driver/package_files.cpp
           driver/new_classes.cpp driver/package_sources.cpp driver/update.cpp driver/upgrade.cpp driver/wanted_classes.cpp
-  LIBS oroforge_gen_manifest oroforge_gen_check oroforge_gen_describe oroforge_gen_merge oroforge_gen_view oroforge_gen_render oroforge_gen_emit
+  LIBS oroforge_gen_manifest oroforge_gen_check oroforge_clang_describe oroforge_clang_update oroforge_gen_merge oroforge_gen_view oroforge_gen_render oroforge_gen_emit
        oroforge_gen_explain oroforge_gen_flags oroforge_report CLI11::CLI11)
 target_compile_definitions(oroforge_gen_driver PRIVATE OROFORGE_VERSION="${PROJECT_VERSION}")
 oroforge_embed_templates(oroforge_gen_driver componentTemplates component package partials service)

@@ -45,7 +45,10 @@ LAYER_OF = {
     "generator/model/": "model",
     "generator/manifest/": "manifest",
     "generator/adapters/": "adapters",
-    "generator/clang/": "clang",
+    "generator/clang/base/": "clang_base",
+    "generator/clang/types/": "clang_types",
+    "generator/clang/describe/": "clang_describe",
+    "generator/clang/update/": "clang_update",
     "generator/check/": "check",
     "generator/merge/": "merge",
     "generator/flags/": "flags",
@@ -65,7 +68,7 @@ LAYER_OF = {
 LEAFS = {"diag", "files", "xml"}
 API = {"os", "core", "plugin_api", "component"}      # headers below every part around the core
 RUNTIME = LEAFS | API | {"umbrella", "plugin", "typekit", "extras", "marsh", "loader", "scripting"}
-GENERATOR = {"diag", "model", "manifest", "adapters", "clang", "check", "merge", "view", "render", "emit", "banner", "explain", "report", "flags"}
+GENERATOR = {"diag", "model", "manifest", "adapters", "clang_base", "clang_types", "check", "merge", "view", "render", "emit", "banner", "explain", "report", "flags"}
 OUTER = LEAFS | API | {"plugin"}
 DEPLOYER = RUNTIME | {"ocl"}
 UMBRELLA = API | {"plugin", "extras", "loader", "typekit", "scripting", "marsh"}
@@ -103,7 +106,10 @@ MAY_INCLUDE = {
     "model": {"diag"},
     "manifest": LEAFS | {"model"},
     "adapters": LEAFS,
-    "clang": {"diag", "model", "adapters", "xml"},
+    "clang_base": {"diag", "model"},
+    "clang_types": {"diag", "model", "adapters", "xml", "clang_base"},
+    "clang_describe": {"diag", "model", "clang_base", "clang_types"},
+    "clang_update": {"diag", "model", "clang_base"},
     "check": LEAFS | {"model"},
     "merge": {"diag", "model"},
     "flags": {"diag"},
@@ -112,8 +118,8 @@ MAY_INCLUDE = {
     "render": {"diag"},
     "emit": {"diag", "files", "banner"},
     "explain": {"diag"},
-    "driver": GENERATOR | {"xml"},
-    "collect": {"diag", "model", "clang", "flags"},
+    "driver": GENERATOR | {"clang_describe", "clang_update", "xml"},     # typegen reads no components
+    "collect": {"diag", "model", "flags"},
     "plan": {"diag", "model", "view", "render", "emit", "banner", "collect"},
     "typegen": GENERATOR | {"files", "collect", "plan"},
     # Text that ends up in the user's package: installed headers only.
@@ -125,7 +131,7 @@ INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/"]
 
 # header name (regular expression, from the start) -> folders that alone may include it
 FOREIGN = {
-    r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/"],
+    r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/", "tests/fuzz/typegen/"],
     r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/"],
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],

@@ -10,14 +10,13 @@ set_target_properties(clang-cpp LLVM PROPERTIES IMPORTED_GLOBAL TRUE)
 set(OROFORGE_CLANG_RESOURCE_DIR ${LLVM_LIBRARY_DIR}/clang/${LLVM_VERSION_MAJOR}
   CACHE PATH "Folder of clang's builtin headers (holds include/stddef.h)")
 
-# Clang's headers take longer to parse than a file here to compile, so that the files of one subject are one unit.
-function(oroforge_clang_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SUBJECTS;LIBS")
+# One library for each room. Clang's headers take longer to parse than a file here to compile, so a room is one unit.
+function(oroforge_clang_library room)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FILES;LIBS")
+  set(name oroforge_clang_${room})
   add_library(${name} STATIC)
-  foreach(subject ${arg_SUBJECTS})
-    list(TRANSFORM ${subject} REPLACE "(.+)" "clang/\\1.cpp" OUTPUT_VARIABLE files)
-    oroforge_unit(${name} clang_${subject} ${PROJECT_SOURCE_DIR}/generator ${files})
-  endforeach()
+  list(TRANSFORM arg_FILES REPLACE "(.+)" "clang/${room}/\\1.cpp" OUTPUT_VARIABLE files)
+  oroforge_unit(${name} clang_${room} ${PROJECT_SOURCE_DIR}/generator ${files})
   target_include_directories(${name} SYSTEM PRIVATE ${CLANG_INCLUDE_DIRS} ${LLVM_INCLUDE_DIRS})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/generator)
   target_compile_definitions(${name} PRIVATE OROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")
@@ -27,24 +26,26 @@ function(oroforge_clang_library name)
   target_link_libraries(${name} PUBLIC ${arg_LIBS} PRIVATE clang-cpp LLVM)
 endfunction()
 
-# What typegen needs: files are read, types described.
-set(reading
-  check_headers diagnostic_bridge fix_it header_edit header_needs include_watch large_stack lean_library
-  missing_header needed_files nesting_limit parse_files rejection resource_dir side_notes source_places standard_include
-  toolchain_flags typekit_headers)
-set(types
-  accessor_check adapter_match attributes check_type classify classify_standard collect_fields constant_text
-  cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_forms find_accessors
-  find_names find_roots hidden_fields leave_out sound_types type_names type_reader)
-oroforge_clang_library(oroforge_gen_clang SUBJECTS reading types
-  LIBS oroforge_gen_types oroforge_gen_adapters oroforge_diag oroforge_xml)
-
-# What orocreate-pkg needs besides: components found in sources, and followed through their code.
-set(components
-  component_reader conditional_watch describe_component find_components function_spans registrations source_run
-  user_class)
-set(following
-  follow_calls follow_containers follow_interface follow_late follow_library follow_memory follow_objects
-  follow_result follow_services follow_statements follow_texts follow_values)
-set(lookup manifest_types)
-oroforge_clang_library(oroforge_gen_describe SUBJECTS components following lookup LIBS oroforge_gen_clang)
+# Files are read: flags, places, messages, names of types.
+oroforge_clang_library(base
+  FILES check_headers diagnostic_bridge header_edit header_needs include_watch large_stack lean_library missing_header
+        needed_files nesting_limit parse_files resource_dir source_places standard_include toolchain_flags type_names
+  LIBS oroforge_diag)
+# Types are described.
+oroforge_clang_library(types
+  FILES accessor_check adapter_match attributes check_type classify classify_standard collect_fields constant_text
+        cpp_type_text describe_adapted describe_constructors describe_type doc_comment field_fixes field_forms
+        find_accessors find_names find_roots hidden_fields leave_out rejection side_notes sound_types type_reader
+  LIBS oroforge_clang_base oroforge_gen_types oroforge_gen_adapters oroforge_diag oroforge_xml)
+# typegen asks nothing about manifests, so it does not link this one.
+oroforge_unit(oroforge_clang_types clang_lookup ${PROJECT_SOURCE_DIR}/generator clang/types/manifest_types.cpp)
+# Components are found in sources, and followed through their code. Of what is below, typegen links nothing.
+oroforge_clang_library(describe
+  FILES component_reader describe_component find_components follow_calls follow_containers follow_interface
+        follow_late follow_library follow_memory follow_objects follow_result follow_services follow_statements
+        follow_texts follow_values typekit_headers
+  LIBS oroforge_clang_types)
+# Classes of the user: which bytes of the sources are what.
+oroforge_clang_library(update
+  FILES conditional_watch function_spans registrations source_run user_class
+  LIBS oroforge_clang_base)

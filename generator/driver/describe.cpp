@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include <check/check.hpp>
-#include <clang/component_reader.hpp>
+#include <clang/describe/component_reader.hpp>
 #include <emit/outputs.hpp>
 #include <flags/compile_database.hpp>
 #include <manifest/writer.hpp>

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <set>
 
-#include <clang/manifest_types.hpp>
-#include <clang/toolchain_flags.hpp>
+#include <clang/types/manifest_types.hpp>
+#include <clang/base/toolchain_flags.hpp>
 #include <diag/nearest_match.hpp>
 #include <emit/outputs.hpp>
 #include <model/cpp_type.hpp>

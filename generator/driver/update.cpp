@@ -8,8 +8,8 @@
 #include <ostream>
 
 #include <check/check.hpp>
-#include <clang/toolchain_flags.hpp>
-#include <clang/user_class.hpp>
+#include <clang/base/toolchain_flags.hpp>
+#include <clang/update/user_class.hpp>
 #include <diag/nearest_match.hpp>
 #include <driver/manifest_types.hpp>
 #include <driver/new_classes.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Classes of the user as they stand in their files: which bytes are what. Plain data, filled in by generator/clang.
+/// Classes of the user as they stand in their files: which bytes are what. Plain data, filled in by generator/clang/update.
 #ifndef OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
 #define OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
 

@@ -10,12 +10,12 @@ file(GLOB parts CONFIGURE_DEPENDS ${generator}/adapters/*.cpp ${generator}/emit/
   ${generator}/model/*.cpp ${generator}/render/*.cpp ${typekit_gen}/collect/*.cpp ${typekit_gen}/diff/*.cpp
   ${typekit_gen}/driver/*.cpp ${typekit_gen}/plan/*.cpp ${runtime}/diag/*.cpp ${runtime}/report/*.cpp)
 list(FILTER parts EXCLUDE REGEX "/driver/main.cpp$")
-# What reads components is no part of typegen. Units as in generator/clang/clang.cmake.
+# The rooms of generator/clang that typegen links, each one unit.
 set(units ${PROJECT_BINARY_DIR}/generator)
-set(clang_parts ${units}/clang_reading.cpp ${units}/clang_types.cpp typegen/source_check.cpp)
+set(clang_parts ${units}/clang_base.cpp ${units}/clang_types.cpp typegen/source_check.cpp)
 set(options -I${generator} -I${typekit_gen} -DOROFORGE_VERSION="fuzz")
 # LLVM has no run-time type information.
-get_target_property(clang_includes oroforge_gen_clang INCLUDE_DIRECTORIES)
+get_target_property(clang_includes oroforge_clang_types INCLUDE_DIRECTORIES)
 list(TRANSFORM clang_includes PREPEND -isystem)
 set(clang_options ${options} -fno-rtti ${clang_includes} -Wno-everything
   -DOROFORGE_CLANG_RESOURCE_DIR="${OROFORGE_CLANG_RESOURCE_DIR}")

@@ -5,7 +5,7 @@
 #include "fuzzing.hpp"
 
 #include <adapters/read_adapters.hpp>
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <diff/compare_models.hpp>

@@ -4,7 +4,7 @@
 #include "fuzzing.hpp"
 
 #include <adapters/read_adapters.hpp>
-#include <clang/doc_comment.hpp>
+#include <clang/types/doc_comment.hpp>
 #include <diag/sink.hpp>
 #include <driver/options.hpp>
 #include <flags/command_words.hpp>

@@ -17,7 +17,7 @@ class CheckLayers(unittest.TestCase):
             "runtime/rtt/Port.hpp": '#include "os/Mutex.hpp"\n#include <vector>\n',
             "runtime/rtt/plugin/detail/find.hpp": "",
             "runtime/rtt/plugin/PluginLoader.cpp": '#include "detail/find.hpp"\n#include <rtt/Port.hpp>\n#include <diag/sink.hpp>\n',
-            "generator/clang/reader.cpp": "#include <clang/AST/Decl.h>\n#include <diag/sink.hpp>\n",
+            "generator/clang/base/reader.cpp": "#include <clang/AST/Decl.h>\n#include <diag/sink.hpp>\n",
         })
 
     def test_os_must_not_know_core(self):
@@ -46,6 +46,14 @@ class CheckLayers(unittest.TestCase):
     def test_clang_only_in_its_folder(self):
         check_one(self, SCRIPT, {"generator/model/type.hpp": "#include <llvm/ADT/StringRef.h>\n"},
                   "generator/model/type.hpp:1: error: [LAY02]")
+        check_one(self, SCRIPT, {"generator/model/type.hpp": "#include <clang/AST/Decl.h>\n"},
+                  "generator/model/type.hpp:1: error: [LAY02]")
+
+    def test_typegen_reads_no_components(self):
+        for room in ("describe", "update"):
+            check_one(self, SCRIPT, {f"generator/clang/{room}/read.hpp": "",
+                                     "typekit_gen/driver/typegen.cpp": f"#include <clang/{room}/read.hpp>\n"},
+                      f"typekit_gen/driver/typegen.cpp:1: error: [LAY01] layer 'typegen' includes generator/clang/{room}")
 
     def test_deployer_must_not_know_the_generator(self):
         check_one(self, SCRIPT, {"generator/explain/explanations.hpp": "",

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 
 #include "options.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Where --describe takes the compiler's options from.
-#include <clang/toolchain_flags.hpp>
+#include <clang/base/toolchain_flags.hpp>
 #include <driver/compiler_words.hpp>
 #include <support/child_process.hpp>
 #include <support/temp_dir.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // `typegen --diff` and the ports of plugins judge a change alike, or it is known why not: agreement/changes.txt.
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <diff/compare_models.hpp>
 

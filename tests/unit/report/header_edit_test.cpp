@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <clang/header_edit.hpp>
+#include <clang/base/header_edit.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Which aliases in headers are names of types.
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <support/temp_dir.hpp>
 

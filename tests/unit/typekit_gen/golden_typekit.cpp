@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include <adapters/read_adapters.hpp>
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <collect/header_inputs.hpp>
 #include <driver/options.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Which headers another one needs before it, and what a generated file includes.
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
 #include <plan/bucket_needs.hpp>
 

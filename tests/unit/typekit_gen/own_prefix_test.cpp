@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // typegen from the command line, with no option of the compiler.
-#include <clang/missing_header.hpp>
+#include <clang/base/missing_header.hpp>
 #include <support/child_process.hpp>
 #include <support/temp_dir.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <clang/type_reader.hpp>
+#include <clang/types/type_reader.hpp>
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What can be wrong with a listed header as a whole: its include guard.
+#ifndef OROFORGE_GENERATOR_CLANG_BASE_CHECK_HEADERS_HPP
+#define OROFORGE_GENERATOR_CLANG_BASE_CHECK_HEADERS_HPP
+
+#include <set>
+
+#include <diag/sink.hpp>
+
+#include "source_places.hpp"
+
+namespace oroforge::cxx {
+
+class HeaderCheck {
+public:
+    HeaderCheck(clang::Preprocessor& preprocessor, const SourcePlaces& places, diag::Sink& sink)
+        : preprocessor_(preprocessor), places_(places), sink_(sink) {}
+
+    /// A guard that was copied from another header makes the compiler skip all that this one defines: an error TK063.
+    void checkRead(const model::Header& header);
+
+    /// A warning TK062, once for each header, if the header of the type has no guard. Generated code includes the header
+    /// once, but whoever uses the typekit may do so again.
+    void checkGuard(const clang::TagDecl& type);
+
+private:
+    clang::Preprocessor& preprocessor_;
+    const SourcePlaces& places_;
+    diag::Sink& sink_;
+    std::set<clang::FileID> known_;
+};
+
+}  // namespace oroforge::cxx
+
+#endif

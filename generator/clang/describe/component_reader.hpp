@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Reads component and service classes: what their constructors add to the interface.
+///
+///     files ─► one main file that includes them ─► clang AST ─► find_components ─► follow each constructor ─► model
+#ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_READER_HPP
+#define OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_READER_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <diag/sink.hpp>
+#include <model/package.hpp>
+
+namespace oroforge::cxx {
+
+struct ComponentFiles {
+    std::vector<std::string> files;   ///< headers and sources
+    std::vector<std::string> flags;   ///< -I -isystem -D -U -include -std, each word one element
+    std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
+    std::string resourceDir;          ///< clang's own headers; empty = look for them
+    std::string root;                 ///< folder of the package
+    std::string missingHint;          ///< said of the first #include that is not found
+};
+
+/// Components, services and plugins of the files, and the headers that typegen makes a typekit of; sources that belong to
+/// headers are looked for. Nothing, and errors in the sink, if the files do not compile or hold nothing of that (OC020). What cannot be told from the source is a warning.
+std::optional<model::Package> readComponents(const ComponentFiles& request, diag::Sink& sink);
+
+}  // namespace oroforge::cxx
+
+#endif

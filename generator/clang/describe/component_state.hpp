@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What is known while a constructor is followed: values of variables, ports and the like, services.
+#ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
+#define OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <clang/base/llvm_compat.hpp>
+#include <model/package.hpp>
+
+namespace oroforge::cxx {
+
+/// Names an object: "this.level_", "this.in_[1]", "new 3", "local 7.names". Its parts begin with its name.
+using Place = std::string;
+
+/// What an expression is worth, as far as the source tells.
+struct Value {
+    enum class Kind {
+        Unknown,
+        Number,  ///< integers, characters and enumerators; those have a text, too
+        Real,
+        Boolean,
+        Text,   ///< std::string and string literals
+        Place,  ///< an object, or a pointer to it
+        Null,
+        Cpp,  ///< anything else that is constant, as C++
+        Function,
+        Policy
+    };
+
+    Kind kind = Kind::Unknown;
+    long long number = 0;
+    double real = 0;
+    std::string text;
+    const clang::FunctionDecl* function = nullptr;
+    model::Policy policy;
+
+    bool known() const { return kind != Kind::Unknown; }
+    bool is(Kind wanted) const { return kind == wanted; }
+
+    static Value ofNumber(long long value) {
+        Value made;
+        made.kind = Kind::Number;
+        made.number = value;
+        return made;
+    }
+    static Value ofReal(double value) {
+        Value made;
+        made.kind = Kind::Real;
+        made.real = value;
+        return made;
+    }
+    static Value ofBoolean(bool value) {
+        Value made;
+        made.kind = Kind::Boolean;
+        made.number = value ? 1 : 0;
+        return made;
+    }
+    static Value ofText(std::string value, Kind kind = Kind::Text) {
+        Value made;
+        made.kind = kind;
+        made.text = std::move(value);
+        return made;
+    }
+    static Value ofPlace(Place value) { return ofText(std::move(value), Kind::Place); }
+    static Value null() {
+        Value made;
+        made.kind = Kind::Null;
+        return made;
+    }
+};
+
+enum class ElementKind { Port, Property, Attribute, Operation, Caller };
+
+/// A port, property, attribute, operation or operation caller: an object of the user's, or one that an add…() made.
+struct Element {
+    ElementKind kind = ElementKind::Port;
+    std::optional<std::string> name;    ///< nothing: not constant
+    std::string type;                   ///< C++
+    clang::QualType valueType;          ///< of properties and attributes
+    std::vector<clang::QualType> uses;  ///< all types that others see of it
+    Place value;                        ///< where the value of a property or an attribute is
+    std::string doc;
+    diag::Location where;
+    bool output = false;  // ports
+    bool event = false;
+    std::optional<model::Policy> policy;
+    bool constant = false;  // attributes
+    bool own = false;       // operations
+    std::string result;
+    std::vector<model::Argument> arguments;
+    std::size_t documented = 0;  ///< how many of them .arg() has named
+};
+
+/// A component's main service, or one of its services.
+struct Scope {
+    std::string name;
+    std::string doc;
+    diag::Location where;
+    std::vector<Place> elements;
+    std::vector<Scope*> services;
+};
+
+struct Requester {
+    std::string name;
+    diag::Location where;
+    std::vector<Place> callers;
+};
+
+/// What following a constructor gave.
+struct Followed {
+    model::Interface interface;
+    std::string serviceName;  ///< of a service class
+    std::string doc;          ///< as Service::doc() set it
+    std::vector<model::Requirement> required;
+    bool hasMore = false;  ///< ports or properties, or maybe, that could not be told
+    std::optional<model::Activity> activity;
+    model::InitialState initial = model::InitialState::Stopped;
+    std::vector<clang::QualType> uses;  ///< types that others see
+};
+
+}  // namespace oroforge::cxx
+
+#endif

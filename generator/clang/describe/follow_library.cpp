@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <charconv>
+
+#include <clang/base/type_names.hpp>
+#include <clang/types/cpp_type_text.hpp>
+
+#include "follow.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+using llvm::dyn_cast;
+using Kind = Value::Kind;
+
+bool endsWith(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// As the text of a manifest. A float has fewer digits than the double it is computed with.
+model::Number numberOf(double value, const diag::Location& where) {
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {std::string(text.data(), end.ptr), value, where};
+}
+
+std::optional<ElementKind> kindOf(const std::string& name) {
+    if (name == "InputPort" || name == "OutputPort") return ElementKind::Port;
+    if (name == "Property") return ElementKind::Property;
+    if (name == "Attribute" || name == "Constant") return ElementKind::Attribute;
+    if (name == "Operation") return ElementKind::Operation;
+    if (name == "OperationCaller") return ElementKind::Caller;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string toolchainName(const clang::CXXRecordDecl& record) {
+    const clang::NamespaceDecl* outermost = nullptr;
+    for (const clang::DeclContext* scope = record.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
+        if (const auto* space = dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
+    }
+    return outermost != nullptr && outermost->getName() == "RTT" ? record.getNameAsString() : std::string();
+}
+
+bool isPointerLike(clang::QualType type) {
+    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+    if (record == nullptr) return false;
+    const llvm::StringRef name = record->getName();
+    return name == "shared_ptr" || name == "unique_ptr" || name == "intrusive_ptr" || name == "scoped_ptr" ||
+           name == "__shared_ptr_access" || name == "__shared_ptr" ||
+           ((isStandard(*record) || outermostNamespace(*record) == "__gnu_cxx") && name.starts_with("_") &&
+            name.ends_with("iterator"));
+}
+
+bool isStdString(clang::QualType type) {
+    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+    return record != nullptr && isStandard(*record, "basic_string");
+}
+
+bool Follower::constructKnown(const Place& at, clang::QualType type, const clang::CXXConstructorDecl* constructor,
+                              const Values& arguments, clang::SourceLocation where) {
+    const auto* record = type->getAsCXXRecordDecl();
+    const std::string name = record == nullptr ? "" : toolchainName(*record);
+    if (name.empty()) return false;
+    if (kindOf(name)) {
+        constructElement(at, name, type, arguments, where);
+    } else if (name == "TaskContext" || name == "Service" || name == "ServiceRequester") {
+        constructScope(at, name, arguments, where);
+    } else if (endsWith(name, "Activity")) {
+        constructActivity(at, name, constructor, arguments, where);
+    } else if (name == "ConnPolicy") {
+        Value policy = Value::ofText("", Kind::Policy);
+        policy.policy.type = "data";
+        const auto number = [&](std::size_t i) { return i < arguments.size() ? load(arguments[i]) : Value::null(); };
+        static const std::array types = {"data", "buffer", "circular_buffer"};
+        static const std::array locks = {"unsync", "locked", "lock_free"};
+        const Value kind = number(0), lock = number(1);
+        if (kind.is(Kind::Number) && kind.number >= 0 && kind.number < 3)
+            policy.policy.type = types.at(static_cast<std::size_t>(kind.number));
+        if (lock.is(Kind::Number) && lock.number >= 0 && lock.number < 3)
+            policy.policy.lock = locks.at(static_cast<std::size_t>(lock.number));
+        policy.policy.where = locate(where);
+        memory_[at] = policy;
+    }
+    return true;
+}
+
+void Follower::constructElement(const Place& at, const std::string& name, clang::QualType type, const Values& arguments,
+                                clang::SourceLocation where) {
+    const auto argument = [&](std::size_t i) { return i < arguments.size() ? load(arguments[i]) : Value::null(); };
+    Element element;
+    element.kind = *kindOf(name);
+    element.where = locate(where);
+    const clang::QualType of = firstArgument(type);
+    if (of.isNull()) return;
+    if (argument(0).is(Kind::Text)) element.name = argument(0).text;
+    if (element.kind == ElementKind::Operation || element.kind == ElementKind::Caller) {
+        const Value function = argument(1);
+        describeFunction(element, function.is(Kind::Function) ? function.function : nullptr, of);
+        for (std::size_t i = 1; i < arguments.size(); ++i) {
+            if (endsWith(argument(i).text, "OwnThread")) element.own = true;
+        }
+        elements_[at] = std::move(element);
+        return;
+    }
+    element.type = cppTypeText(of.getUnqualifiedType(), context_);
+    element.valueType = of;
+    element.uses = {of};
+    element.output = name == "OutputPort";
+    element.constant = name == "Constant";
+    if (name == "InputPort" && arguments.size() > 1) {
+        bool known = !arguments[1].is(Kind::Null);
+        const model::Policy policy = policyAt(arguments[1], known);
+        if (known) element.policy = policy;
+        if (!known && !arguments[1].is(Kind::Null))
+            remark(where, "OC025", "the connection policy of this port is not constant");
+    }
+    const std::size_t valueAt = name == "Property" ? 2 : 1;
+    if (element.kind == ElementKind::Property && argument(1).is(Kind::Text)) element.doc = argument(1).text;
+    if (element.kind != ElementKind::Port) {
+        element.value = at + "#value";
+        if (valueAt < arguments.size() && !arguments[valueAt].is(Kind::Null)) {
+            const Value& value = arguments[valueAt];
+            if (value.is(Kind::Place)) copyObject(value.text, element.value);
+            if (memory_.count(element.value) == 0 && !load(value).is(Kind::Unknown))
+                memory_[element.value] = converted(load(value), of);
+        }
+    }
+    elements_[at] = std::move(element);
+}
+
+void Follower::constructScope(const Place& at, const std::string& name, const Values& arguments,
+                              clang::SourceLocation where) {
+    const Value text = arguments.empty() ? Value() : load(arguments[0]);
+    if (name == "ServiceRequester") {
+        allRequesters_.push_back(std::make_unique<Requester>());
+        allRequesters_.back()->name = text.is(Kind::Text) ? text.text : "";
+        allRequesters_.back()->where = locate(where);
+        requesters_[at] = allRequesters_.back().get();
+        return;
+    }
+    allScopes_.push_back(std::make_unique<Scope>());
+    Scope& scope = *allScopes_.back();
+    scope.name = text.is(Kind::Text) ? text.text : "";
+    scope.where = locate(where);
+    scopes_[at] = &scope;
+    if (name != "TaskContext" || at != kRoot || arguments.size() < 2) return;
+    const Value initial = load(arguments[1]);
+    if (endsWith(initial.text, "PreOperational")) {
+        initial_ = model::InitialState::PreOperational;
+    } else if (!endsWith(initial.text, "Stopped") && !initial.is(Kind::Null)) {
+        remark(where, "OC025", "the initial state of the component is not constant");
+    }
+}
+
+void Follower::constructActivity(const Place& at, const std::string& name, const clang::CXXConstructorDecl* constructor,
+                                 const Values& arguments, clang::SourceLocation where) {
+    model::Activity activity;
+    activity.where = locate(where);
+    if (name == "SequentialActivity") activity.kind = model::ActivityKind::Sequential;
+    if (name == "SlaveActivity") activity.kind = model::ActivityKind::Slave;
+    const bool known =
+        name == "Activity" || name == "PeriodicActivity" || name == "SequentialActivity" || name == "SlaveActivity";
+    if (!known || constructor == nullptr) return;
+    bool hasPriority = false;
+    for (unsigned i = 0; i < constructor->getNumParams() && i < arguments.size(); ++i) {
+        const llvm::StringRef parameter = constructor->getParamDecl(i)->getName();
+        const Value value = load(arguments[i]);
+        const bool isNumber = value.is(Kind::Number) || value.is(Kind::Real);
+        const double number = value.is(Kind::Real) ? value.real : static_cast<double>(value.number);
+        if (parameter == "master") return;
+        if (parameter != "scheduler" && parameter != "priority" && parameter != "period") continue;
+        if (value.is(Kind::Null)) continue;
+        if (!isNumber) {
+            remark(where, "OC025", "the " + parameter.str() + " of this activity is not constant");
+        } else if (parameter == "scheduler") {
+            activity.scheduler = {number == 0 ? "ORO_SCHED_OTHER" : "ORO_SCHED_RT", activity.where};
+        } else if (parameter == "priority") {
+            activity.priority = numberOf(number, activity.where);
+            hasPriority = true;
+        } else if (number > 0) {
+            activity.period = numberOf(number, activity.where);
+            if (activity.kind == model::ActivityKind::NonPeriodic) activity.kind = model::ActivityKind::Periodic;
+        }
+    }
+    // Who gives a priority without a scheduler gets the real-time one.
+    if (hasPriority && !activity.scheduler.given()) activity.scheduler = {"ORO_SCHED_RT", activity.where};
+    activities_[at] = activity;
+}
+
+model::Policy Follower::policyAt(const Value& value, bool& known) const {
+    const Value whole = load(value);
+    known = known && whole.is(Kind::Policy);
+    model::Policy policy = whole.policy;
+    if (!value.is(Kind::Place)) return policy;
+    const auto part = [&](const char* field) -> const Value* {
+        const auto found = memory_.find(value.text + "." + field);
+        return found == memory_.end() ? nullptr : &found->second;
+    };
+    static const std::array types = {"data", "buffer", "circular_buffer"};
+    static const std::array locks = {"unsync", "locked", "lock_free"};
+    for (const auto& [field, number] : {std::pair("type", part("type")), std::pair("size", part("size")),
+                                        std::pair("lock_policy", part("lock_policy")), std::pair("init", part("init")),
+                                        std::pair("pull", part("pull"))}) {
+        if (number == nullptr) continue;
+        if (!number->is(Kind::Number) && !number->is(Kind::Boolean)) known = false;
+        const auto index = static_cast<std::size_t>(number->number);
+        const std::string name = field;
+        if (name == "type" && index < types.size()) policy.type = types.at(index);
+        if (name == "lock_policy" && index < locks.size()) policy.lock = locks.at(index);
+        if (name == "size") policy.size = numberOf(static_cast<double>(number->number), policy.where);
+        if (name == "init") policy.init = number->number != 0;
+        if (name == "pull") policy.pull = number->number != 0;
+    }
+    return policy;
+}
+
+/// ConnPolicy::buffer(10) and the like.
+Value Follower::policyCall(const clang::CallExpr& expression, const std::string& name) {
+    const Values arguments = argumentsOf(expression, 0);
+    Value made = Value::ofText("", Kind::Policy);
+    model::Policy& policy = made.policy;
+    policy.where = locate(expression.getBeginLoc());
+    policy.type = name == "buffer" ? "buffer" : name == "circularBuffer" ? "circular_buffer" : "data";
+    std::size_t next = 0;
+    bool known = true;
+    const auto take = [&] {
+        const Value value = next < arguments.size() ? load(arguments[next]) : Value();
+        ++next;
+        known = known && (value.is(Kind::Number) || value.is(Kind::Boolean));
+        return value.number;
+    };
+    if (policy.type != "data") policy.size = numberOf(static_cast<double>(take()), policy.where);
+    static const std::array locks = {"unsync", "locked", "lock_free"};
+    const auto lock = static_cast<std::size_t>(take());
+    if (lock < locks.size()) policy.lock = locks.at(lock);
+    policy.init = take() != 0;
+    policy.pull = take() != 0;
+    return known ? made : Value();
+}
+
+}  // namespace oroforge::cxx

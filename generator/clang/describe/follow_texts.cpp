@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#include <sstream>
+
+#include <clang/base/type_names.hpp>
+
+#include "follow.hpp"
+
+namespace oroforge::cxx {
+
+namespace {
+
+using Kind = Value::Kind;
+
+/// What a text is added to: a text or a character.
+std::optional<std::string> wordOf(const Value& value) {
+    if (value.is(Kind::Text)) return value.text;
+    if (value.is(Kind::Number)) return std::string(1, static_cast<char>(value.number));
+    return std::nullopt;
+}
+
+/// As a stream prints it.
+std::optional<std::string> printed(const Value& value, clang::QualType type, const clang::ASTContext& context) {
+    if (value.is(Kind::Text)) return value.text;
+    if (value.is(Kind::Boolean)) return std::string(value.number != 0 ? "1" : "0");
+    if (value.is(Kind::Number) && type->isAnyCharacterType() && context.getTypeSize(type) == 8) return wordOf(value);
+    std::ostringstream out;
+    if (value.is(Kind::Number) && type->isUnsignedIntegerType()) {
+        out << static_cast<unsigned long long>(value.number);
+    } else if (value.is(Kind::Number)) {
+        out << value.number;
+    } else if (value.is(Kind::Real)) {
+        out << value.real;
+    } else {
+        return std::nullopt;
+    }
+    return out.str();
+}
+
+}  // namespace
+
+bool isTextStream(clang::QualType type) {
+    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+    return record != nullptr &&
+           (isStandard(*record, "basic_ostringstream") || isStandard(*record, "basic_stringstream"));
+}
+
+std::optional<Value> Follower::textOperator(const clang::CXXOperatorCallExpr& expression) {
+    const auto kind = expression.getOperator();
+    const clang::Expr* first = expression.getArg(0);
+    const clang::Expr* second = expression.getNumArgs() == 2 ? expression.getArg(1) : nullptr;
+    if (second == nullptr || (!isStdString(first->getType()) && !isStdString(second->getType()))) return std::nullopt;
+    const bool adds = kind == clang::OO_PlusEqual;
+    const bool changes = (adds || kind == clang::OO_Equal) && isStdString(first->getType());
+    if (!changes && kind != clang::OO_Plus && kind != clang::OO_EqualEqual && kind != clang::OO_ExclaimEqual)
+        return std::nullopt;
+    const Value target = eval(first);
+    const auto a = wordOf(load(target)), b = wordOf(load(eval(second)));
+    if (changes) {
+        const bool known = b && (a || !adds);
+        if (target.is(Kind::Place)) assign(target.text, known ? Value::ofText((adds ? *a : "") + *b) : Value());
+        return target;
+    }
+    if (!a || !b) return Value();
+    return kind == clang::OO_Plus ? Value::ofText(*a + *b)
+                                  : Value::ofBoolean((*a == *b) == (kind == clang::OO_EqualEqual));
+}
+
+Value Follower::asText(const clang::Expr& expression) {
+    const auto text = printed(load(eval(&expression)), expression.getType(), context_);
+    return text ? Value::ofText(*text) : Value();
+}
+
+bool Follower::stream(const Place& into, const clang::Expr& what) {
+    if (!isStream(into)) return false;
+    const Value more = asText(what), before = memory_[into + "#text"];
+    const bool known = more.known() && before.is(Kind::Text);
+    assign(into + "#text", known ? Value::ofText(before.text + more.text) : Value());
+    return true;
+}
+
+/// Of strings and streams; nothing if it is another function.
+std::optional<Value> Follower::textCall(const clang::CXXMemberCallExpr& expression, const std::string& name,
+                                        const Value& object) {
+    const unsigned count = expression.getNumArgs();
+    if (name == "str" && object.is(Kind::Place) && isStream(object.text)) {
+        if (count == 0) return memory_[object.text + "#text"];
+        const auto text = textOf(expression.getArg(0));
+        assign(object.text + "#text", text ? Value::ofText(*text) : Value());
+        return Value();
+    }
+    const Value text = load(object);
+    const clang::Expr* on = expression.getImplicitObjectArgument();
+    const clang::QualType type = on->getType()->isPointerType() ? on->getType()->getPointeeType() : on->getType();
+    if (!isStdString(type) || !text.is(Kind::Text)) return std::nullopt;
+    if (name == "c_str" || name == "data") return text;
+    if (name == "empty") return Value::ofBoolean(text.text.empty());
+    if (name == "size" || name == "length") return Value::ofNumber(static_cast<long long>(text.text.size()));
+    if ((name == "append" || name == "push_back") && count == 1 && object.is(Kind::Place)) {
+        const auto more = wordOf(content(expression.getArg(0)));
+        assign(object.text, more ? Value::ofText(text.text + *more) : Value());
+        return object;
+    }
+    if (name == "substr" && count != 0) {
+        const Value from = content(expression.getArg(0));
+        const bool hasLength = count == 2 && !llvm::isa<clang::CXXDefaultArgExpr>(expression.getArg(1));
+        const Value length = hasLength ? content(expression.getArg(1)) : Value::ofNumber(-1);
+        const auto start = static_cast<std::size_t>(from.number);
+        if (!from.is(Kind::Number) || !length.is(Kind::Number) || start > text.text.size()) return Value();
+        return Value::ofText(text.text.substr(start, static_cast<std::size_t>(length.number)));
+    }
+    return std::nullopt;
+}
+
+}  // namespace oroforge::cxx

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// Which types can still be judged in a text with compile errors.
+#ifndef OROFORGE_GENERATOR_CLANG_TYPES_SOUND_TYPES_HPP
+#define OROFORGE_GENERATOR_CLANG_TYPES_SOUND_TYPES_HPP
+
+#include <map>
+
+#include <clang/base/llvm_compat.hpp>
+
+namespace oroforge::cxx {
+
+class SoundTypes {
+public:
+    /// Neither the type nor one that it holds suffered from an error: what is said about it is true.
+    bool has(const clang::TagDecl& type);
+
+private:
+    bool isSound(const clang::TagDecl& type);
+    bool hasType(clang::QualType type);
+    std::map<const clang::Decl*, bool> known_;  // looked up only
+};
+
+}  // namespace oroforge::cxx
+
+#endif
