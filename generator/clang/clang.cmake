@@ -41,9 +41,9 @@ oroforge_clang_library(types
 oroforge_unit(oroforge_clang_types clang_lookup ${PROJECT_SOURCE_DIR}/generator clang/types/manifest_types.cpp)
 # Components are found in sources, and followed through their code. Of what is below, typegen links nothing.
 oroforge_clang_library(describe
-  FILES component_reader describe_component find_components follow_calls follow_containers follow_interface
-        follow_late follow_library follow_memory follow_objects follow_result follow_services follow_statements
-        follow_texts follow_values typekit_headers
+  FILES activity_calls call_stack calls component_reader containers describe_component element_calls expressions
+        find_components findings follow interface_calls interface_result known_objects known_types late_calls memory
+        objects service_calls statements texts typekit_headers
   LIBS oroforge_clang_types)
 # Classes of the user: which bytes of the sources are what.
 oroforge_clang_library(update

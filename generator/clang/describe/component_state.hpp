@@ -4,9 +4,8 @@
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
 
-#include <map>
-#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,9 @@ namespace oroforge::cxx {
 
 /// Names an object: "this.level_", "this.in_[1]", "new 3", "local 7.names". Its parts begin with its name.
 using Place = std::string;
+
+/// The object whose constructor is followed.
+inline constexpr const char* kRoot = "this";
 
 /// What an expression is worth, as far as the source tells.
 struct Value {
@@ -122,6 +124,8 @@ struct Followed {
     std::optional<model::Activity> activity;
     model::InitialState initial = model::InitialState::Stopped;
     std::vector<clang::QualType> uses;  ///< types that others see
+    /// Functions that would have to be known, but only their declarations are.
+    std::set<const clang::FunctionDecl*> unseen;
 };
 
 }  // namespace oroforge::cxx

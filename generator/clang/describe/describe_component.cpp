@@ -7,6 +7,7 @@
 #include <model/names.hpp>
 
 #include "follow.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -35,7 +36,6 @@ std::string ComponentDescriber::docOf(const clang::CXXRecordDecl& type) const {
 }
 
 Followed ComponentDescriber::follow(const clang::CXXRecordDecl& type) {
-    Follower follower(sema_.getASTContext(), places_, remarks_);
     const clang::SourceManager& sources = sema_.getSourceManager();
     const clang::CXXConstructorDecl* constructor = constructorOf(type, sema_);
     Followed made;
@@ -46,9 +46,9 @@ Followed ComponentDescriber::follow(const clang::CXXRecordDecl& type) {
                          "class '" + classNameOf(type) + "' has no constructor that is known, so its interface is not");
         return made;
     }
-    made = follower.follow(*constructor);
+    made = cxx::follow(*constructor, places_, remarks_);
     for (const clang::QualType& use : made.uses) typekit_.addUse(use);
-    for (const clang::FunctionDecl* unseen : follower.unseen()) {
+    for (const clang::FunctionDecl* unseen : made.unseen) {
         const clang::SourceLocation at = sources.getExpansionLoc(unseen->getLocation());
         const auto file = sources.getFileEntryRefForID(sources.getFileID(at));
         if (file) incomplete_.insert(file->getName().str());

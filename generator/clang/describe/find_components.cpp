@@ -7,7 +7,7 @@
 #include <clang/base/parse_files.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
-#include "follow.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 

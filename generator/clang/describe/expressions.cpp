@@ -2,7 +2,8 @@
 // Copyright Oroforge contributors
 #include <cmath>
 
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -71,8 +72,8 @@ Value operated(BinaryOperatorKind kind, const Value& left, const Value& right) {
 
 }  // namespace
 
-Value Follower::eval(const clang::Expr* expression) {
-    if (expression == nullptr || isTooMuch(expression->getBeginLoc())) return {};
+Value Expressions::eval(const clang::Expr* expression) {
+    if (expression == nullptr || stack_.isTooMuch(expression->getBeginLoc())) return {};
     expression = expression->IgnoreParens();
     if (const auto* full = dyn_cast<clang::FullExpr>(expression)) return eval(full->getSubExpr());
     if (const auto* bound = dyn_cast<clang::CXXBindTemporaryExpr>(expression)) return eval(bound->getSubExpr());
@@ -86,26 +87,50 @@ Value Follower::eval(const clang::Expr* expression) {
         const clang::QualType type = temporary->getType();
         const bool isObject = (type->isRecordType() && !isPointerLike(type)) || type->isArrayType();
         if (isObject && value.is(Kind::Place)) return value;
-        const Place place = fresh("temporary");
-        memory_[place] = value;
+        const Place place = memory_.fresh("temporary");
+        memory_.set(place, value);
         return Value::ofPlace(place);
     }
     return evalPlain(expression);
 }
 
-Value Follower::evalPlain(const clang::Expr* expression) {
+Value Expressions::content(const clang::Expr* expression) {
+    const Value value = eval(expression);
+    return expression->isGLValue() || expression->getType()->isRecordType() ? memory_.load(value) : value;
+}
+
+Value Expressions::pointed(const clang::Expr* expression) {
+    const Value value = eval(expression);
+    return expression->isGLValue() ? memory_.load(value) : value;
+}
+
+std::optional<std::string> Expressions::textOf(const clang::Expr* expression) {
+    if (expression == nullptr) return std::nullopt;
+    const Value value = memory_.load(eval(expression));
+    return value.is(Kind::Text) ? std::optional(value.text) : std::nullopt;
+}
+
+std::optional<bool> Expressions::truth(const clang::Expr* condition) {
+    const Value value = content(condition);
+    if (value.is(Kind::Real)) return value.real != 0;
+    if (value.is(Kind::Number) || value.is(Kind::Boolean)) return value.number != 0;
+    if (value.is(Kind::Null)) return false;
+    return std::nullopt;
+}
+
+Value Expressions::evalPlain(const clang::Expr* expression) {
     if (const auto* one = dyn_cast<clang::CXXConstructExpr>(expression)) {
-        const Place place = fresh("temporary");
-        construct(place, one->getType(), *one);
+        const Place place = memory_.fresh("temporary");
+        objects_.construct(place, one->getType(), *one);
         // Strings and smart pointers are values; other objects are places.
         const bool isValue = isStdString(one->getType()) || isPointerLike(one->getType());
-        return isValue ? load(Value::ofPlace(place)) : Value::ofPlace(place);
+        return isValue ? memory_.load(Value::ofPlace(place)) : Value::ofPlace(place);
     }
     if (const auto* list = dyn_cast<clang::InitListExpr>(expression)) {
         if (!list->getType()->isRecordType() && !list->getType()->isArrayType())
             return list->getNumInits() == 1 ? eval(list->getInit(0)) : Value::ofNumber(0);
-        const Place place = fresh("temporary");
-        initialise(place, list->getType(), list);
+        const Place place = memory_.fresh("temporary");
+        objects_.initialise(place, list->getType(), list);
         return Value::ofPlace(place);
     }
     if (const auto* one = dyn_cast<clang::CastExpr>(expression)) return cast(*one);
@@ -113,21 +138,22 @@ Value Follower::evalPlain(const clang::Expr* expression) {
         return one->isOrdinary() || one->isUTF8() ? Value::ofText(one->getString().str()) : Value();
     if (const auto* one = dyn_cast<clang::DeclRefExpr>(expression)) return declared(*one);
     if (const auto* one = dyn_cast<clang::MemberExpr>(expression)) return member(*one);
-    if (llvm::isa<clang::CXXThisExpr>(expression)) return Value::ofPlace(frames_.back().self);
+    if (llvm::isa<clang::CXXThisExpr>(expression)) return Value::ofPlace(stack_.top().self);
     if (llvm::isa<clang::CXXNullPtrLiteralExpr>(expression)) return Value::null();
     if (const auto* one = dyn_cast<clang::UnaryOperator>(expression)) return unary(*one);
     if (const auto* one = dyn_cast<clang::BinaryOperator>(expression)) return binary(*one);
     if (const auto* one = dyn_cast<clang::ConditionalOperator>(expression)) return conditional(*one);
-    if (const auto* one = dyn_cast<clang::CallExpr>(expression)) return call(*one);
+    if (const auto* one = dyn_cast<clang::CallExpr>(expression)) return calls_.call(*one);
     if (const auto* one = dyn_cast<clang::LambdaExpr>(expression)) {
         Value value = Value::ofText("", Kind::Function);
         value.function = one->getCallOperator();
-        lambdas_.emplace_back(value.function, frames_.back().self);
+        lambdas_.emplace_back(value.function, stack_.top().self);
         return value;
     }
     if (const auto* one = dyn_cast<clang::CXXNewExpr>(expression)) {
-        const Place place = fresh("new");
-        if (one->getInitializer() != nullptr) initialise(place, one->getAllocatedType(), one->getInitializer());
+        const Place place = memory_.fresh("new");
+        if (one->getInitializer() != nullptr)
+            objects_.initialise(place, one->getAllocatedType(), one->getInitializer());
         return Value::ofPlace(place);
     }
     if (const auto* one = dyn_cast<clang::ArraySubscriptExpr>(expression)) {
@@ -139,7 +165,7 @@ Value Follower::evalPlain(const clang::Expr* expression) {
 }
 
 /// What the compiler itself can compute; else only what the parts do is followed.
-Value Follower::folded(const clang::Expr* expression) {
+Value Expressions::folded(const clang::Expr* expression) {
     if (expression->isValueDependent()) return {};
     clang::Expr::EvalResult result;
     const clang::QualType type = expression->getType();
@@ -164,7 +190,7 @@ Value Follower::folded(const clang::Expr* expression) {
     return {};
 }
 
-Value Follower::converted(Value value, clang::QualType type) const {
+Value Expressions::converted(Value value, clang::QualType type) const {
     if (!isNumeric(value)) return value;
     if (type->isBooleanType()) return Value::ofBoolean(value.is(Kind::Real) ? value.real != 0 : value.number != 0);
     if (type->isFloatingType()) {
@@ -185,10 +211,10 @@ Value Follower::converted(Value value, clang::QualType type) const {
     return result;
 }
 
-Value Follower::cast(const clang::CastExpr& expression) {
+Value Expressions::cast(const clang::CastExpr& expression) {
     Value value = eval(expression.getSubExpr());
     switch (expression.getCastKind()) {
-        case clang::CK_LValueToRValue: return value.is(Kind::Place) ? load(value) : value;
+        case clang::CK_LValueToRValue: return value.is(Kind::Place) ? memory_.load(value) : value;
         case clang::CK_IntegralCast:
         case clang::CK_FloatingCast:
         case clang::CK_IntegralToFloating:
@@ -207,7 +233,7 @@ Value Follower::cast(const clang::CastExpr& expression) {
     }
 }
 
-Value Follower::declared(const clang::DeclRefExpr& expression) {
+Value Expressions::declared(const clang::DeclRefExpr& expression) {
     const clang::ValueDecl* what = expression.getDecl();
     if (const auto* function = dyn_cast<clang::FunctionDecl>(what)) {
         Value value = Value::ofText("", Kind::Function);
@@ -228,11 +254,7 @@ Value Follower::declared(const clang::DeclRefExpr& expression) {
         if (const clang::VarDecl* holder = binding->getHoldingVar()) return eval(holder->getInit());
         return binding->getBinding() != nullptr ? eval(binding->getBinding()) : Value();
     }
-    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-        const auto local = frame->locals.find(what);
-        if (local != frame->locals.end()) return Value::ofPlace(local->second);
-        if (!frame->lambda) break;
-    }
+    if (const auto local = stack_.find(*what)) return Value::ofPlace(*local);
     const auto* variable = dyn_cast<clang::VarDecl>(what);
     if (variable == nullptr) return {};
     // The only constant of RTT without a value in its headers; it stands for "none given".
@@ -243,15 +265,15 @@ Value Follower::declared(const clang::DeclRefExpr& expression) {
     const bool constant = variable->getType().isConstQualified() || variable->isConstexpr();
     const bool array =
         variable->getType()->isArrayType() && context_.getBaseElementType(variable->getType()).isConstQualified();
-    if (init != nullptr && (constant || array) && memory_.count(place + "#made") == 0) {
-        memory_[place + "#made"] = Value::ofBoolean(true);
+    if (init != nullptr && (constant || array) && memory_.find(place + "#made") == nullptr) {
+        memory_.set(place + "#made", Value::ofBoolean(true));
         if (variable->getType()->isReferenceType()) return eval(init);
-        initialise(place, variable->getType(), init);
+        objects_.initialise(place, variable->getType(), init);
     }
     return Value::ofPlace(place);
 }
 
-Value Follower::member(const clang::MemberExpr& expression) {
+Value Expressions::member(const clang::MemberExpr& expression) {
     const auto* field = dyn_cast<clang::FieldDecl>(expression.getMemberDecl());
     if (field == nullptr) {
         const auto* variable = dyn_cast<clang::VarDecl>(expression.getMemberDecl());
@@ -259,7 +281,7 @@ Value Follower::member(const clang::MemberExpr& expression) {
         if (variable == nullptr || !variable->getType().isConstQualified()) return {};
         const clang::Expr* init = variable->getAnyInitializer();
         const Place place = "global " + std::to_string(variable->getCanonicalDecl()->getID());
-        if (init != nullptr && memory_.count(place) == 0) initialise(place, variable->getType(), init);
+        if (init != nullptr && memory_.find(place) == nullptr) objects_.initialise(place, variable->getType(), init);
         return Value::ofPlace(place);
     }
     const Value base = eval(expression.getBase());
@@ -267,10 +289,10 @@ Value Follower::member(const clang::MemberExpr& expression) {
     // A nameless struct or union in a class is no part of the place: its fields are the class's.
     if (field->isAnonymousStructOrUnion()) return base;
     const Place place = base.text + "." + field->getNameAsString();
-    return field->getType()->isReferenceType() ? load(Value::ofPlace(place)) : Value::ofPlace(place);
+    return field->getType()->isReferenceType() ? memory_.load(Value::ofPlace(place)) : Value::ofPlace(place);
 }
 
-Value Follower::unary(const clang::UnaryOperator& expression) {
+Value Expressions::unary(const clang::UnaryOperator& expression) {
     const Value value = eval(expression.getSubExpr());
     const clang::QualType type = expression.getType();
     switch (expression.getOpcode()) {
@@ -291,38 +313,39 @@ Value Follower::unary(const clang::UnaryOperator& expression) {
         case clang::UO_PreDec:
         case clang::UO_PostDec: {
             if (!value.is(Kind::Place)) return {};
-            const Value before = load(value);
+            const Value before = memory_.load(value);
             const auto kind = expression.isIncrementOp() ? clang::BO_Add : clang::BO_Sub;
-            assign(value.text, converted(operated(kind, before, Value::ofNumber(1)), type));
+            memory_.assign(value.text, converted(operated(kind, before, Value::ofNumber(1)), type));
             return expression.isPrefix() ? value : before;
         }
         default: return {};
     }
 }
 
-Value Follower::binary(const clang::BinaryOperator& expression) {
+Value Expressions::binary(const clang::BinaryOperator& expression) {
     const auto kind = expression.getOpcode();
     if (expression.isLogicalOp()) {
         const auto left = truth(expression.getLHS());
         const bool decides = kind == clang::BO_LAnd ? left == false : left == true;
         if (decides) return Value::ofBoolean(*left);
-        if (!left) undecided_.push_back("behind a condition that is not constant");
+        if (!left) findings_.doubt("behind a condition that is not constant");
         const auto right = truth(expression.getRHS());
-        if (!left) undecided_.pop_back();
+        if (!left) findings_.settle();
         const bool decided = kind == clang::BO_LAnd ? right == false : right == true;
         return right && (left || decided) ? Value::ofBoolean(*right) : Value();
     }
     if (kind == clang::BO_Assign) {
         const Value value = eval(expression.getRHS()), target = eval(expression.getLHS());
-        if (target.is(Kind::Place)) assign(target.text, converted(value, expression.getType()));
+        if (target.is(Kind::Place)) memory_.assign(target.text, converted(value, expression.getType()));
         return target;
     }
     if (const auto* compound = dyn_cast<clang::CompoundAssignOperator>(&expression)) {
         const Value value = eval(expression.getRHS()), target = eval(expression.getLHS());
         if (!target.is(Kind::Place)) return {};
-        const Value before = converted(load(target), compound->getComputationLHSType());
-        assign(target.text, converted(operated(clang::BinaryOperator::getOpForCompoundAssignment(kind), before, value),
-                                      expression.getType()));
+        const Value before = converted(memory_.load(target), compound->getComputationLHSType());
+        memory_.assign(target.text,
+                       converted(operated(clang::BinaryOperator::getOpForCompoundAssignment(kind), before, value),
+                                 expression.getType()));
         return target;
     }
     const Value left = eval(expression.getLHS()), right = eval(expression.getRHS());
@@ -331,13 +354,13 @@ Value Follower::binary(const clang::BinaryOperator& expression) {
     return expression.isComparisonOp() ? result : converted(result, expression.getType());
 }
 
-Value Follower::conditional(const clang::ConditionalOperator& expression) {
+Value Expressions::conditional(const clang::ConditionalOperator& expression) {
     const auto decided = truth(expression.getCond());
     if (decided) return eval(*decided ? expression.getTrueExpr() : expression.getFalseExpr());
-    undecided_.push_back("behind a condition that is not constant");
+    findings_.doubt("behind a condition that is not constant");
     eval(expression.getTrueExpr());
     eval(expression.getFalseExpr());
-    undecided_.pop_back();
+    findings_.settle();
     return {};
 }
 

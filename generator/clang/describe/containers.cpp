@@ -5,7 +5,8 @@
 #include <clang/base/type_names.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -44,59 +45,42 @@ bool isIterator(clang::QualType type) {
 
 }  // namespace
 
-bool isSequence(clang::QualType type) {
-    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-    return record != nullptr &&
-           (isStandard(*record, "vector") || isStandard(*record, "deque") || isStandard(*record, "list"));
-}
-
-std::optional<long long> Follower::sizeOf(const Place& container) const {
-    const auto found = memory_.find(container + "#size");
-    if (found == memory_.end() || !found->second.is(Kind::Number)) return std::nullopt;
-    return found->second.number;
-}
-
-Value Follower::pointed(const clang::Expr* expression) {
-    const Value value = eval(expression);
-    return expression->isGLValue() ? load(value) : value;
-}
-
 /// Made of nothing, or of a number of elements that are alike; lists in braces are copied.
-void Follower::constructContainer(const Place& at, const Values& arguments) {
+void Containers::construct(const Place& at, const Values& arguments) {
     const bool isEmpty = arguments.empty() || arguments[0].is(Kind::Null);
-    const Value size = isEmpty ? Value::ofNumber(0) : load(arguments[0]);
+    const Value size = isEmpty ? Value::ofNumber(0) : memory_.load(arguments[0]);
     if (!size.is(Kind::Number) || size.number < 0 || size.number > kMostElements) return;
-    memory_[at + "#size"] = size;
+    memory_.set(at + "#size", size);
     if (isEmpty || arguments.size() < 2 || arguments[1].is(Kind::Null)) return;
-    for (long long i = 0; i != size.number; ++i) store(partOf(at, i), arguments[1]);
+    for (long long i = 0; i != size.number; ++i) memory_.store(partOf(at, i), arguments[1]);
 }
 
-void Follower::append(const clang::CXXMemberCallExpr& expression, const Place& to, bool constructs) {
+void Containers::append(const clang::CXXMemberCallExpr& expression, const Place& to, bool constructs) {
     const clang::QualType container = expression.getObjectType();
     const clang::QualType type = firstArgument(container);
-    const Values arguments = argumentsOf(expression, 0);
-    const auto size = sizeOf(to);
-    if (!size || *size >= kMostElements || !undecided_.empty() || type.isNull()) return forget(to);
+    const Values arguments = calls_.argumentsOf(expression);
+    const auto size = memory_.sizeOf(to);
+    if (!size || *size >= kMostElements || !findings_.isCertain() || type.isNull()) return memory_.forget(to);
     const Place at = partOf(to, *size);
     const bool isObject = type->isRecordType() && !isPointerLike(type) && !isStdString(type);
     if (isObject && constructs) {
-        makeAt(at, type, arguments, expression.getExprLoc());
+        objects_.makeAt(at, type, arguments, expression.getExprLoc());
     } else if (arguments.size() == 1) {
-        if (const Element* known = arguments[0].is(Kind::Place) ? elementAt(arguments[0].text) : nullptr)
-            elements_[at] = *known;
+        if (const Element* known = arguments[0].is(Kind::Place) ? registry_.elementAt(arguments[0].text) : nullptr)
+            registry_.elements[at] = *known;
         memory_.erase(at);  // of an element that was there before
-        store(at, arguments[0]);
+        memory_.store(at, arguments[0]);
     }
-    noteChange(at);
-    memory_[to + "#size"] = Value::ofNumber(*size + 1);
+    memory_.noteChange(at);
+    memory_.set(to + "#size", Value::ofNumber(*size + 1));
 }
 
-std::optional<Value> Follower::containerCall(const clang::CXXMemberCallExpr& expression, const std::string& name,
-                                             const Value& object) {
+std::optional<Value> Containers::call(const clang::CXXMemberCallExpr& expression, const std::string& name,
+                                      const Value& object) {
     const clang::QualType type = expression.getObjectType();
     if (!isSequence(type) || !object.is(Kind::Place)) return std::nullopt;
     const Place& at = object.text;
-    const auto size = sizeOf(at);
+    const auto size = memory_.sizeOf(at);
     const unsigned count = expression.getNumArgs();
     if (name == "push_back" || name == "emplace_back") {
         append(expression, at, name == "emplace_back");
@@ -104,15 +88,15 @@ std::optional<Value> Follower::containerCall(const clang::CXXMemberCallExpr& exp
     }
     if (name == "reserve" || name == "shrink_to_fit") return Value();
     if ((name == "resize" && count == 1) || name == "clear") {
-        const Value wanted = name == "clear" ? Value::ofNumber(0) : content(expression.getArg(0));
-        const bool known = undecided_.empty() && wanted.is(Kind::Number) && wanted.number <= kMostElements;
-        if (!known || !size || wanted.number < *size) forget(at);
-        noteChange(partOf(at, 0));
-        if (known) memory_[at + "#size"] = wanted;
+        const Value wanted = name == "clear" ? Value::ofNumber(0) : values_.content(expression.getArg(0));
+        const bool known = findings_.isCertain() && wanted.is(Kind::Number) && wanted.number <= kMostElements;
+        if (!known || !size || wanted.number < *size) memory_.forget(at);
+        memory_.noteChange(partOf(at, 0));
+        if (known) memory_.set(at + "#size", wanted);
         return Value();
     }
     if (name == "at" && count == 1) {
-        const Value index = content(expression.getArg(0));
+        const Value index = values_.content(expression.getArg(0));
         return index.is(Kind::Number) ? Value::ofPlace(partOf(at, index.number)) : Value();
     }
     if (name == "begin" || name == "cbegin" || (name == "front" && size)) return Value::ofPlace(partOf(at, 0));
@@ -124,42 +108,44 @@ std::optional<Value> Follower::containerCall(const clang::CXXMemberCallExpr& exp
     return std::nullopt;
 }
 
-std::optional<Value> Follower::iteratorOperator(const clang::CXXOperatorCallExpr& expression) {
+std::optional<Value> Containers::operate(const clang::CXXOperatorCallExpr& expression) {
     const auto kind = expression.getOperator();
     const clang::Expr* first = expression.getArg(0);
     if (!isIterator(first->getType())) return std::nullopt;
     if (kind == clang::OO_PlusPlus || kind == clang::OO_MinusMinus) {
-        const Value target = eval(first), before = load(target);
-        if (target.is(Kind::Place)) assign(target.text, moved(before, kind == clang::OO_PlusPlus ? 1 : -1));
+        const Value target = values_.eval(first), before = memory_.load(target);
+        if (target.is(Kind::Place)) memory_.assign(target.text, moved(before, kind == clang::OO_PlusPlus ? 1 : -1));
         return expression.getNumArgs() == 1 ? target : before;
     }
     if (expression.getNumArgs() != 2) return std::nullopt;
     const clang::Expr* second = expression.getArg(1);
     if (kind == clang::OO_EqualEqual || kind == clang::OO_ExclaimEqual) {
-        const auto a = positionOf(pointed(first)), b = positionOf(pointed(second));
+        const auto a = positionOf(values_.pointed(first)), b = positionOf(values_.pointed(second));
         if (!a || !b || a->container != b->container) return Value();
         return Value::ofBoolean((a->index == b->index) == (kind == clang::OO_EqualEqual));
     }
     if (kind == clang::OO_Plus && second->getType()->isIntegerType()) {
-        const Value by = content(second);
-        return by.is(Kind::Number) ? moved(pointed(first), by.number) : Value();
+        const Value by = values_.content(second);
+        return by.is(Kind::Number) ? moved(values_.pointed(first), by.number) : Value();
     }
     return std::nullopt;
 }
 
-Value Follower::endOf(const clang::CallExpr& expression, const std::string& name) {
-    const Value whole = eval(expression.getArg(0));
+Value Containers::endOf(const clang::CallExpr& expression, const std::string& name) {
+    const Value whole = values_.eval(expression.getArg(0));
     if (!whole.is(Kind::Place)) return {};
     if (name == "begin" || name == "cbegin") return Value::ofPlace(partOf(whole.text, 0));
     const auto* array = context_.getAsConstantArrayType(expression.getArg(0)->getType());
-    const auto size = array != nullptr ? std::optional<long long>(array->getSize().getSExtValue()) : sizeOf(whole.text);
+    const auto size =
+        array != nullptr ? std::optional<long long>(array->getSize().getSExtValue()) : memory_.sizeOf(whole.text);
     return size ? Value::ofPlace(partOf(whole.text, *size)) : Value();
 }
 
 /// std::for_each()
-Value Follower::eachOf(const clang::CallExpr& expression) {
-    const auto from = positionOf(pointed(expression.getArg(0))), to = positionOf(pointed(expression.getArg(1)));
-    const Value function = load(eval(expression.getArg(2)));
+Value Containers::eachOf(const clang::CallExpr& expression) {
+    const auto from = positionOf(values_.pointed(expression.getArg(0))),
+               to = positionOf(values_.pointed(expression.getArg(1)));
+    const Value function = memory_.load(values_.eval(expression.getArg(2)));
     if (!from || !to || from->container != to->container || to->index - from->index > kMostElements ||
         !function.is(Kind::Function) || function.function == nullptr)
         return {};
@@ -170,8 +156,8 @@ Value Follower::eachOf(const clang::CallExpr& expression) {
         const bool isLocal = definition->getNumParams() == 1 &&
                              !definition->getParamDecl(0)->getType()->isReferenceType() &&
                              !definition->getParamDecl(0)->getType()->isRecordType();
-        const Value argument = isLocal ? load(Value::ofPlace(element)) : Value::ofPlace(element);
-        invoke(*definition, {argument}, frames_.back().self, /*lambda=*/true);
+        const Value argument = isLocal ? memory_.load(Value::ofPlace(element)) : Value::ofPlace(element);
+        calls_.invoke(*definition, {argument}, stack_.top().self, /*lambda=*/true);
     }
     return {};
 }

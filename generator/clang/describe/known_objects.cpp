@@ -5,7 +5,9 @@
 #include <clang/base/type_names.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "interface_calls.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -14,15 +16,11 @@ namespace {
 using llvm::dyn_cast;
 using Kind = Value::Kind;
 
+constexpr std::array kTypes = {"data", "buffer", "circular_buffer"};
+constexpr std::array kLocks = {"unsync", "locked", "lock_free"};
+
 bool endsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-/// As the text of a manifest. A float has fewer digits than the double it is computed with.
-model::Number numberOf(double value, const diag::Location& where) {
-    std::array<char, 64> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {std::string(text.data(), end.ptr), value, where};
 }
 
 std::optional<ElementKind> kindOf(const std::string& name) {
@@ -36,31 +34,15 @@ std::optional<ElementKind> kindOf(const std::string& name) {
 
 }  // namespace
 
-std::string toolchainName(const clang::CXXRecordDecl& record) {
-    const clang::NamespaceDecl* outermost = nullptr;
-    for (const clang::DeclContext* scope = record.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
-        if (const auto* space = dyn_cast<clang::NamespaceDecl>(scope)) outermost = space;
-    }
-    return outermost != nullptr && outermost->getName() == "RTT" ? record.getNameAsString() : std::string();
+/// As the text of a manifest. A float has fewer digits than the double it is computed with.
+model::Number numberOf(double value, const diag::Location& where) {
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {std::string(text.data(), end.ptr), value, where};
 }
 
-bool isPointerLike(clang::QualType type) {
-    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-    if (record == nullptr) return false;
-    const llvm::StringRef name = record->getName();
-    return name == "shared_ptr" || name == "unique_ptr" || name == "intrusive_ptr" || name == "scoped_ptr" ||
-           name == "__shared_ptr_access" || name == "__shared_ptr" ||
-           ((isStandard(*record) || outermostNamespace(*record) == "__gnu_cxx") && name.starts_with("_") &&
-            name.ends_with("iterator"));
-}
-
-bool isStdString(clang::QualType type) {
-    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-    return record != nullptr && isStandard(*record, "basic_string");
-}
-
-bool Follower::constructKnown(const Place& at, clang::QualType type, const clang::CXXConstructorDecl* constructor,
-                              const Values& arguments, clang::SourceLocation where) {
+bool KnownObjects::construct(const Place& at, clang::QualType type, const clang::CXXConstructorDecl* constructor,
+                             const Values& arguments, clang::SourceLocation where) {
     const auto* record = type->getAsCXXRecordDecl();
     const std::string name = record == nullptr ? "" : toolchainName(*record);
     if (name.empty()) return false;
@@ -73,26 +55,28 @@ bool Follower::constructKnown(const Place& at, clang::QualType type, const clang
     } else if (name == "ConnPolicy") {
         Value policy = Value::ofText("", Kind::Policy);
         policy.policy.type = "data";
-        const auto number = [&](std::size_t i) { return i < arguments.size() ? load(arguments[i]) : Value::null(); };
-        static const std::array types = {"data", "buffer", "circular_buffer"};
-        static const std::array locks = {"unsync", "locked", "lock_free"};
+        const auto number = [&](std::size_t i) {
+            return i < arguments.size() ? memory_.load(arguments[i]) : Value::null();
+        };
         const Value kind = number(0), lock = number(1);
         if (kind.is(Kind::Number) && kind.number >= 0 && kind.number < 3)
-            policy.policy.type = types.at(static_cast<std::size_t>(kind.number));
+            policy.policy.type = kTypes.at(static_cast<std::size_t>(kind.number));
         if (lock.is(Kind::Number) && lock.number >= 0 && lock.number < 3)
-            policy.policy.lock = locks.at(static_cast<std::size_t>(lock.number));
-        policy.policy.where = locate(where);
-        memory_[at] = policy;
+            policy.policy.lock = kLocks.at(static_cast<std::size_t>(lock.number));
+        policy.policy.where = findings_.locate(where);
+        memory_.set(at, policy);
     }
     return true;
 }
 
-void Follower::constructElement(const Place& at, const std::string& name, clang::QualType type, const Values& arguments,
-                                clang::SourceLocation where) {
-    const auto argument = [&](std::size_t i) { return i < arguments.size() ? load(arguments[i]) : Value::null(); };
+void KnownObjects::constructElement(const Place& at, const std::string& name, clang::QualType type,
+                                    const Values& arguments, clang::SourceLocation where) {
+    const auto argument = [&](std::size_t i) {
+        return i < arguments.size() ? memory_.load(arguments[i]) : Value::null();
+    };
     Element element;
     element.kind = *kindOf(name);
-    element.where = locate(where);
+    element.where = findings_.locate(where);
     const clang::QualType of = firstArgument(type);
     if (of.isNull()) return;
     if (argument(0).is(Kind::Text)) element.name = argument(0).text;
@@ -102,7 +86,7 @@ void Follower::constructElement(const Place& at, const std::string& name, clang:
         for (std::size_t i = 1; i < arguments.size(); ++i) {
             if (endsWith(argument(i).text, "OwnThread")) element.own = true;
         }
-        elements_[at] = std::move(element);
+        registry_.elements[at] = std::move(element);
         return;
     }
     element.type = cppTypeText(of.getUnqualifiedType(), context_);
@@ -115,7 +99,7 @@ void Follower::constructElement(const Place& at, const std::string& name, clang:
         const model::Policy policy = policyAt(arguments[1], known);
         if (known) element.policy = policy;
         if (!known && !arguments[1].is(Kind::Null))
-            remark(where, "OC025", "the connection policy of this port is not constant");
+            findings_.remark(where, "OC025", "the connection policy of this port is not constant");
     }
     const std::size_t valueAt = name == "Property" ? 2 : 1;
     if (element.kind == ElementKind::Property && argument(1).is(Kind::Text)) element.doc = argument(1).text;
@@ -123,42 +107,37 @@ void Follower::constructElement(const Place& at, const std::string& name, clang:
         element.value = at + "#value";
         if (valueAt < arguments.size() && !arguments[valueAt].is(Kind::Null)) {
             const Value& value = arguments[valueAt];
-            if (value.is(Kind::Place)) copyObject(value.text, element.value);
-            if (memory_.count(element.value) == 0 && !load(value).is(Kind::Unknown))
-                memory_[element.value] = converted(load(value), of);
+            if (value.is(Kind::Place)) memory_.copy(value.text, element.value);
+            if (memory_.find(element.value) == nullptr && !memory_.load(value).is(Kind::Unknown))
+                memory_.set(element.value, values_.converted(memory_.load(value), of));
         }
     }
-    elements_[at] = std::move(element);
+    registry_.elements[at] = std::move(element);
 }
 
-void Follower::constructScope(const Place& at, const std::string& name, const Values& arguments,
-                              clang::SourceLocation where) {
-    const Value text = arguments.empty() ? Value() : load(arguments[0]);
+void KnownObjects::constructScope(const Place& at, const std::string& name, const Values& arguments,
+                                  clang::SourceLocation where) {
+    const Value text = arguments.empty() ? Value() : memory_.load(arguments[0]);
+    const std::string named = text.is(Kind::Text) ? text.text : "";
     if (name == "ServiceRequester") {
-        allRequesters_.push_back(std::make_unique<Requester>());
-        allRequesters_.back()->name = text.is(Kind::Text) ? text.text : "";
-        allRequesters_.back()->where = locate(where);
-        requesters_[at] = allRequesters_.back().get();
+        registry_.requesters[at] = &registry_.makeRequester(named, findings_.locate(where));
         return;
     }
-    allScopes_.push_back(std::make_unique<Scope>());
-    Scope& scope = *allScopes_.back();
-    scope.name = text.is(Kind::Text) ? text.text : "";
-    scope.where = locate(where);
-    scopes_[at] = &scope;
+    registry_.scopes[at] = &registry_.makeScope(named, findings_.locate(where));
     if (name != "TaskContext" || at != kRoot || arguments.size() < 2) return;
-    const Value initial = load(arguments[1]);
+    const Value initial = memory_.load(arguments[1]);
     if (endsWith(initial.text, "PreOperational")) {
-        initial_ = model::InitialState::PreOperational;
+        registry_.initial = model::InitialState::PreOperational;
     } else if (!endsWith(initial.text, "Stopped") && !initial.is(Kind::Null)) {
-        remark(where, "OC025", "the initial state of the component is not constant");
+        findings_.remark(where, "OC025", "the initial state of the component is not constant");
     }
 }
 
-void Follower::constructActivity(const Place& at, const std::string& name, const clang::CXXConstructorDecl* constructor,
-                                 const Values& arguments, clang::SourceLocation where) {
+void KnownObjects::constructActivity(const Place& at, const std::string& name,
+                                     const clang::CXXConstructorDecl* constructor, const Values& arguments,
+                                     clang::SourceLocation where) {
     model::Activity activity;
-    activity.where = locate(where);
+    activity.where = findings_.locate(where);
     if (name == "SequentialActivity") activity.kind = model::ActivityKind::Sequential;
     if (name == "SlaveActivity") activity.kind = model::ActivityKind::Slave;
     const bool known =
@@ -167,14 +146,14 @@ void Follower::constructActivity(const Place& at, const std::string& name, const
     bool hasPriority = false;
     for (unsigned i = 0; i < constructor->getNumParams() && i < arguments.size(); ++i) {
         const llvm::StringRef parameter = constructor->getParamDecl(i)->getName();
-        const Value value = load(arguments[i]);
+        const Value value = memory_.load(arguments[i]);
         const bool isNumber = value.is(Kind::Number) || value.is(Kind::Real);
         const double number = value.is(Kind::Real) ? value.real : static_cast<double>(value.number);
         if (parameter == "master") return;
         if (parameter != "scheduler" && parameter != "priority" && parameter != "period") continue;
         if (value.is(Kind::Null)) continue;
         if (!isNumber) {
-            remark(where, "OC025", "the " + parameter.str() + " of this activity is not constant");
+            findings_.remark(where, "OC025", "the " + parameter.str() + " of this activity is not constant");
         } else if (parameter == "scheduler") {
             activity.scheduler = {number == 0 ? "ORO_SCHED_OTHER" : "ORO_SCHED_RT", activity.where};
         } else if (parameter == "priority") {
@@ -187,20 +166,36 @@ void Follower::constructActivity(const Place& at, const std::string& name, const
     }
     // Who gives a priority without a scheduler gets the real-time one.
     if (hasPriority && !activity.scheduler.given()) activity.scheduler = {"ORO_SCHED_RT", activity.where};
-    activities_[at] = activity;
+    registry_.activities[at] = activity;
 }
 
-model::Policy Follower::policyAt(const Value& value, bool& known) const {
-    const Value whole = load(value);
+void KnownObjects::describeFunction(Element& element, const clang::FunctionDecl* function,
+                                    clang::QualType signature) const {
+    const auto* type = signature.isNull() ? nullptr : signature->getAs<clang::FunctionProtoType>();
+    if (type == nullptr) return;
+    // The declaration says it in the user's words; what is bound may have other arguments than the function.
+    const bool same = function != nullptr && function->getNumParams() == type->getNumParams();
+    const clang::QualType result = same ? function->getReturnType() : type->getReturnType();
+    const bool isDeduced = result->getContainedAutoType() != nullptr;
+    element.result = cppTypeText(isDeduced ? type->getReturnType() : result, context_);
+    element.arguments.clear();
+    element.uses = {type->getReturnType()};
+    element.uses.insert(element.uses.end(), type->param_type_begin(), type->param_type_end());
+    for (unsigned i = 0; i != type->getNumParams(); ++i) {
+        model::Argument argument;
+        argument.name.value = "arg" + std::to_string(i + 1);
+        argument.type.value = cppTypeText(
+            same ? function->getParamDecl(i)->getType().getUnqualifiedType() : type->getParamType(i), context_);
+        element.arguments.push_back(argument);
+    }
+}
+
+model::Policy KnownObjects::policyAt(const Value& value, bool& known) const {
+    const Value whole = memory_.load(value);
     known = known && whole.is(Kind::Policy);
     model::Policy policy = whole.policy;
     if (!value.is(Kind::Place)) return policy;
-    const auto part = [&](const char* field) -> const Value* {
-        const auto found = memory_.find(value.text + "." + field);
-        return found == memory_.end() ? nullptr : &found->second;
-    };
-    static const std::array types = {"data", "buffer", "circular_buffer"};
-    static const std::array locks = {"unsync", "locked", "lock_free"};
+    const auto part = [&](const char* field) { return memory_.find(value.text + "." + field); };
     for (const auto& [field, number] : {std::pair("type", part("type")), std::pair("size", part("size")),
                                         std::pair("lock_policy", part("lock_policy")), std::pair("init", part("init")),
                                         std::pair("pull", part("pull"))}) {
@@ -208,8 +203,8 @@ model::Policy Follower::policyAt(const Value& value, bool& known) const {
         if (!number->is(Kind::Number) && !number->is(Kind::Boolean)) known = false;
         const auto index = static_cast<std::size_t>(number->number);
         const std::string name = field;
-        if (name == "type" && index < types.size()) policy.type = types.at(index);
-        if (name == "lock_policy" && index < locks.size()) policy.lock = locks.at(index);
+        if (name == "type" && index < kTypes.size()) policy.type = kTypes.at(index);
+        if (name == "lock_policy" && index < kLocks.size()) policy.lock = kLocks.at(index);
         if (name == "size") policy.size = numberOf(static_cast<double>(number->number), policy.where);
         if (name == "init") policy.init = number->number != 0;
         if (name == "pull") policy.pull = number->number != 0;
@@ -218,24 +213,23 @@ model::Policy Follower::policyAt(const Value& value, bool& known) const {
 }
 
 /// ConnPolicy::buffer(10) and the like.
-Value Follower::policyCall(const clang::CallExpr& expression, const std::string& name) {
-    const Values arguments = argumentsOf(expression, 0);
+Value KnownObjects::policyCall(const clang::CallExpr& expression, const std::string& name) {
+    const Values arguments = calls_.argumentsOf(expression);
     Value made = Value::ofText("", Kind::Policy);
     model::Policy& policy = made.policy;
-    policy.where = locate(expression.getBeginLoc());
+    policy.where = findings_.locate(expression.getBeginLoc());
     policy.type = name == "buffer" ? "buffer" : name == "circularBuffer" ? "circular_buffer" : "data";
     std::size_t next = 0;
     bool known = true;
     const auto take = [&] {
-        const Value value = next < arguments.size() ? load(arguments[next]) : Value();
+        const Value value = next < arguments.size() ? memory_.load(arguments[next]) : Value();
         ++next;
         known = known && (value.is(Kind::Number) || value.is(Kind::Boolean));
         return value.number;
     };
     if (policy.type != "data") policy.size = numberOf(static_cast<double>(take()), policy.where);
-    static const std::array locks = {"unsync", "locked", "lock_free"};
     const auto lock = static_cast<std::size_t>(take());
-    if (lock < locks.size()) policy.lock = locks.at(lock);
+    if (lock < kLocks.size()) policy.lock = kLocks.at(lock);
     policy.init = take() != 0;
     policy.pull = take() != 0;
     return known ? made : Value();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include <array>
+
 #include <clang/base/parse_files.hpp>
 #include <clang/base/type_names.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
-#include "follow.hpp"
-
-#include <array>
+#include "evaluator.hpp"
+#include "interface_calls.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -25,130 +27,111 @@ bool isLambda(const clang::FunctionDecl& function) {
     return method != nullptr && method->getParent()->isLambda();
 }
 
-/// In std or boost.
-bool isOfLibrary(const clang::FunctionDecl& function, llvm::StringRef space) {
-    const clang::NamespaceDecl* outermost = nullptr;
-    for (const clang::DeclContext* scope = function.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
-        if (const auto* one = dyn_cast<clang::NamespaceDecl>(scope)) outermost = one;
-    }
-    return outermost != nullptr && outermost->getName() == space;
-}
-
 }  // namespace
 
-const clang::FunctionDecl* Follower::definitionOf(const clang::FunctionDecl& function) const {
-    const clang::FunctionDecl* definition = nullptr;
-    return function.hasBody(definition) && !definition->hasSkippedBody() ? definition : nullptr;
-}
-
-Follower::Values Follower::argumentsOf(const clang::CallExpr& expression, unsigned first) {
+Values Calls::argumentsOf(const clang::CallExpr& expression, unsigned first) {
     Values values;
-    for (unsigned i = first; i < expression.getNumArgs(); ++i) values.push_back(eval(expression.getArg(i)));
+    for (unsigned i = first; i < expression.getNumArgs(); ++i) values.push_back(values_.eval(expression.getArg(i)));
     return values;
 }
 
-void Follower::bind(const clang::FunctionDecl& function, const Values& arguments, Frame& frame) {
+CallStack::Frame Calls::frameOf(const clang::FunctionDecl& function, const Values& arguments, const Place& self) {
+    CallStack::Frame frame;
+    frame.self = self;
     for (unsigned i = 0; i != function.getNumParams(); ++i) {
         const clang::ParmVarDecl* parameter = function.getParamDecl(i);
         const Value value = i < arguments.size() ? arguments[i] : Value();
         const bool isObject = parameter->getType()->isReferenceType() ||
                               (parameter->getType()->isRecordType() && !isPointerLike(parameter->getType()));
-        if (isObject && value.is(Kind::Place)) {
-            frame.locals[parameter] = value.text;
-            continue;
-        }
-        const Place place = fresh("local");
-        frame.locals[parameter] = place;
-        memory_[place] = value;
+        Place& place = frame.locals[parameter];
+        place = isObject && value.is(Kind::Place) ? value.text : memory_.fresh("local");
+        if (!isObject || !value.is(Kind::Place)) memory_.set(place, value);
     }
+    return frame;
 }
 
-Value Follower::invoke(const clang::FunctionDecl& function, const Values& arguments, const Place& self, bool lambda) {
-    if (isTooDeep(function.getLocation())) return {};
+Value Calls::invoke(const clang::FunctionDecl& function, const Values& arguments, const Place& self, bool lambda) {
+    if (stack_.isTooDeep(function.getLocation())) return {};
     invoked_.insert(&function);
-    Frame frame;
-    frame.self = self;
+    CallStack::Frame frame = frameOf(function, arguments, self);
     frame.lambda = lambda;
-    bind(function, arguments, frame);
-    frames_.push_back(std::move(frame));
-    const std::size_t undecided = undecided_.size();
-    run(function.getBody());
-    undecided_.resize(undecided);
-    const Value result = frames_.back().result;
-    frames_.pop_back();
-    return result;
+    stack_.enter(std::move(frame));
+    statements_.run(function.getBody());
+    return stack_.leave();
 }
 
-const clang::CXXMethodDecl& Follower::overriderOf(const clang::CXXMethodDecl& method, const Place& self) const {
-    if (self != kRoot || dynamic_ == nullptr || !method.isVirtual()) return method;
-    const auto* found = method.getCorrespondingMethodInClass(dynamic_, /*MayBeBase=*/true);
-    return found == nullptr ? method : *found;
+bool Calls::isInvoked(const clang::FunctionDecl& function) const {
+    const clang::FunctionTemplateDecl* pattern = function.getDescribedFunctionTemplate();
+    return invoked_.count(&function) != 0 ||
+           (pattern != nullptr && std::any_of(pattern->spec_begin(), pattern->spec_end(),
+                                              [&](const auto* one) { return invoked_.count(one) != 0; }));
 }
 
-Value Follower::callUser(const clang::CallExpr& expression, const clang::FunctionDecl& function, const Place& self,
-                         unsigned firstArgument) {
+Value Calls::callUser(const clang::CallExpr& expression, const clang::FunctionDecl& function, const Place& self,
+                      unsigned firstArgument) {
     const clang::FunctionDecl* definition = definitionOf(function);
     if (definition == nullptr || isLibrary(*definition)) return unknownCall(expression, &function, firstArgument);
     return invoke(*definition, argumentsOf(expression, firstArgument), self, isLambda(*definition));
 }
 
 /// What it changes is not known any more. A function of the user's that gets the component may do anything to it.
-Value Follower::unknownCall(const clang::CallExpr& expression, const clang::FunctionDecl* function,
-                            unsigned firstArgument) {
+Value Calls::unknownCall(const clang::CallExpr& expression, const clang::FunctionDecl* function,
+                         unsigned firstArgument) {
     bool getsComponent = false;
     for (unsigned i = firstArgument; i < expression.getNumArgs(); ++i) {
         const clang::Expr* argument = expression.getArg(i);
-        const Value value = eval(argument);
+        const Value value = values_.eval(argument);
         if (!value.is(Kind::Place)) continue;
-        if (scopes_.count(value.text) != 0) {
+        if (registry_.scopes.count(value.text) != 0) {
             getsComponent = true;
             continue;
         }
         const clang::QualType type = argument->getType();
         const bool changes = type->isPointerType() ? !type->getPointeeType().isConstQualified()
                                                    : argument->isGLValue() && !type.isConstQualified();
-        const bool isElement = elements_.count(value.text) != 0;
-        if (changes && !isElement) forget(value.text);
+        const bool isElement = registry_.elements.count(value.text) != 0;
+        if (changes && !isElement) memory_.forget(value.text);
     }
     const bool isUsers = function != nullptr && !isLibrary(*function) && function->getBuiltinID() == 0;
     if (getsComponent && isUsers) {
-        unseen_.insert(function);
+        findings_.noteUnseen(*function);
         if (definitionOf(*function) == nullptr) {
-            hasMore_ |= late_.empty();
-            remark(
-                expression.getBeginLoc(), "OC023",
-                "'" + function->getNameAsString() + "' gets the component, and its definition is in none of the files")
-                .note(locate(function->getLocation()), "declared here");
+            findings_.noteMore(!findings_.isLate());
+            findings_
+                .remark(expression.getBeginLoc(), "OC023",
+                        "'" + function->getNameAsString() +
+                            "' gets the component, and its definition is in none of the files")
+                .note(findings_.locate(function->getLocation()), "declared here");
         }
     }
     return {};
 }
 
-Value Follower::call(const clang::CallExpr& expression) {
+Value Calls::call(const clang::CallExpr& expression) {
     if (const auto* one = dyn_cast<clang::CXXOperatorCallExpr>(&expression)) return operatorCall(*one);
     if (const auto* one = dyn_cast<clang::CXXMemberCallExpr>(&expression)) return memberCall(*one);
     const clang::FunctionDecl* function = expression.getDirectCallee();
     if (function == nullptr) {
-        const Value callee = load(eval(expression.getCallee()));
+        const Value callee = memory_.load(values_.eval(expression.getCallee()));
         function = callee.is(Kind::Function) ? callee.function : nullptr;
     }
     if (function == nullptr) return unknownCall(expression, nullptr, 0);
     if (const auto* method = dyn_cast<clang::CXXMethodDecl>(function);
-        method != nullptr && isInterface(*method) && method->isStatic())
-        return interfaceCall(expression, *method, "");
+        method != nullptr && method->isStatic() && !toolchainName(*method->getParent()).empty())
+        return interface_.call(expression, *method, {});
     if (const auto value = standardCall(expression, *function)) return *value;
-    return callUser(expression, *function, frames_.back().self);
+    return callUser(expression, *function, stack_.top().self);
 }
 
-std::optional<Value> Follower::standardCall(const clang::CallExpr& expression, const clang::FunctionDecl& function) {
-    const bool standard = isOfLibrary(function, "std"), boosted = isOfLibrary(function, "boost");
+std::optional<Value> Calls::standardCall(const clang::CallExpr& expression, const clang::FunctionDecl& function) {
+    const bool standard = isStandard(function), boosted = outermostNamespace(function) == "boost";
     if (!standard && !boosted) return std::nullopt;
     const std::string name = function.getNameAsString();
     static const std::array made = {"make_unique", "make_shared", "make_intrusive"};
     if (isOneOf(name, made))
-        return make(firstArgument(expression.getType()), argumentsOf(expression, 0), expression.getBeginLoc());
+        return objects_.make(firstArgument(expression.getType()), argumentsOf(expression), expression.getBeginLoc());
     if (name == "get" && expression.getNumArgs() == 1) {
-        const Value pair = eval(expression.getArg(0));
+        const Value pair = values_.eval(expression.getArg(0));
         const auto* arguments = function.getTemplateSpecializationArgs();
         const auto* record = expression.getArg(0)->getType()->getAsCXXRecordDecl();
         if (!pair.is(Kind::Place) || arguments == nullptr || record == nullptr || !isStandard(*record, "pair") ||
@@ -159,11 +142,11 @@ std::optional<Value> Follower::standardCall(const clang::CallExpr& expression, c
     static const std::array same = {"move",      "forward",  "ref",  "cref",
                                     "addressof", "as_const", "data", "static_pointer_cast"};
     static const std::array ends = {"begin", "cbegin", "end", "cend"};
-    if (isOneOf(name, ends) && expression.getNumArgs() == 1) return endOf(expression, name);
-    if (name == "for_each" && expression.getNumArgs() == 3) return eachOf(expression);
-    if (name == "lexical_cast" && isStdString(expression.getType())) return asText(*expression.getArg(0));
+    if (isOneOf(name, ends) && expression.getNumArgs() == 1) return containers_.endOf(expression, name);
+    if (name == "for_each" && expression.getNumArgs() == 3) return containers_.eachOf(expression);
+    if (name == "lexical_cast" && isStdString(expression.getType())) return texts_.printed(*expression.getArg(0));
     if (name == "to_string" && expression.getNumArgs() == 1) {
-        const Value value = converted(eval(expression.getArg(0)), expression.getArg(0)->getType());
+        const Value value = values_.converted(values_.eval(expression.getArg(0)), expression.getArg(0)->getType());
         if (value.is(Kind::Number)) {
             const bool isSigned = expression.getArg(0)->getType()->isSignedIntegerOrEnumerationType();
             return Value::ofText(isSigned ? std::to_string(value.number)
@@ -175,110 +158,110 @@ std::optional<Value> Follower::standardCall(const clang::CallExpr& expression, c
         if (const auto* array = context_.getAsConstantArrayType(expression.getArg(0)->getType()))
             return Value::ofNumber(static_cast<long long>(array->getSize().getZExtValue()));
     }
-    if (isOneOf(name, same) && expression.getNumArgs() == 1) return eval(expression.getArg(0));
+    if (isOneOf(name, same) && expression.getNumArgs() == 1) return values_.eval(expression.getArg(0));
     return std::nullopt;
 }
 
-Value Follower::operatorCall(const clang::CXXOperatorCallExpr& expression) {
+Value Calls::operatorCall(const clang::CXXOperatorCallExpr& expression) {
     const auto kind = expression.getOperator();
     const clang::Expr* first = expression.getArg(0);
     const clang::Expr* second = expression.getNumArgs() > 1 ? expression.getArg(1) : nullptr;
     const auto* function = expression.getDirectCallee();
     if ((kind == clang::OO_Arrow || kind == clang::OO_Star) && second == nullptr && isPointerLike(first->getType())) {
-        const Value target = pointed(first);
+        const Value target = values_.pointed(first);
         return target.is(Kind::Place) ? target : Value();
     }
-    if (const auto value = iteratorOperator(expression)) return *value;
+    if (const auto value = containers_.operate(expression)) return *value;
     if (kind == clang::OO_Call) {
-        const Value callee = load(eval(first));
+        const Value callee = memory_.load(values_.eval(first));
         const clang::FunctionDecl* called = callee.is(Kind::Function) ? callee.function : nullptr;
         // The operator of a generic lambda is known by its call only.
         if (function != nullptr && isLambda(*function)) called = function;
-        if (called != nullptr) return callUser(expression, *called, frames_.back().self, 1);
+        if (called != nullptr) return callUser(expression, *called, stack_.top().self, 1);
     }
     if (kind == clang::OO_Subscript && second != nullptr) {
-        const Value base = eval(first), index = content(second);
+        const Value base = values_.eval(first), index = values_.content(second);
         if (base.is(Kind::Place) && index.is(Kind::Number))
             return Value::ofPlace(base.text + "[" + std::to_string(index.number) + "]");
         // Of a map; with a quote, as no index has one.
         if (base.is(Kind::Place) && index.is(Kind::Text)) return Value::ofPlace(base.text + "[\"" + index.text + "]");
         return {};
     }
-    if (const auto value = textOperator(expression)) return *value;
+    if (const auto value = texts_.operate(expression)) return *value;
     if (kind == clang::OO_Equal && second != nullptr) {
-        const Value target = eval(first), source = eval(second);
+        const Value target = values_.eval(first), source = values_.eval(second);
         if (!target.is(Kind::Place)) return {};
-        if (Element* element = elementAt(target.text); element != nullptr && !element->value.empty()) {
-            assign(element->value, converted(load(source), element->valueType));
+        if (Element* element = registry_.elementAt(target.text); element != nullptr && !element->value.empty()) {
+            memory_.assign(element->value, values_.converted(memory_.load(source), element->valueType));
         } else if (isPointerLike(first->getType())) {
-            assign(target.text, second->isGLValue() ? load(source) : source);
-        } else if (source.is(Kind::Place) && elements_.count(target.text) == 0) {
-            forget(target.text);
+            memory_.assign(target.text, second->isGLValue() ? memory_.load(source) : source);
+        } else if (source.is(Kind::Place) && registry_.elements.count(target.text) == 0) {
+            memory_.forget(target.text);
             memory_.erase(target.text + "#changed");  // now it is the other
-            copyObject(source.text, target.text);
+            memory_.copy(source.text, target.text);
         } else {
-            forget(target.text);
+            memory_.forget(target.text);
         }
         return target;
     }
     if (kind == clang::OO_LessLess && second != nullptr) {
-        const Value target = eval(first);
+        const Value target = values_.eval(first);
         // Whatever goes into other streams is not part of any interface.
-        if (target.is(Kind::Place)) stream(target.text, *second);
+        if (target.is(Kind::Place)) texts_.stream(target.text, *second);
         return target;
     }
     if (const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function)) {
-        const Value object = eval(first);
+        const Value object = values_.eval(first);
         if (object.is(Kind::Place) && !isLibrary(*method)) return callUser(expression, *method, object.text, 1);
-        if (object.is(Kind::Place) && !method->isConst()) forget(object.text);
+        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.text);
         return {};
     }
-    return function != nullptr ? callUser(expression, *function, frames_.back().self) : Value();
+    return function != nullptr ? callUser(expression, *function, stack_.top().self) : Value();
 }
 
-Value Follower::memberCall(const clang::CXXMemberCallExpr& expression) {
+Value Calls::memberCall(const clang::CXXMemberCallExpr& expression) {
     const clang::CXXMethodDecl* method = expression.getMethodDecl();
     const clang::Expr* on = expression.getImplicitObjectArgument();
     if (method == nullptr || on == nullptr) return unknownCall(expression, nullptr, 0);
     const std::string name = method->getNameAsString();
-    const Value object = eval(on);
+    const Value object = values_.eval(on);
     const clang::QualType type = on->getType()->isPointerType() ? on->getType()->getPointeeType() : on->getType();
-    if (const auto value = textCall(expression, name, object)) return *value;
-    if (const auto value = containerCall(expression, name, object)) return *value;
+    if (const auto value = texts_.call(expression, name, object)) return *value;
+    if (const auto value = containers_.call(expression, name, object)) return *value;
     if (isPointerLike(type)) {
-        if (name == "get") return load(object);
+        if (name == "get") return memory_.load(object);
         if (name == "reset" && object.is(Kind::Place)) {
-            assign(object.text, expression.getNumArgs() == 1 ? eval(expression.getArg(0)) : Value::null());
+            memory_.assign(object.text,
+                           expression.getNumArgs() == 1 ? values_.eval(expression.getArg(0)) : Value::null());
             return {};
         }
     }
-    if (isInterface(*method)) {
-        if (object.is(Kind::Place)) return interfaceCall(expression, *method, object.text);
-        return interfaceCall(expression, *method, "");
-    }
+    if (!toolchainName(*method->getParent()).empty())
+        return interface_.call(expression, *method, object.is(Kind::Place) ? object.text : Place());
     if (isStandard(*method->getParent(), "array") && (name == "size" || name == "at")) {
         const auto* instance = dyn_cast<clang::ClassTemplateSpecializationDecl>(method->getParent());
         if (name == "size" && instance != nullptr)
             return Value::ofNumber(instance->getTemplateArgs()[1].getAsIntegral().getExtValue());
-        const Value index = content(expression.getArg(0));
+        const Value index = values_.content(expression.getArg(0));
         if (object.is(Kind::Place) && index.is(Kind::Number))
             return Value::ofPlace(object.text + "[" + std::to_string(index.number) + "]");
     }
     if (isLibrary(*method)) {
-        if (object.is(Kind::Place) && !method->isConst()) forget(object.text);
-        argumentsOf(expression, 0);
+        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.text);
+        argumentsOf(expression);
         return {};
     }
     const auto* callee = dyn_cast<clang::MemberExpr>(expression.getCallee()->IgnoreParens());
     const bool qualified = callee != nullptr && callee->hasQualifier();
-    const Place self = object.is(Kind::Place) ? object.text : fresh("unknown");
-    const clang::CXXMethodDecl& called = qualified ? *method : overriderOf(*method, self);
+    const Place self = object.is(Kind::Place) ? object.text : memory_.fresh("unknown");
+    const clang::CXXMethodDecl& called = qualified ? *method : stack_.overriderOf(*method, self);
     if (definitionOf(called) == nullptr && self == kRoot && !called.isPureVirtual()) {
-        unseen_.insert(&called);
-        hasMore_ |= late_.empty();
-        remark(expression.getExprLoc(), "OC023",
-               "'" + name + "' is called while the component is made, and its definition is in none of the files")
-            .note(locate(called.getLocation()), "declared here");
+        findings_.noteUnseen(called);
+        findings_.noteMore(!findings_.isLate());
+        findings_
+            .remark(expression.getExprLoc(), "OC023",
+                    "'" + name + "' is called while the component is made, and its definition is in none of the files")
+            .note(findings_.locate(called.getLocation()), "declared here");
         return {};
     }
     return callUser(expression, called, self);

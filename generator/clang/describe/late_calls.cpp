@@ -2,9 +2,8 @@
 // Copyright Oroforge contributors
 // Hooks, operations and callbacks may add to the interface, too. They are followed like the constructor, but nothing that
 // they do counts: whatever they add is a remark.
-#include <clang/base/parse_files.hpp>
-
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -33,53 +32,57 @@ private:
     Report report_;
 };
 
-}  // namespace
+class LateCalls : Part {
+public:
+    explicit LateCalls(const Part& parts) : Part(parts) {}
+    void follow(const clang::CXXRecordDecl& made);
 
-/// As an instance of what has parameters of 'auto'.
-bool Follower::isInvoked(const clang::FunctionDecl& lambda) const {
-    const clang::FunctionTemplateDecl* pattern = lambda.getDescribedFunctionTemplate();
-    return pattern != nullptr && std::any_of(pattern->spec_begin(), pattern->spec_end(),
-                                             [&](const auto* one) { return invoked_.count(one) != 0; });
+private:
+    void invoke(const clang::FunctionDecl& function, const Place& self, const std::string& why);
+};
+
+void LateCalls::invoke(const clang::FunctionDecl& function, const Place& self, const std::string& why) {
+    stack_.countAnew();
+    findings_.beLate(why);
+    findings_.doubt(why);
+    calls_.invoke(function, {}, self);
+    findings_.settleTo(0);
 }
 
-void Follower::invokeLate(const clang::FunctionDecl& function, const Place& self, const std::string& why) {
-    steps_ = 0;
-    late_ = why;
-    undecided_.push_back(why);
-    invoke(function, {}, self, /*lambda=*/false);
-    undecided_.clear();
-}
-
-void Follower::followLate(const clang::CXXRecordDecl& made) {
-    dynamic_ = &made;
+void LateCalls::follow(const clang::CXXRecordDecl& made) {
+    stack_.become(&made);
     eachOwn(made, [&](const clang::CXXRecordDecl& type) {
         for (const clang::CXXMethodDecl* method : type.methods()) {
             if (llvm::isa<clang::CXXConstructorDecl, clang::CXXDestructorDecl>(method)) continue;
             const clang::FunctionDecl* definition = definitionOf(*method);
             // Where a derived class has another one, only that calls it.
-            if (definition == nullptr || invoked_.count(definition) != 0 || &overriderOf(*method, kRoot) != method)
+            if (definition == nullptr || calls_.isInvoked(*definition) || &stack_.overriderOf(*method, kRoot) != method)
                 continue;
-            invokeLate(*definition, kRoot,
-                       "in '" + method->getNameAsString() + "', which is not called while the component is made");
+            invoke(*definition, kRoot,
+                   "in '" + method->getNameAsString() + "', which is not called while the component is made");
         }
     });
     // Those that hooks have made are met there.
-    const auto lambdas = lambdas_;
+    const auto lambdas = values_.lambdas();
     for (const auto& [function, self] : lambdas) {
         const clang::FunctionDecl* definition = definitionOf(*function);
-        if (definition == nullptr || invoked_.count(definition) != 0) continue;
+        if (definition == nullptr || calls_.isInvoked(*definition)) continue;
         const std::string which = "in a lambda that may be called later";
         if (!definition->isDependentContext()) {
-            invokeLate(*definition, self, which);
-        } else if (!isInvoked(*definition)) {
-            VerbFinder finder([&](const clang::Expr& at, const std::string& verb) {
-                hasMore_ = true;
-                remarks_.warning(locate(at.getExprLoc()), "OC022",
-                                 "what '" + verb + "' adds here is left out: it is " + which);
-            });
-            finder.TraverseStmt(definition->getBody());
+            invoke(*definition, self, which);
+            continue;
         }
+        VerbFinder finder([&](const clang::Expr& at, const std::string& verb) {
+            findings_.noteMore();
+            findings_.warn(findings_.locate(at.getExprLoc()), "OC022",
+                           "what '" + verb + "' adds here is left out: it is " + which);
+        });
+        finder.TraverseStmt(definition->getBody());
     }
 }
+
+}  // namespace
+
+void followLate(const Part& parts, const clang::CXXRecordDecl& made) { LateCalls(parts).follow(made); }
 
 }  // namespace oroforge::cxx

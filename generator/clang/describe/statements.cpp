@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -50,17 +51,17 @@ bool mayLeave(const clang::Stmt* statement, bool ownsBreaks) {
 
 }  // namespace
 
-void Follower::runUndecided(const clang::Stmt* statement, const std::string& why, bool ownsBreaks) {
+void Statements::runUndecided(const clang::Stmt* statement, const std::string& why, bool ownsBreaks) {
     if (statement == nullptr) return;
-    undecided_.push_back(why);
+    findings_.doubt(why);
     run(statement);
-    undecided_.pop_back();
+    findings_.settle();
     // Until the end of the function, which pops all of them.
-    if (mayLeave(statement, ownsBreaks)) undecided_.push_back(why + ", which may leave the function before");
+    if (mayLeave(statement, ownsBreaks)) findings_.doubt(why + ", which may leave the function before");
 }
 
-Follower::Flow Follower::run(const clang::Stmt* statement) {
-    if (statement == nullptr || isTooMuch(statement->getBeginLoc())) return Flow::Next;
+Statements::Flow Statements::run(const clang::Stmt* statement) {
+    if (statement == nullptr || stack_.isTooMuch(statement->getBeginLoc())) return Flow::Next;
     if (const auto* block = dyn_cast<clang::CompoundStmt>(statement)) {
         for (const clang::Stmt* part : block->body()) {
             const Flow flow = run(part);
@@ -92,65 +93,66 @@ Follower::Flow Follower::run(const clang::Stmt* statement) {
         return flow;
     }
     if (const auto* end = dyn_cast<clang::ReturnStmt>(statement)) {
-        if (end->getRetValue() != nullptr) frames_.back().result = eval(end->getRetValue());
+        if (end->getRetValue() != nullptr) stack_.top().result = values_.eval(end->getRetValue());
         // In a branch that is only looked at, the rest of it is still to be looked at.
-        return undecided_.empty() ? Flow::Return : Flow::Next;
+        return findings_.isCertain() ? Flow::Return : Flow::Next;
     }
     if (llvm::isa<clang::BreakStmt>(statement)) return Flow::Break;
     if (llvm::isa<clang::ContinueStmt>(statement)) return Flow::Continue;
     if (const auto* label = dyn_cast<clang::SwitchCase>(statement)) return run(label->getSubStmt());
     if (const auto* label = dyn_cast<clang::LabelStmt>(statement)) return run(label->getSubStmt());
     if (const auto* attributed = dyn_cast<clang::AttributedStmt>(statement)) return run(attributed->getSubStmt());
-    if (const auto* expression = dyn_cast<clang::Expr>(statement)) eval(expression);
+    if (const auto* expression = dyn_cast<clang::Expr>(statement)) values_.eval(expression);
     return Flow::Next;
 }
 
-void Follower::declare(const clang::VarDecl& variable) {
+void Statements::declare(const clang::VarDecl& variable) {
     if (variable.isStaticLocal() && !variable.getType().isConstQualified()) return;  // it may have changed since
     if (variable.getType()->isReferenceType()) {
-        const Value target = eval(variable.getInit());
-        frames_.back().locals[&variable] = target.is(Value::Kind::Place) ? target.text : fresh("local");
+        const Value target = values_.eval(variable.getInit());
+        stack_.top().locals[&variable] = target.is(Value::Kind::Place) ? target.text : memory_.fresh("local");
         return;
     }
-    const Place place = fresh("local");
-    frames_.back().locals[&variable] = place;
-    if (variable.getInit() != nullptr) initialise(place, variable.getType(), variable.getInit());
+    const Place place = memory_.fresh("local");
+    stack_.top().locals[&variable] = place;
+    if (variable.getInit() != nullptr) objects_.initialise(place, variable.getType(), variable.getInit());
 }
 
-Follower::Flow Follower::runIf(const clang::IfStmt& statement) {
+Statements::Flow Statements::runIf(const clang::IfStmt& statement) {
     run(statement.getInit());
     if (const clang::VarDecl* variable = statement.getConditionVariable()) declare(*variable);
-    const auto decided = truth(statement.getCond());
+    const auto decided = values_.truth(statement.getCond());
     if (decided) return run(*decided ? statement.getThen() : statement.getElse());
     runUndecided(statement.getThen(), "in an 'if' whose condition is not constant");
     runUndecided(statement.getElse(), "in an 'else' whose condition is not constant");
     return Flow::Next;
 }
 
-Follower::Flow Follower::runFor(const clang::ForStmt& statement) {
+Statements::Flow Statements::runFor(const clang::ForStmt& statement) {
     run(statement.getInit());
     for (unsigned round = 0; round != kMostRounds; ++round) {
-        const auto goesOn = statement.getCond() == nullptr ? std::optional<bool>(true) : truth(statement.getCond());
+        const auto goesOn =
+            statement.getCond() == nullptr ? std::optional<bool>(true) : values_.truth(statement.getCond());
         if (goesOn && !*goesOn) return Flow::Next;
-        if (!goesOn || !undecided_.empty()) break;
+        if (!goesOn || !findings_.isCertain()) break;
         const Flow flow = run(statement.getBody());
         if (flow == Flow::Break) return Flow::Next;
         if (flow == Flow::Return) return flow;
-        eval(statement.getInc());
+        values_.eval(statement.getInc());
     }
     // What counts the rounds is not known any more, nor are names that it is part of.
-    undecided_.push_back("");
-    eval(statement.getInc());
-    undecided_.pop_back();
+    findings_.doubt("");
+    values_.eval(statement.getInc());
+    findings_.settle();
     runUndecided(statement.getBody(), "in a loop whose rounds are not constant", true);
     return Flow::Next;
 }
 
-Follower::Flow Follower::runRounds(const clang::Expr* condition, const clang::Stmt* body) {
+Statements::Flow Statements::runRounds(const clang::Expr* condition, const clang::Stmt* body) {
     for (unsigned round = 0; round != kMostRounds; ++round) {
-        const auto goesOn = truth(condition);
+        const auto goesOn = values_.truth(condition);
         if (goesOn && !*goesOn) return Flow::Next;
-        if (!goesOn || !undecided_.empty()) break;
+        if (!goesOn || !findings_.isCertain()) break;
         const Flow flow = run(body);
         if (flow == Flow::Break) return Flow::Next;
         if (flow == Flow::Return) return flow;
@@ -159,9 +161,9 @@ Follower::Flow Follower::runRounds(const clang::Expr* condition, const clang::St
     return Flow::Next;
 }
 
-Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
+Statements::Flow Statements::runEach(const clang::CXXForRangeStmt& statement) {
     run(statement.getInit());
-    const Value range = eval(statement.getRangeInit());
+    const Value range = values_.eval(statement.getRangeInit());
     const clang::VarDecl& variable = *statement.getLoopVariable();
     clang::QualType type = statement.getRangeInit()->getType().getNonReferenceType();
     std::optional<std::uint64_t> size;
@@ -173,7 +175,7 @@ Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
     // Lists in braces say how long they are, and so do containers that were made of one.
     // Not so those that have an order of their own.
     const bool sorts = record != nullptr && (record->getName().contains("map") || record->getName().contains("set"));
-    if (const auto known = sorts ? std::nullopt : sizeOf(range.text)) size = static_cast<std::uint64_t>(*known);
+    if (const auto known = sorts ? std::nullopt : memory_.sizeOf(range.text)) size = static_cast<std::uint64_t>(*known);
     if (!range.is(Value::Kind::Place) || !size || *size > kMostRounds) {
         runUndecided(statement.getBody(), "in a loop over elements that are not constant", true);
         return Flow::Next;
@@ -181,11 +183,11 @@ Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
     for (std::uint64_t i = 0; i != *size; ++i) {
         const Place element = range.text + "[" + std::to_string(i) + "]";
         if (variable.getType()->isReferenceType()) {
-            frames_.back().locals[&variable] = element;
+            stack_.top().locals[&variable] = element;
         } else {
-            const Place own = fresh("local");
-            copyObject(element, own);
-            frames_.back().locals[&variable] = own;
+            const Place own = memory_.fresh("local");
+            memory_.copy(element, own);
+            stack_.top().locals[&variable] = own;
         }
         const Flow flow = run(statement.getBody());
         if (flow == Flow::Break) return Flow::Next;
@@ -194,9 +196,9 @@ Follower::Flow Follower::runEach(const clang::CXXForRangeStmt& statement) {
     return Flow::Next;
 }
 
-Follower::Flow Follower::runSwitch(const clang::SwitchStmt& statement) {
+Statements::Flow Statements::runSwitch(const clang::SwitchStmt& statement) {
     run(statement.getInit());
-    const Value value = content(statement.getCond());
+    const Value value = values_.content(statement.getCond());
     const auto* block = dyn_cast<clang::CompoundStmt>(statement.getBody());
     const clang::SwitchCase* taken = nullptr;
     bool decided = value.is(Value::Kind::Number) && block != nullptr;
@@ -206,11 +208,11 @@ Follower::Flow Follower::runSwitch(const clang::SwitchStmt& statement) {
             if (taken == nullptr) taken = one;  // 'default'
             continue;
         }
-        const Value wanted = content(label->getLHS());
+        const Value wanted = values_.content(label->getLHS());
         decided = decided && wanted.is(Value::Kind::Number) && label->getRHS() == nullptr;
         if (decided && wanted.number == value.number) taken = one;
     }
-    if (!decided || !undecided_.empty()) {
+    if (!decided || !findings_.isCertain()) {
         runUndecided(statement.getBody(), "in a 'switch' whose value is not constant", true);
         return Flow::Next;
     }

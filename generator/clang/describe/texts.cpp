@@ -4,7 +4,8 @@
 
 #include <clang/base/type_names.hpp>
 
-#include "follow.hpp"
+#include "evaluator.hpp"
+#include "known_types.hpp"
 
 namespace oroforge::cxx {
 
@@ -20,7 +21,7 @@ std::optional<std::string> wordOf(const Value& value) {
 }
 
 /// As a stream prints it.
-std::optional<std::string> printed(const Value& value, clang::QualType type, const clang::ASTContext& context) {
+std::optional<std::string> printedText(const Value& value, clang::QualType type, const clang::ASTContext& context) {
     if (value.is(Kind::Text)) return value.text;
     if (value.is(Kind::Boolean)) return std::string(value.number != 0 ? "1" : "0");
     if (value.is(Kind::Number) && type->isAnyCharacterType() && context.getTypeSize(type) == 8) return wordOf(value);
@@ -39,13 +40,7 @@ std::optional<std::string> printed(const Value& value, clang::QualType type, con
 
 }  // namespace
 
-bool isTextStream(clang::QualType type) {
-    const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-    return record != nullptr &&
-           (isStandard(*record, "basic_ostringstream") || isStandard(*record, "basic_stringstream"));
-}
-
-std::optional<Value> Follower::textOperator(const clang::CXXOperatorCallExpr& expression) {
+std::optional<Value> Texts::operate(const clang::CXXOperatorCallExpr& expression) {
     const auto kind = expression.getOperator();
     const clang::Expr* first = expression.getArg(0);
     const clang::Expr* second = expression.getNumArgs() == 2 ? expression.getArg(1) : nullptr;
@@ -54,11 +49,11 @@ std::optional<Value> Follower::textOperator(const clang::CXXOperatorCallExpr& ex
     const bool changes = (adds || kind == clang::OO_Equal) && isStdString(first->getType());
     if (!changes && kind != clang::OO_Plus && kind != clang::OO_EqualEqual && kind != clang::OO_ExclaimEqual)
         return std::nullopt;
-    const Value target = eval(first);
-    const auto a = wordOf(load(target)), b = wordOf(load(eval(second)));
+    const Value target = values_.eval(first);
+    const auto a = wordOf(memory_.load(target)), b = wordOf(memory_.load(values_.eval(second)));
     if (changes) {
         const bool known = b && (a || !adds);
-        if (target.is(Kind::Place)) assign(target.text, known ? Value::ofText((adds ? *a : "") + *b) : Value());
+        if (target.is(Kind::Place)) memory_.assign(target.text, known ? Value::ofText((adds ? *a : "") + *b) : Value());
         return target;
     }
     if (!a || !b) return Value();
@@ -66,30 +61,30 @@ std::optional<Value> Follower::textOperator(const clang::CXXOperatorCallExpr& ex
                                   : Value::ofBoolean((*a == *b) == (kind == clang::OO_EqualEqual));
 }
 
-Value Follower::asText(const clang::Expr& expression) {
-    const auto text = printed(load(eval(&expression)), expression.getType(), context_);
+Value Texts::printed(const clang::Expr& expression) {
+    const auto text = printedText(memory_.load(values_.eval(&expression)), expression.getType(), context_);
     return text ? Value::ofText(*text) : Value();
 }
 
-bool Follower::stream(const Place& into, const clang::Expr& what) {
-    if (!isStream(into)) return false;
-    const Value more = asText(what), before = memory_[into + "#text"];
+void Texts::stream(const Place& into, const clang::Expr& what) {
+    const Place text = into + "#text";
+    if (memory_.find(text) == nullptr) return;
+    const Value more = printed(what), before = *memory_.find(text);
     const bool known = more.known() && before.is(Kind::Text);
-    assign(into + "#text", known ? Value::ofText(before.text + more.text) : Value());
-    return true;
+    memory_.assign(text, known ? Value::ofText(before.text + more.text) : Value());
 }
 
-/// Of strings and streams; nothing if it is another function.
-std::optional<Value> Follower::textCall(const clang::CXXMemberCallExpr& expression, const std::string& name,
-                                        const Value& object) {
+std::optional<Value> Texts::call(const clang::CXXMemberCallExpr& expression, const std::string& name,
+                                 const Value& object) {
     const unsigned count = expression.getNumArgs();
-    if (name == "str" && object.is(Kind::Place) && isStream(object.text)) {
-        if (count == 0) return memory_[object.text + "#text"];
-        const auto text = textOf(expression.getArg(0));
-        assign(object.text + "#text", text ? Value::ofText(*text) : Value());
+    const Value* streamed = object.is(Kind::Place) ? memory_.find(object.text + "#text") : nullptr;
+    if (name == "str" && streamed != nullptr) {
+        if (count == 0) return *streamed;
+        const auto text = values_.textOf(expression.getArg(0));
+        memory_.assign(object.text + "#text", text ? Value::ofText(*text) : Value());
         return Value();
     }
-    const Value text = load(object);
+    const Value text = memory_.load(object);
     const clang::Expr* on = expression.getImplicitObjectArgument();
     const clang::QualType type = on->getType()->isPointerType() ? on->getType()->getPointeeType() : on->getType();
     if (!isStdString(type) || !text.is(Kind::Text)) return std::nullopt;
@@ -97,14 +92,14 @@ std::optional<Value> Follower::textCall(const clang::CXXMemberCallExpr& expressi
     if (name == "empty") return Value::ofBoolean(text.text.empty());
     if (name == "size" || name == "length") return Value::ofNumber(static_cast<long long>(text.text.size()));
     if ((name == "append" || name == "push_back") && count == 1 && object.is(Kind::Place)) {
-        const auto more = wordOf(content(expression.getArg(0)));
-        assign(object.text, more ? Value::ofText(text.text + *more) : Value());
+        const auto more = wordOf(values_.content(expression.getArg(0)));
+        memory_.assign(object.text, more ? Value::ofText(text.text + *more) : Value());
         return object;
     }
     if (name == "substr" && count != 0) {
-        const Value from = content(expression.getArg(0));
+        const Value from = values_.content(expression.getArg(0));
         const bool hasLength = count == 2 && !llvm::isa<clang::CXXDefaultArgExpr>(expression.getArg(1));
-        const Value length = hasLength ? content(expression.getArg(1)) : Value::ofNumber(-1);
+        const Value length = hasLength ? values_.content(expression.getArg(1)) : Value::ofNumber(-1);
         const auto start = static_cast<std::size_t>(from.number);
         if (!from.is(Kind::Number) || !length.is(Kind::Number) || start > text.text.size()) return Value();
         return Value::ofText(text.text.substr(start, static_cast<std::size_t>(length.number)));

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <charconv>
 
-#include "follow.hpp"
+#include "evaluator.hpp"
 
 namespace oroforge::cxx {
 
@@ -19,99 +19,60 @@ std::string shortest(Number value) {
     return {text.data(), end.ptr};
 }
 
-/// In the order of their registration.
-template <class Item>
-void byName(std::vector<Item>& items) {
-    std::stable_sort(items.begin(), items.end(),
-                     [](const Item& a, const Item& b) { return a.name.value < b.name.value; });
-}
+class InterfaceResult : Part {
+public:
+    explicit InterfaceResult(const Part& parts) : Part(parts) {}
+    void readInto(Followed& made);
 
-}  // namespace
+private:
+    void read(const Scope& scope, model::Interface& into);
+    void read(const Element& element, model::Interface& into);
+    model::Operation operationOf(const Element& element) const;
+    void giveValue(const Element& element, model::Text& value, const std::string& what);
+    std::optional<std::string> literal(const Value& value, clang::QualType type) const;
 
-Follower::Follower(clang::ASTContext& context, const SourcePlaces& places, diag::Sink& remarks)
-    : context_(context), places_(places), remarks_(remarks) {}
+    std::vector<clang::QualType> uses_;
+};
 
-diag::Location Follower::locate(clang::SourceLocation at) const {
-    return places_.locate(context_.getSourceManager(), at);
-}
-
-diag::Diagnostic& Follower::remark(clang::SourceLocation at, const char* code, const std::string& message) {
-    // Of what happens later only what it adds matters.
-    return (late_.empty() ? remarks_ : unused_).warning(locate(at), code, message);
-}
-
-/// A class that computes for long, or for ever, is not worth it.
-bool Follower::isTooMuch(clang::SourceLocation at) {
-    constexpr unsigned most = 1000000;
-    if (++steps_ == most) {
-        hasMore_ |= late_.empty();
-        remark(at, "OC022", "the constructor does more than is followed; what comes from here on is left out");
-    }
-    return steps_ >= most;
-}
-
-bool Follower::isTooDeep(clang::SourceLocation at) {
-    constexpr std::size_t deepest = 64;
-    if (frames_.size() < deepest) return false;
-    hasMore_ |= late_.empty();
-    remark(at, "OC022", "functions call each other deeper than is followed; what this one does is left out");
-    return true;
-}
-
-Followed Follower::follow(const clang::CXXConstructorDecl& constructor) {
-    Frame outermost;
-    outermost.self = kRoot;
-    frames_.push_back(outermost);
-    Values arguments;
-    for (const clang::ParmVarDecl* parameter : constructor.parameters()) {
-        // An inherited constructor is called with the defaults of the one it stands for.
-        const unsigned i = parameter->getFunctionScopeIndex();
-        const clang::CXXConstructorDecl* inherited = constructor.getInheritedConstructor().getConstructor();
-        if (inherited != nullptr) parameter = inherited->getParamDecl(i);
-        const bool hasDefault = parameter->hasDefaultArg() && !parameter->hasUninstantiatedDefaultArg();
-        arguments.push_back(hasDefault ? eval(parameter->getDefaultArg()) : Value());
-    }
-    construct(kRoot, constructor, arguments);
-    Followed made;
-    made.activity = activity_;
-    made.initial = initial_;
-    if (const Scope* root = scopeAt(kRoot)) {
-        result(*root, made.interface);
+void InterfaceResult::readInto(Followed& made) {
+    made.activity = registry_.activity;
+    made.initial = registry_.initial;
+    if (const Scope* root = registry_.scopeAt(kRoot)) {
+        read(*root, made.interface);
         made.serviceName = root->name;
         made.doc = root->doc;
     }
-    for (const auto& [place, requester] : requesters_) {
+    for (const auto& [place, requester] : registry_.requesters) {
         if (place.rfind("requester ", 0) != 0 || (requester->name == "this" && requester->callers.empty())) continue;
         model::Requirement required;
         required.name = textAt(requester->name, requester->where);
         required.where = requester->where;
         for (const Place& caller : requester->callers) {
-            const Element& element = elements_[caller];
+            const Element& element = registry_.elements[caller];
             required.operations.push_back(operationOf(element));
             uses_.insert(uses_.end(), element.uses.begin(), element.uses.end());
         }
         made.required.push_back(std::move(required));
     }
-    byName(made.required);
-    made.uses = uses_;
-    followLate(*constructor.getParent());
-    made.hasMore = hasMore_;
-    return made;
+    // In the order of their registration.
+    std::sort(made.required.begin(), made.required.end(),
+              [](const auto& a, const auto& b) { return a.name.value < b.name.value; });
+    made.uses = std::move(uses_);
 }
 
-void Follower::result(const Scope& scope, model::Interface& into) {
-    for (const Place& place : scope.elements) resultOf(elements_[place], into);
+void InterfaceResult::read(const Scope& scope, model::Interface& into) {
+    for (const Place& place : scope.elements) read(registry_.elements[place], into);
     for (const Scope* one : scope.services) {
         model::Service service;
         service.name = textAt(one->name, one->where);
         service.doc = one->doc;
         service.where = one->where;
-        result(*one, service);
+        read(*one, service);
         into.services.push_back(std::move(service));
     }
 }
 
-model::Operation Follower::operationOf(const Element& element) const {
+model::Operation InterfaceResult::operationOf(const Element& element) const {
     model::Operation operation;
     operation.name = textAt(element.name.value_or(""), element.where);
     if (element.result != "void") operation.returns = textAt(element.result, element.where);
@@ -126,7 +87,7 @@ model::Operation Follower::operationOf(const Element& element) const {
     return operation;
 }
 
-void Follower::resultOf(Element& element, model::Interface& into) {
+void InterfaceResult::read(const Element& element, model::Interface& into) {
     uses_.insert(uses_.end(), element.uses.begin(), element.uses.end());
     const model::Text name = textAt(*element.name, element.where), type = textAt(element.type, element.where);
     if (element.kind == ElementKind::Port) {
@@ -160,39 +121,32 @@ void Follower::resultOf(Element& element, model::Interface& into) {
     }
 }
 
-const clang::FunctionDecl* Follower::unseenMaker(const Place& place) const {
-    for (const auto& [object, constructor] : unseenObjects_) {
-        if (place.compare(0, object.size() + 1, object + ".") == 0) return constructor;
-    }
-    return nullptr;
-}
-
 /// The value that the variable has at the end of the constructor.
-void Follower::giveValue(const Element& element, model::Text& value, const std::string& what) {
-    const auto found = memory_.find(element.value);
-    const bool changed = memory_.count(element.value + "#changed") != 0;
-    if (found == memory_.end() && !changed && unseenMaker(element.value) == nullptr) {
-        if (element.constant) remarks_.warning(element.where, "OC024", "the value of this constant cannot be told");
+void InterfaceResult::giveValue(const Element& element, model::Text& value, const std::string& what) {
+    const Value* found = memory_.find(element.value);
+    const bool changed = memory_.find(element.value + "#changed") != nullptr;
+    const clang::FunctionDecl* unseen = found == nullptr ? objects_.unseenMaker(element.value) : nullptr;
+    if (found == nullptr && !changed && unseen == nullptr) {
+        if (element.constant) findings_.warn(element.where, "OC024", "the value of this constant cannot be told");
         return;
     }
-    const bool unseen = found == memory_.end() && unseenMaker(element.value) != nullptr;
-    if (unseen) unseen_.insert(unseenMaker(element.value));
-    const auto text = changed || found == memory_.end() ? std::nullopt : literal(found->second, element.valueType);
+    if (unseen != nullptr) findings_.noteUnseen(*unseen);
+    const auto text = changed || found == nullptr ? std::nullopt : literal(*found, element.valueType);
     if (!text) {
-        remarks_.warning(element.where, "OC024", "the initial value of this " + what + " is not constant");
+        findings_.warn(element.where, "OC024", "the initial value of this " + what + " is not constant");
         return;
     }
     const bool isDefault = !element.constant && (*text == "0" || *text == "false" || text->empty());
     if (!isDefault) value = textAt(*text, element.where);
 }
 
-std::optional<std::string> Follower::literal(const Value& value, clang::QualType type) const {
+std::optional<std::string> InterfaceResult::literal(const Value& value, clang::QualType type) const {
     type = type.getNonReferenceType().getUnqualifiedType();
     if (value.is(Kind::Text)) return value.text;
     if (value.is(Kind::Cpp)) return value.text;
     if (type->isEnumeralType())
         return value.is(Kind::Number) && !value.text.empty() ? std::optional(value.text) : std::nullopt;
-    const Value number = converted(value, type);
+    const Value number = values_.converted(value, type);
     if (number.is(Kind::Boolean)) return std::string(number.number != 0 ? "true" : "false");
     if (number.is(Kind::Real)) {
         if (context_.hasSameType(type, context_.FloatTy)) return shortest(static_cast<float>(number.real));
@@ -204,5 +158,9 @@ std::optional<std::string> Follower::literal(const Value& value, clang::QualType
     return type->isSignedIntegerOrEnumerationType() ? shortest(number.number)
                                                     : shortest(static_cast<unsigned long long>(number.number));
 }
+
+}  // namespace
+
+void readResult(const Part& parts, Followed& made) { InterfaceResult(parts).readInto(made); }
 
 }  // namespace oroforge::cxx
