@@ -40,16 +40,16 @@ Value ActivityCalls::setPeriod(const clang::CallExpr& expression, model::Activit
 
 std::optional<Value> ActivityCalls::call(const clang::CallExpr& expression, const std::string& name,
                                          const Place& object) {
-    const Place own = std::string(kRoot) + "#activity";
-    if (object == kRoot && name == "getActivity") return Value::ofPlace(own);
-    if (object == kRoot && (name == "setActivity" || name == "forceActivity")) {
+    const Place own = Place::component().of(Place::Kind::Activity);
+    if (object.isComponent() && name == "getActivity") return Value::ofPlace(own);
+    if (object.isComponent() && (name == "setActivity" || name == "forceActivity")) {
         const Value value = values_.eval(expression.getArg(0));
-        const model::Activity* known = registry_.activityAt(value.text);
-        note(expression, known != nullptr ? known : registry_.activityAt(memory_.load(value).text));
+        const model::Activity* known = registry_.activityAt(value.place);
+        note(expression, known != nullptr ? known : registry_.activityAt(memory_.load(value).place));
         return Value();
     }
     model::Activity* activity = registry_.activityAt(object);
-    if (name != "setPeriod" || (object != kRoot && object != own && activity == nullptr)) return std::nullopt;
+    if (name != "setPeriod" || (!object.isComponent() && object != own && activity == nullptr)) return std::nullopt;
     return setPeriod(expression, activity);
 }
 

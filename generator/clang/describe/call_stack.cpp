@@ -26,7 +26,7 @@ std::optional<Place> CallStack::find(const clang::ValueDecl& variable) const {
 }
 
 const clang::CXXMethodDecl& CallStack::overriderOf(const clang::CXXMethodDecl& method, const Place& self) const {
-    if (self != kRoot || type_ == nullptr || !method.isVirtual()) return method;
+    if (!self.isComponent() || type_ == nullptr || !method.isVirtual()) return method;
     const auto* found = method.getCorrespondingMethodInClass(type_, /*MayBeBase=*/true);
     return found == nullptr ? method : *found;
 }

@@ -44,7 +44,7 @@ CallStack::Frame Calls::frameOf(const clang::FunctionDecl& function, const Value
         const bool isObject = parameter->getType()->isReferenceType() ||
                               (parameter->getType()->isRecordType() && !isPointerLike(parameter->getType()));
         Place& place = frame.locals[parameter];
-        place = isObject && value.is(Kind::Place) ? value.text : memory_.fresh("local");
+        place = isObject && value.is(Kind::Place) ? value.place : memory_.fresh();
         if (!isObject || !value.is(Kind::Place)) memory_.set(place, value);
     }
     return frame;
@@ -82,15 +82,15 @@ Value Calls::unknownCall(const clang::CallExpr& expression, const clang::Functio
         const clang::Expr* argument = expression.getArg(i);
         const Value value = values_.eval(argument);
         if (!value.is(Kind::Place)) continue;
-        if (registry_.scopes.count(value.text) != 0) {
+        if (registry_.scopes.count(value.place) != 0) {
             getsComponent = true;
             continue;
         }
         const clang::QualType type = argument->getType();
         const bool changes = type->isPointerType() ? !type->getPointeeType().isConstQualified()
                                                    : argument->isGLValue() && !type.isConstQualified();
-        const bool isElement = registry_.elements.count(value.text) != 0;
-        if (changes && !isElement) memory_.forget(value.text);
+        const bool isElement = registry_.elements.count(value.place) != 0;
+        if (changes && !isElement) memory_.forget(value.place);
     }
     const bool isUsers = function != nullptr && !isLibrary(*function) && function->getBuiltinID() == 0;
     if (getsComponent && isUsers) {
@@ -137,7 +137,7 @@ std::optional<Value> Calls::standardCall(const clang::CallExpr& expression, cons
         if (!pair.is(Kind::Place) || arguments == nullptr || record == nullptr || !isStandard(*record, "pair") ||
             arguments->get(0).getKind() != clang::TemplateArgument::Integral)
             return Value();
-        return Value::ofPlace(pair.text + (arguments->get(0).getAsIntegral() == 0 ? ".first" : ".second"));
+        return Value::ofPlace(pair.place.field(arguments->get(0).getAsIntegral() == 0 ? "first" : "second"));
     }
     static const std::array same = {"move",      "forward",  "ref",  "cref",
                                     "addressof", "as_const", "data", "static_pointer_cast"};
@@ -181,39 +181,37 @@ Value Calls::operatorCall(const clang::CXXOperatorCallExpr& expression) {
     }
     if (kind == clang::OO_Subscript && second != nullptr) {
         const Value base = values_.eval(first), index = values_.content(second);
-        if (base.is(Kind::Place) && index.is(Kind::Number))
-            return Value::ofPlace(base.text + "[" + std::to_string(index.number) + "]");
-        // Of a map; with a quote, as no index has one.
-        if (base.is(Kind::Place) && index.is(Kind::Text)) return Value::ofPlace(base.text + "[\"" + index.text + "]");
+        if (base.is(Kind::Place) && index.is(Kind::Number)) return Value::ofPlace(base.place.element(index.number));
+        if (base.is(Kind::Place) && index.is(Kind::Text)) return Value::ofPlace(base.place.key(index.text));
         return {};
     }
     if (const auto value = texts_.operate(expression)) return *value;
     if (kind == clang::OO_Equal && second != nullptr) {
         const Value target = values_.eval(first), source = values_.eval(second);
         if (!target.is(Kind::Place)) return {};
-        if (Element* element = registry_.elementAt(target.text); element != nullptr && !element->value.empty()) {
+        if (Element* element = registry_.elementAt(target.place); element != nullptr && !element->value.empty()) {
             memory_.assign(element->value, values_.converted(memory_.load(source), element->valueType));
         } else if (isPointerLike(first->getType())) {
-            memory_.assign(target.text, second->isGLValue() ? memory_.load(source) : source);
-        } else if (source.is(Kind::Place) && registry_.elements.count(target.text) == 0) {
-            memory_.forget(target.text);
-            memory_.erase(target.text + "#changed");  // now it is the other
-            memory_.copy(source.text, target.text);
+            memory_.assign(target.place, second->isGLValue() ? memory_.load(source) : source);
+        } else if (source.is(Kind::Place) && registry_.elements.count(target.place) == 0) {
+            memory_.forget(target.place);
+            memory_.erase(target.place.of(Place::Kind::Changed));  // now it is the other
+            memory_.copy(source.place, target.place);
         } else {
-            memory_.forget(target.text);
+            memory_.forget(target.place);
         }
         return target;
     }
     if (kind == clang::OO_LessLess && second != nullptr) {
         const Value target = values_.eval(first);
         // Whatever goes into other streams is not part of any interface.
-        if (target.is(Kind::Place)) texts_.stream(target.text, *second);
+        if (target.is(Kind::Place)) texts_.stream(target.place, *second);
         return target;
     }
     if (const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function)) {
         const Value object = values_.eval(first);
-        if (object.is(Kind::Place) && !isLibrary(*method)) return callUser(expression, *method, object.text, 1);
-        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.text);
+        if (object.is(Kind::Place) && !isLibrary(*method)) return callUser(expression, *method, object.place, 1);
+        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.place);
         return {};
     }
     return function != nullptr ? callUser(expression, *function, stack_.top().self) : Value();
@@ -231,31 +229,30 @@ Value Calls::memberCall(const clang::CXXMemberCallExpr& expression) {
     if (isPointerLike(type)) {
         if (name == "get") return memory_.load(object);
         if (name == "reset" && object.is(Kind::Place)) {
-            memory_.assign(object.text,
+            memory_.assign(object.place,
                            expression.getNumArgs() == 1 ? values_.eval(expression.getArg(0)) : Value::null());
             return {};
         }
     }
     if (!toolchainName(*method->getParent()).empty())
-        return interface_.call(expression, *method, object.is(Kind::Place) ? object.text : Place());
+        return interface_.call(expression, *method, object.is(Kind::Place) ? object.place : Place());
     if (isStandard(*method->getParent(), "array") && (name == "size" || name == "at")) {
         const auto* instance = dyn_cast<clang::ClassTemplateSpecializationDecl>(method->getParent());
         if (name == "size" && instance != nullptr)
             return Value::ofNumber(instance->getTemplateArgs()[1].getAsIntegral().getExtValue());
         const Value index = values_.content(expression.getArg(0));
-        if (object.is(Kind::Place) && index.is(Kind::Number))
-            return Value::ofPlace(object.text + "[" + std::to_string(index.number) + "]");
+        if (object.is(Kind::Place) && index.is(Kind::Number)) return Value::ofPlace(object.place.element(index.number));
     }
     if (isLibrary(*method)) {
-        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.text);
+        if (object.is(Kind::Place) && !method->isConst()) memory_.forget(object.place);
         argumentsOf(expression);
         return {};
     }
     const auto* callee = dyn_cast<clang::MemberExpr>(expression.getCallee()->IgnoreParens());
     const bool qualified = callee != nullptr && callee->hasQualifier();
-    const Place self = object.is(Kind::Place) ? object.text : memory_.fresh("unknown");
+    const Place self = object.is(Kind::Place) ? object.place : memory_.fresh();
     const clang::CXXMethodDecl& called = qualified ? *method : stack_.overriderOf(*method, self);
-    if (definitionOf(called) == nullptr && self == kRoot && !called.isPureVirtual()) {
+    if (definitionOf(called) == nullptr && self.isComponent() && !called.isPureVirtual()) {
         findings_.noteUnseen(called);
         findings_.noteMore(!findings_.isLate());
         findings_

@@ -12,13 +12,9 @@
 #include <clang/base/llvm_compat.hpp>
 #include <model/package.hpp>
 
+#include "place.hpp"
+
 namespace oroforge::cxx {
-
-/// Names an object: "this.level_", "this.in_[1]", "new 3", "local 7.names". Its parts begin with its name.
-using Place = std::string;
-
-/// The object whose constructor is followed.
-inline constexpr const char* kRoot = "this";
 
 /// What an expression is worth, as far as the source tells.
 struct Value {
@@ -39,6 +35,7 @@ struct Value {
     long long number = 0;
     double real = 0;
     std::string text;
+    Place place;
     const clang::FunctionDecl* function = nullptr;
     model::Policy policy;
 
@@ -69,7 +66,12 @@ struct Value {
         made.text = std::move(value);
         return made;
     }
-    static Value ofPlace(Place value) { return ofText(std::move(value), Kind::Place); }
+    static Value ofPlace(Place value) {
+        Value made;
+        made.kind = Kind::Place;
+        made.place = std::move(value);
+        return made;
+    }
     static Value null() {
         Value made;
         made.kind = Kind::Null;

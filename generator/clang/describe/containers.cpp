@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The elements of "names" are the places "names[0]", "names[1]" …, their number is the value of "names#size". An iterator
-// has the place of an element as its value.
+// An iterator has the place of an element as its value.
 #include <clang/base/type_names.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
@@ -16,25 +15,16 @@ using Kind = Value::Kind;
 
 constexpr long long kMostElements = 1000;
 
-Place partOf(const Place& container, long long index) { return container + "[" + std::to_string(index) + "]"; }
-
-struct Position {
-    Place container;
-    long long index = 0;
-};
-
-std::optional<Position> positionOf(const Value& value) {
-    const std::size_t open = value.is(Kind::Place) ? value.text.rfind('[') : std::string::npos;
-    if (open == std::string::npos || value.text.back() != ']') return std::nullopt;
-    const std::string index = value.text.substr(open + 1, value.text.size() - open - 2);
-    if (index.empty() || index.size() > 9 || index.find_first_not_of("0123456789") != std::string::npos)
-        return std::nullopt;
-    return Position{value.text.substr(0, open), std::stoll(index)};
+/// Whether the value can be an iterator: the place of an element.
+bool hasPosition(const Value& value) {
+    constexpr long long most = 999999999;
+    return value.is(Kind::Place) && !value.place.empty() && value.place.kind() == Place::Kind::Element &&
+           value.place.index() >= 0 && value.place.index() <= most;
 }
 
 Value moved(const Value& iterator, long long by) {
-    const auto at = positionOf(iterator);
-    return at && at->index + by >= 0 ? Value::ofPlace(partOf(at->container, at->index + by)) : Value();
+    if (!hasPosition(iterator) || iterator.place.index() + by < 0) return {};
+    return Value::ofPlace(iterator.place.whole().element(iterator.place.index() + by));
 }
 
 bool isIterator(clang::QualType type) {
@@ -50,9 +40,9 @@ void Containers::construct(const Place& at, const Values& arguments) {
     const bool isEmpty = arguments.empty() || arguments[0].is(Kind::Null);
     const Value size = isEmpty ? Value::ofNumber(0) : memory_.load(arguments[0]);
     if (!size.is(Kind::Number) || size.number < 0 || size.number > kMostElements) return;
-    memory_.set(at + "#size", size);
+    memory_.set(at.of(Place::Kind::Size), size);
     if (isEmpty || arguments.size() < 2 || arguments[1].is(Kind::Null)) return;
-    for (long long i = 0; i != size.number; ++i) memory_.store(partOf(at, i), arguments[1]);
+    for (long long i = 0; i != size.number; ++i) memory_.store(at.element(i), arguments[1]);
 }
 
 void Containers::append(const clang::CXXMemberCallExpr& expression, const Place& to, bool constructs) {
@@ -61,50 +51,50 @@ void Containers::append(const clang::CXXMemberCallExpr& expression, const Place&
     const Values arguments = calls_.argumentsOf(expression);
     const auto size = memory_.sizeOf(to);
     if (!size || *size >= kMostElements || !findings_.isCertain() || type.isNull()) return memory_.forget(to);
-    const Place at = partOf(to, *size);
+    const Place at = to.element(*size);
     const bool isObject = type->isRecordType() && !isPointerLike(type) && !isStdString(type);
     if (isObject && constructs) {
         objects_.makeAt(at, type, arguments, expression.getExprLoc());
     } else if (arguments.size() == 1) {
-        if (const Element* known = arguments[0].is(Kind::Place) ? registry_.elementAt(arguments[0].text) : nullptr)
+        if (const Element* known = arguments[0].is(Kind::Place) ? registry_.elementAt(arguments[0].place) : nullptr)
             registry_.elements[at] = *known;
         memory_.erase(at);  // of an element that was there before
         memory_.store(at, arguments[0]);
     }
     memory_.noteChange(at);
-    memory_.set(to + "#size", Value::ofNumber(*size + 1));
+    memory_.set(to.of(Place::Kind::Size), Value::ofNumber(*size + 1));
 }
 
 std::optional<Value> Containers::call(const clang::CXXMemberCallExpr& expression, const std::string& name,
                                       const Value& object) {
     const clang::QualType type = expression.getObjectType();
     if (!isSequence(type) || !object.is(Kind::Place)) return std::nullopt;
-    const Place& at = object.text;
+    const Place& at = object.place;
     const auto size = memory_.sizeOf(at);
     const unsigned count = expression.getNumArgs();
     if (name == "push_back" || name == "emplace_back") {
         append(expression, at, name == "emplace_back");
-        return size ? Value::ofPlace(partOf(at, *size)) : Value();
+        return size ? Value::ofPlace(at.element(*size)) : Value();
     }
     if (name == "reserve" || name == "shrink_to_fit") return Value();
     if ((name == "resize" && count == 1) || name == "clear") {
         const Value wanted = name == "clear" ? Value::ofNumber(0) : values_.content(expression.getArg(0));
         const bool known = findings_.isCertain() && wanted.is(Kind::Number) && wanted.number <= kMostElements;
         if (!known || !size || wanted.number < *size) memory_.forget(at);
-        memory_.noteChange(partOf(at, 0));
-        if (known) memory_.set(at + "#size", wanted);
+        memory_.noteChange(at.element(0));
+        if (known) memory_.set(at.of(Place::Kind::Size), wanted);
         return Value();
     }
     if (name == "at" && count == 1) {
         const Value index = values_.content(expression.getArg(0));
-        return index.is(Kind::Number) ? Value::ofPlace(partOf(at, index.number)) : Value();
+        return index.is(Kind::Number) ? Value::ofPlace(at.element(index.number)) : Value();
     }
-    if (name == "begin" || name == "cbegin" || (name == "front" && size)) return Value::ofPlace(partOf(at, 0));
+    if (name == "begin" || name == "cbegin" || (name == "front" && size)) return Value::ofPlace(at.element(0));
     if (!size) return std::nullopt;
     if (name == "size") return Value::ofNumber(*size);
     if (name == "empty") return Value::ofBoolean(*size == 0);
-    if (name == "end" || name == "cend") return Value::ofPlace(partOf(at, *size));
-    if (name == "back" && *size > 0) return Value::ofPlace(partOf(at, *size - 1));
+    if (name == "end" || name == "cend") return Value::ofPlace(at.element(*size));
+    if (name == "back" && *size > 0) return Value::ofPlace(at.element(*size - 1));
     return std::nullopt;
 }
 
@@ -114,15 +104,15 @@ std::optional<Value> Containers::operate(const clang::CXXOperatorCallExpr& expre
     if (!isIterator(first->getType())) return std::nullopt;
     if (kind == clang::OO_PlusPlus || kind == clang::OO_MinusMinus) {
         const Value target = values_.eval(first), before = memory_.load(target);
-        if (target.is(Kind::Place)) memory_.assign(target.text, moved(before, kind == clang::OO_PlusPlus ? 1 : -1));
+        if (target.is(Kind::Place)) memory_.assign(target.place, moved(before, kind == clang::OO_PlusPlus ? 1 : -1));
         return expression.getNumArgs() == 1 ? target : before;
     }
     if (expression.getNumArgs() != 2) return std::nullopt;
     const clang::Expr* second = expression.getArg(1);
     if (kind == clang::OO_EqualEqual || kind == clang::OO_ExclaimEqual) {
-        const auto a = positionOf(values_.pointed(first)), b = positionOf(values_.pointed(second));
-        if (!a || !b || a->container != b->container) return Value();
-        return Value::ofBoolean((a->index == b->index) == (kind == clang::OO_EqualEqual));
+        const Value a = values_.pointed(first), b = values_.pointed(second);
+        if (!hasPosition(a) || !hasPosition(b) || a.place.whole() != b.place.whole()) return Value();
+        return Value::ofBoolean((a.place == b.place) == (kind == clang::OO_EqualEqual));
     }
     if (kind == clang::OO_Plus && second->getType()->isIntegerType()) {
         const Value by = values_.content(second);
@@ -134,25 +124,25 @@ std::optional<Value> Containers::operate(const clang::CXXOperatorCallExpr& expre
 Value Containers::endOf(const clang::CallExpr& expression, const std::string& name) {
     const Value whole = values_.eval(expression.getArg(0));
     if (!whole.is(Kind::Place)) return {};
-    if (name == "begin" || name == "cbegin") return Value::ofPlace(partOf(whole.text, 0));
+    if (name == "begin" || name == "cbegin") return Value::ofPlace(whole.place.element(0));
     const auto* array = context_.getAsConstantArrayType(expression.getArg(0)->getType());
     const auto size =
-        array != nullptr ? std::optional<long long>(array->getSize().getSExtValue()) : memory_.sizeOf(whole.text);
-    return size ? Value::ofPlace(partOf(whole.text, *size)) : Value();
+        array != nullptr ? std::optional<long long>(array->getSize().getSExtValue()) : memory_.sizeOf(whole.place);
+    return size ? Value::ofPlace(whole.place.element(*size)) : Value();
 }
 
 /// std::for_each()
 Value Containers::eachOf(const clang::CallExpr& expression) {
-    const auto from = positionOf(values_.pointed(expression.getArg(0))),
-               to = positionOf(values_.pointed(expression.getArg(1)));
+    const Value from = values_.pointed(expression.getArg(0)), to = values_.pointed(expression.getArg(1));
     const Value function = memory_.load(values_.eval(expression.getArg(2)));
-    if (!from || !to || from->container != to->container || to->index - from->index > kMostElements ||
-        !function.is(Kind::Function) || function.function == nullptr)
+    if (!hasPosition(from) || !hasPosition(to) || from.place.whole() != to.place.whole() ||
+        to.place.index() - from.place.index() > kMostElements || !function.is(Kind::Function) ||
+        function.function == nullptr)
         return {};
     const clang::FunctionDecl* definition = definitionOf(*function.function);
     if (definition == nullptr || definition->isDependentContext()) return {};  // a lambda of 'auto' is not made yet
-    for (long long i = from->index; i < to->index; ++i) {
-        const Place element = partOf(from->container, i);
+    for (long long i = from.place.index(); i < to.place.index(); ++i) {
+        const Place element = from.place.whole().element(i);
         const bool isLocal = definition->getNumParams() == 1 &&
                              !definition->getParamDecl(0)->getType()->isReferenceType() &&
                              !definition->getParamDecl(0)->getType()->isRecordType();

@@ -66,9 +66,9 @@ std::optional<Value> ElementCalls::call(const clang::CallExpr& expression, const
     if ((name == "set" || name == "value") && count == 0) return Value::ofPlace(element->value);
     if (name == "set" && count == 1 && !element->value.empty()) {
         const Value value = values_.eval(expression.getArg(0));
-        const bool isObject = value.is(Kind::Place) && memory_.find(value.text) == nullptr;
+        const bool isObject = value.is(Kind::Place) && memory_.find(value.place) == nullptr;
         if (isObject) memory_.forget(element->value);
-        if (isObject) memory_.copy(value.text, element->value);
+        if (isObject) memory_.copy(value.place, element->value);
         if (!isObject) memory_.assign(element->value, values_.converted(memory_.load(value), element->valueType));
         return Value();
     }

@@ -19,8 +19,8 @@ public:
 
 private:
     Flow runIf(const clang::IfStmt& statement);
-    Flow runFor(const clang::ForStmt& statement);
-    Flow runRounds(const clang::Expr* condition, const clang::Stmt* body);
+    /// `next` may be null, and so may the condition.
+    Flow runRounds(const clang::Expr* condition, const clang::Expr* next, const clang::Stmt* body);
     Flow runEach(const clang::CXXForRangeStmt& statement);
     Flow runSwitch(const clang::SwitchStmt& statement);
     void declare(const clang::VarDecl& variable);

@@ -87,7 +87,7 @@ Value Expressions::eval(const clang::Expr* expression) {
         const clang::QualType type = temporary->getType();
         const bool isObject = (type->isRecordType() && !isPointerLike(type)) || type->isArrayType();
         if (isObject && value.is(Kind::Place)) return value;
-        const Place place = memory_.fresh("temporary");
+        const Place place = memory_.fresh();
         memory_.set(place, value);
         return Value::ofPlace(place);
     }
@@ -120,7 +120,7 @@ std::optional<bool> Expressions::truth(const clang::Expr* condition) {
 
 Value Expressions::evalPlain(const clang::Expr* expression) {
     if (const auto* one = dyn_cast<clang::CXXConstructExpr>(expression)) {
-        const Place place = memory_.fresh("temporary");
+        const Place place = memory_.fresh();
         objects_.construct(place, one->getType(), *one);
         // Strings and smart pointers are values; other objects are places.
         const bool isValue = isStdString(one->getType()) || isPointerLike(one->getType());
@@ -129,7 +129,7 @@ Value Expressions::evalPlain(const clang::Expr* expression) {
     if (const auto* list = dyn_cast<clang::InitListExpr>(expression)) {
         if (!list->getType()->isRecordType() && !list->getType()->isArrayType())
             return list->getNumInits() == 1 ? eval(list->getInit(0)) : Value::ofNumber(0);
-        const Place place = memory_.fresh("temporary");
+        const Place place = memory_.fresh();
         objects_.initialise(place, list->getType(), list);
         return Value::ofPlace(place);
     }
@@ -151,7 +151,7 @@ Value Expressions::evalPlain(const clang::Expr* expression) {
         return value;
     }
     if (const auto* one = dyn_cast<clang::CXXNewExpr>(expression)) {
-        const Place place = memory_.fresh("new");
+        const Place place = memory_.fresh();
         if (one->getInitializer() != nullptr)
             objects_.initialise(place, one->getAllocatedType(), one->getInitializer());
         return Value::ofPlace(place);
@@ -159,7 +159,7 @@ Value Expressions::evalPlain(const clang::Expr* expression) {
     if (const auto* one = dyn_cast<clang::ArraySubscriptExpr>(expression)) {
         const Value base = eval(one->getBase()), index = eval(one->getIdx());
         if (!base.is(Kind::Place) || !index.is(Kind::Number)) return {};
-        return Value::ofPlace(base.text + "[" + std::to_string(index.number) + "]");
+        return Value::ofPlace(base.place.element(index.number));
     }
     return folded(expression);
 }
@@ -259,14 +259,14 @@ Value Expressions::declared(const clang::DeclRefExpr& expression) {
     if (variable == nullptr) return {};
     // The only constant of RTT without a value in its headers; it stands for "none given".
     if (variable->getName() == "LowestPriority") return Value::null();
-    const Place place = "global " + std::to_string(variable->getCanonicalDecl()->getID());
+    const Place place = Place::global(variable->getCanonicalDecl()->getID());
     const clang::VarDecl* definition = nullptr;
     const clang::Expr* init = variable->getAnyInitializer(definition);
     const bool constant = variable->getType().isConstQualified() || variable->isConstexpr();
     const bool array =
         variable->getType()->isArrayType() && context_.getBaseElementType(variable->getType()).isConstQualified();
-    if (init != nullptr && (constant || array) && memory_.find(place + "#made") == nullptr) {
-        memory_.set(place + "#made", Value::ofBoolean(true));
+    if (init != nullptr && (constant || array) && memory_.find(place.of(Place::Kind::Initialised)) == nullptr) {
+        memory_.set(place.of(Place::Kind::Initialised), Value::ofBoolean(true));
         if (variable->getType()->isReferenceType()) return eval(init);
         objects_.initialise(place, variable->getType(), init);
     }
@@ -280,7 +280,7 @@ Value Expressions::member(const clang::MemberExpr& expression) {
         eval(expression.getBase());
         if (variable == nullptr || !variable->getType().isConstQualified()) return {};
         const clang::Expr* init = variable->getAnyInitializer();
-        const Place place = "global " + std::to_string(variable->getCanonicalDecl()->getID());
+        const Place place = Place::global(variable->getCanonicalDecl()->getID());
         if (init != nullptr && memory_.find(place) == nullptr) objects_.initialise(place, variable->getType(), init);
         return Value::ofPlace(place);
     }
@@ -288,7 +288,7 @@ Value Expressions::member(const clang::MemberExpr& expression) {
     if (!base.is(Kind::Place)) return {};
     // A nameless struct or union in a class is no part of the place: its fields are the class's.
     if (field->isAnonymousStructOrUnion()) return base;
-    const Place place = base.text + "." + field->getNameAsString();
+    const Place place = base.place.field(field->getNameAsString());
     return field->getType()->isReferenceType() ? memory_.load(Value::ofPlace(place)) : Value::ofPlace(place);
 }
 
@@ -315,7 +315,7 @@ Value Expressions::unary(const clang::UnaryOperator& expression) {
             if (!value.is(Kind::Place)) return {};
             const Value before = memory_.load(value);
             const auto kind = expression.isIncrementOp() ? clang::BO_Add : clang::BO_Sub;
-            memory_.assign(value.text, converted(operated(kind, before, Value::ofNumber(1)), type));
+            memory_.assign(value.place, converted(operated(kind, before, Value::ofNumber(1)), type));
             return expression.isPrefix() ? value : before;
         }
         default: return {};
@@ -336,14 +336,14 @@ Value Expressions::binary(const clang::BinaryOperator& expression) {
     }
     if (kind == clang::BO_Assign) {
         const Value value = eval(expression.getRHS()), target = eval(expression.getLHS());
-        if (target.is(Kind::Place)) memory_.assign(target.text, converted(value, expression.getType()));
+        if (target.is(Kind::Place)) memory_.assign(target.place, converted(value, expression.getType()));
         return target;
     }
     if (const auto* compound = dyn_cast<clang::CompoundAssignOperator>(&expression)) {
         const Value value = eval(expression.getRHS()), target = eval(expression.getLHS());
         if (!target.is(Kind::Place)) return {};
         const Value before = converted(memory_.load(target), compound->getComputationLHSType());
-        memory_.assign(target.text,
+        memory_.assign(target.place,
                        converted(operated(clang::BinaryOperator::getOpForCompoundAssignment(kind), before, value),
                                  expression.getType()));
         return target;

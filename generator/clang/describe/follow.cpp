@@ -36,7 +36,7 @@ struct Parts {
 Followed follow(const clang::CXXConstructorDecl& constructor, const SourcePlaces& places, diag::Sink& remarks) {
     Parts parts(constructor.getASTContext(), places, remarks);
     CallStack::Frame outermost;
-    outermost.self = kRoot;
+    outermost.self = Place::component();
     parts.stack.enter(outermost);
     Values arguments;
     for (const clang::ParmVarDecl* parameter : constructor.parameters()) {
@@ -47,7 +47,7 @@ Followed follow(const clang::CXXConstructorDecl& constructor, const SourcePlaces
         const bool hasDefault = parameter->hasDefaultArg() && !parameter->hasUninstantiatedDefaultArg();
         arguments.push_back(hasDefault ? parts.values.eval(parameter->getDefaultArg()) : Value());
     }
-    parts.objects.construct(kRoot, constructor, arguments);
+    parts.objects.construct(Place::component(), constructor, arguments);
     Followed made;
     readResult(parts.all, made);
     followLate(parts.all, *constructor.getParent());

@@ -58,20 +58,16 @@ Value valueOf(const Place& place) { return place.empty() ? Value() : Value::ofPl
 
 Place InterfaceCalls::elementOf(const clang::Expr* expression, ElementKind kind) {
     const Value value = values_.eval(expression);
-    if (value.is(Kind::Place) && registry_.elementAt(value.text) != nullptr) return value.text;
-    static const char* const ports[] = {"InputPort", "OutputPort"};
-    static const char* const properties[] = {"Property"};
-    static const char* const attributes[] = {"Attribute", "Constant"};
-    static const char* const operations[] = {"Operation"};
-    static const char* const callers[] = {"OperationCaller"};
-    const llvm::ArrayRef<const char*> names = kind == ElementKind::Port        ? llvm::ArrayRef(ports)
-                                              : kind == ElementKind::Property  ? llvm::ArrayRef(properties)
-                                              : kind == ElementKind::Attribute ? llvm::ArrayRef(attributes)
-                                              : kind == ElementKind::Operation ? llvm::ArrayRef(operations)
-                                                                               : llvm::ArrayRef(callers);
-    const clang::QualType type = knownBase(expression->IgnoreParenImpCasts()->getType(), names);
+    if (value.is(Kind::Place) && registry_.elementAt(value.place) != nullptr) return value.place;
+    static const std::map<ElementKind, std::vector<const char*>> names = {
+        {ElementKind::Port, {"InputPort", "OutputPort"}},
+        {ElementKind::Property, {"Property"}},
+        {ElementKind::Attribute, {"Attribute", "Constant"}},
+        {ElementKind::Operation, {"Operation"}},
+        {ElementKind::Caller, {"OperationCaller"}}};
+    const clang::QualType type = knownBase(expression->IgnoreParenImpCasts()->getType(), names.at(kind));
     if (type.isNull()) return {};
-    const Place place = value.is(Kind::Place) ? value.text : memory_.fresh("object");
+    const Place place = value.is(Kind::Place) ? value.place : memory_.fresh();
     known_.constructElement(place, toolchainName(*type->getAsCXXRecordDecl()), type, {}, expression->getExprLoc());
     if (Element* made = registry_.elementAt(place); made != nullptr && !made->value.empty())
         memory_.set(made->value, Value());
@@ -140,9 +136,9 @@ Value InterfaceCalls::addVariable(const clang::CallExpr& expression, ElementKind
     made.valueType = variable->getType().getUnqualifiedType();
     made.type = cppTypeText(made.valueType, context_);
     made.uses = {made.valueType};
-    made.value = value.is(Kind::Place) ? value.text : memory_.fresh("object");
+    made.value = value.is(Kind::Place) ? value.place : memory_.fresh();
     if (!value.is(Kind::Place)) memory_.set(made.value, isProperty ? Value() : value);
-    const Place place = memory_.fresh("element");
+    const Place place = memory_.fresh();
     registry_.elements[place] = made;
     return add(expression, what, place, scope);
 }
@@ -150,7 +146,7 @@ Value InterfaceCalls::addVariable(const clang::CallExpr& expression, ElementKind
 Value InterfaceCalls::addOperation(const clang::CallExpr& expression, Scope& scope) {
     if (!named(expression))
         return add(expression, "operation", elementOf(expression.getArg(0), ElementKind::Operation), scope);
-    const Place place = memory_.fresh("operation");
+    const Place place = memory_.fresh();
     Element made;
     made.kind = ElementKind::Operation;
     const clang::FunctionDecl* function = nullptr;
@@ -184,8 +180,8 @@ Value InterfaceCalls::addCaller(const clang::CallExpr& expression, Requester& re
 
 Value InterfaceCalls::addService(const clang::CallExpr& expression, Scope& scope) {
     const Value value = values_.eval(expression.getArg(0));
-    Scope* added = registry_.scopeAt(value.text);
-    if (added == nullptr) added = registry_.scopeAt(memory_.load(value).text);
+    Scope* added = registry_.scopeAt(value.place);
+    if (added == nullptr) added = registry_.scopeAt(memory_.load(value).place);
     findings_.noteMore(added == nullptr || !findings_.isCertain());  // whatever is in it
     if (!findings_.isAdded(expression.getExprLoc(), "service")) return {};
     if (added == nullptr) {
@@ -214,9 +210,9 @@ std::optional<Value> InterfaceCalls::addCall(const clang::CallExpr& expression, 
 
 Value InterfaceCalls::createService(const clang::CallExpr& expression) {
     const Values arguments = calls_.argumentsOf(expression);
-    const Place made = memory_.fresh("service");
+    const Place made = memory_.fresh();
     known_.constructScope(made, "Service", arguments, expression.getExprLoc());
-    Scope* outer = arguments.size() > 1 ? registry_.scopeAt(arguments[1].text) : nullptr;
+    Scope* outer = arguments.size() > 1 ? registry_.scopeAt(arguments[1].place) : nullptr;
     findings_.noteMore(outer != nullptr && !findings_.isCertain());
     if (outer != nullptr &&
         findings_.isAdded(expression.getExprLoc(), "the service '" + registry_.scopes[made]->name + "'"))
@@ -245,11 +241,12 @@ Value InterfaceCalls::call(const clang::CallExpr& expression, const clang::CXXMe
         findings_.noteMore();
         findings_.remark(expression.getExprLoc(), "OC021", "where '" + name + "' adds this is not constant");
     }
-    if (owner == "PropertyBag" && beginsWith(object, kRoot) && (beginsWith(name, "add") || name == "ownProperty"))
+    if (owner == "PropertyBag" && object.isOf(Place::Kind::Component) &&
+        (beginsWith(name, "add") || name == "ownProperty"))
         findings_.remark(expression.getExprLoc(), "OC025", "what a property holds that is a bag is not told");
     for (const Value& value : calls_.argumentsOf(expression)) {
         // What is passed by pointer or reference stays with RTT: ports that are connected, variables that are read.
-        if (value.is(Kind::Place) && beginsWith(name, "read")) memory_.forget(value.text);
+        if (value.is(Kind::Place) && beginsWith(name, "read")) memory_.forget(value.place);
     }
     return {};
 }

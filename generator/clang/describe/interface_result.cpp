@@ -37,13 +37,13 @@ private:
 void InterfaceResult::readInto(Followed& made) {
     made.activity = registry_.activity;
     made.initial = registry_.initial;
-    if (const Scope* root = registry_.scopeAt(kRoot)) {
+    if (const Scope* root = registry_.scopeAt(Place::component())) {
         read(*root, made.interface);
         made.serviceName = root->name;
         made.doc = root->doc;
     }
     for (const auto& [place, requester] : registry_.requesters) {
-        if (place.rfind("requester ", 0) != 0 || (requester->name == "this" && requester->callers.empty())) continue;
+        if (!place.isOf(Place::Kind::Requester) || (requester->name == "this" && requester->callers.empty())) continue;
         model::Requirement required;
         required.name = textAt(requester->name, requester->where);
         required.where = requester->where;
@@ -124,7 +124,7 @@ void InterfaceResult::read(const Element& element, model::Interface& into) {
 /// The value that the variable has at the end of the constructor.
 void InterfaceResult::giveValue(const Element& element, model::Text& value, const std::string& what) {
     const Value* found = memory_.find(element.value);
-    const bool changed = memory_.find(element.value + "#changed") != nullptr;
+    const bool changed = memory_.find(element.value.of(Place::Kind::Changed)) != nullptr;
     const clang::FunctionDecl* unseen = found == nullptr ? objects_.unseenMaker(element.value) : nullptr;
     if (found == nullptr && !changed && unseen == nullptr) {
         if (element.constant) findings_.warn(element.where, "OC024", "the value of this constant cannot be told");

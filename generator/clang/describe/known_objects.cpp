@@ -104,10 +104,10 @@ void KnownObjects::constructElement(const Place& at, const std::string& name, cl
     const std::size_t valueAt = name == "Property" ? 2 : 1;
     if (element.kind == ElementKind::Property && argument(1).is(Kind::Text)) element.doc = argument(1).text;
     if (element.kind != ElementKind::Port) {
-        element.value = at + "#value";
+        element.value = at.of(Place::Kind::Held);
         if (valueAt < arguments.size() && !arguments[valueAt].is(Kind::Null)) {
             const Value& value = arguments[valueAt];
-            if (value.is(Kind::Place)) memory_.copy(value.text, element.value);
+            if (value.is(Kind::Place)) memory_.copy(value.place, element.value);
             if (memory_.find(element.value) == nullptr && !memory_.load(value).is(Kind::Unknown))
                 memory_.set(element.value, values_.converted(memory_.load(value), of));
         }
@@ -124,7 +124,7 @@ void KnownObjects::constructScope(const Place& at, const std::string& name, cons
         return;
     }
     registry_.scopes[at] = &registry_.makeScope(named, findings_.locate(where));
-    if (name != "TaskContext" || at != kRoot || arguments.size() < 2) return;
+    if (name != "TaskContext" || !at.isComponent() || arguments.size() < 2) return;
     const Value initial = memory_.load(arguments[1]);
     if (endsWith(initial.text, "PreOperational")) {
         registry_.initial = model::InitialState::PreOperational;
@@ -195,7 +195,7 @@ model::Policy KnownObjects::policyAt(const Value& value, bool& known) const {
     known = known && whole.is(Kind::Policy);
     model::Policy policy = whole.policy;
     if (!value.is(Kind::Place)) return policy;
-    const auto part = [&](const char* field) { return memory_.find(value.text + "." + field); };
+    const auto part = [&](const char* field) { return memory_.find(value.place.field(field)); };
     for (const auto& [field, number] : {std::pair("type", part("type")), std::pair("size", part("size")),
                                         std::pair("lock_policy", part("lock_policy")), std::pair("init", part("init")),
                                         std::pair("pull", part("pull"))}) {

@@ -56,9 +56,10 @@ void LateCalls::follow(const clang::CXXRecordDecl& made) {
             if (llvm::isa<clang::CXXConstructorDecl, clang::CXXDestructorDecl>(method)) continue;
             const clang::FunctionDecl* definition = definitionOf(*method);
             // Where a derived class has another one, only that calls it.
-            if (definition == nullptr || calls_.isInvoked(*definition) || &stack_.overriderOf(*method, kRoot) != method)
+            if (definition == nullptr || calls_.isInvoked(*definition) ||
+                &stack_.overriderOf(*method, Place::component()) != method)
                 continue;
-            invoke(*definition, kRoot,
+            invoke(*definition, Place::component(),
                    "in '" + method->getNameAsString() + "', which is not called while the component is made");
         }
     });

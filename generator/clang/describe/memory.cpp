@@ -11,34 +11,31 @@ const Value* Memory::find(const Place& place) const {
 
 Value Memory::load(const Value& value) const {
     if (!value.is(Value::Kind::Place)) return value;
-    const Value* found = find(value.text);
+    const Value* found = find(value.place);
     return found == nullptr ? Value() : *found;
 }
 
 std::optional<long long> Memory::sizeOf(const Place& container) const {
-    const Value* size = find(container + "#size");
+    const Value* size = find(container.of(Place::Kind::Size));
     return size != nullptr && size->is(Value::Kind::Number) ? std::optional(size->number) : std::nullopt;
 }
 
 void Memory::forget(const Place& place) {
-    const auto isPart = [&](const Place& other) {
-        return other.compare(0, place.size(), place) == 0 &&
-               (other.size() == place.size() || std::string(".[#").find(other[place.size()]) != std::string::npos);
-    };
     for (auto& [at, value] : values_) {
-        if (isPart(at)) value = Value();
+        if (at.isPartOf(place)) value = Value();
     }
     set(place, Value());
     noteChange(place);
 }
 
 void Memory::noteChange(const Place& place) {
-    for (std::size_t i = 1; i < place.size(); ++i) {
-        if (place[i] != '.' && place[i] != '[') continue;
-        const Place whole = place.substr(0, i);
-        set(whole + "#changed", Value::ofBoolean(true));
+    for (Place part = place; !part.empty();) {
+        const Place::Kind kind = part.kind();
+        part = part.whole();
+        if (kind != Place::Kind::Field && kind != Place::Kind::Element && kind != Place::Kind::Key) continue;
+        set(part.of(Place::Kind::Changed), Value::ofBoolean(true));
         // Of a text one character.
-        if (const auto text = values_.find(whole); text != values_.end() && text->second.is(Value::Kind::Text))
+        if (const auto text = values_.find(part); text != values_.end() && text->second.is(Value::Kind::Text))
             text->second = Value();
     }
 }
@@ -52,16 +49,13 @@ void Memory::copy(const Place& from, const Place& to) {
     if (from == to) return;
     std::vector<std::pair<Place, Value>> copies;
     for (const auto& [at, value] : values_) {
-        if (at.compare(0, from.size(), from) != 0) continue;
-        const std::string rest = at.substr(from.size());
-        if (rest.empty() || std::string(".[#").find(rest[0]) != std::string::npos)
-            copies.emplace_back(to + rest, value);
+        if (at.isPartOf(from)) copies.emplace_back(at.moved(from, to), value);
     }
     for (auto& [at, value] : copies) set(at, findings_.isCertain() ? std::move(value) : Value());
 }
 
 void Memory::store(const Place& at, const Value& value) {
-    if (value.is(Value::Kind::Place)) copy(value.text, at);
+    if (value.is(Value::Kind::Place)) copy(value.place, at);
     if (find(at) == nullptr) set(at, load(value));
 }
 

@@ -33,7 +33,7 @@ public:
     void store(const Place& at, const Value& value);
 
     /// A place that nothing else has.
-    Place fresh(const char* what) { return std::string(what) + " " + std::to_string(++made_); }
+    Place fresh() { return Place::made(++made_); }
 
 private:
     const Findings& findings_;

@@ -44,8 +44,7 @@ void Objects::initialise(const Place& at, clang::QualType type, const clang::Exp
     if (const auto* array = context_.getAsConstantArrayType(type)) {
         if (const auto* one = dyn_cast<clang::CXXConstructExpr>(init)) {
             const std::uint64_t size = std::min<std::uint64_t>(array->getSize().getZExtValue(), 1000);
-            for (std::uint64_t i = 0; i != size; ++i)
-                construct(at + "[" + std::to_string(i) + "]", array->getElementType(), *one);
+            for (std::uint64_t i = 0; i != size; ++i) construct(at.element(i), array->getElementType(), *one);
         } else {
             memory_.set(at, values_.eval(init));  // a string
         }
@@ -61,7 +60,7 @@ void Objects::initialise(const Place& at, clang::QualType type, const clang::Exp
     if (const auto* one = dyn_cast<clang::CXXConstructExpr>(init)) return construct(at, type, *one);
     const Value value = values_.eval(init);
     if (value.is(Kind::Place)) {
-        memory_.copy(value.text, at);
+        memory_.copy(value.place, at);
     } else {
         memory_.set(at, value);
     }
@@ -71,8 +70,8 @@ void Objects::initialiseList(const Place& at, clang::QualType type, const clang:
     if (type->isArrayType() || list.getType()->isArrayType()) {
         const auto* array = context_.getAsArrayType(list.getType());
         for (unsigned i = 0; i != list.getNumInits(); ++i)
-            initialise(at + "[" + std::to_string(i) + "]", array->getElementType(), list.getInit(i));
-        memory_.set(at + "#size", Value::ofNumber(list.getNumInits()));
+            initialise(at.element(i), array->getElementType(), list.getInit(i));
+        memory_.set(at.of(Place::Kind::Size), Value::ofNumber(list.getNumInits()));
         return;
     }
     const auto* record = type->getAsCXXRecordDecl();
@@ -94,7 +93,7 @@ void Objects::initialiseList(const Place& at, clang::QualType type, const clang:
     for (const clang::FieldDecl* field : record->fields()) {
         if (field->isUnnamedBitField() || i >= list.getNumInits()) continue;
         // The elements of std::array are those of its only field.
-        const Place part = isArray ? at : at + "." + field->getNameAsString();
+        const Place part = isArray ? at : at.field(field->getNameAsString());
         initialise(part, field->getType(), list.getInit(i++));
     }
 }
@@ -109,8 +108,8 @@ void Objects::construct(const Place& at, clang::QualType type, const clang::CXXC
         if (isValue || !from.is(Kind::Place)) {
             memory_.set(at, memory_.load(from));
         } else {
-            if (const Element* known = registry_.elementAt(from.text)) registry_.elements[at] = *known;
-            memory_.copy(from.text, at);
+            if (const Element* known = registry_.elementAt(from.place)) registry_.elements[at] = *known;
+            memory_.copy(from.place, at);
         }
         return;
     }
@@ -136,22 +135,22 @@ void Objects::construct(const Place& at, clang::QualType type, const clang::CXXC
     }
     if (known_.construct(at, type, &constructor, arguments, expression.getBeginLoc())) return;
     if (isStandard(*constructor.getParent(), "pair") && arguments.size() == 2) {
-        memory_.store(at + ".first", arguments[0]);
-        memory_.store(at + ".second", arguments[1]);
+        memory_.store(at.field("first"), arguments[0]);
+        memory_.store(at.field("second"), arguments[1]);
         return;
     }
     if (isTextStream(type)) {
         const bool hasText = !arguments.empty() && isStdString(constructor.getParamDecl(0)->getType());
-        memory_.set(at + "#text", hasText ? Value() : Value::ofText(""));
+        memory_.set(at.of(Place::Kind::Text), hasText ? Value() : Value::ofText(""));
     }
     if (isLibrary(constructor) && !isStandard(*constructor.getParent(), "array")) {
         if (isSequence(type)) containers_.construct(at, arguments);
         if (!arguments.empty()) memory_.set(at, constantObject(type, expression));
         // Containers that were made of a list are known to have that many elements.
         if (!arguments.empty() && arguments[0].is(Kind::Place) &&
-            memory_.find(arguments[0].text + "#size") != nullptr) {
+            memory_.find(arguments[0].place.of(Place::Kind::Size)) != nullptr) {
             const Value whole = memory_.load(Value::ofPlace(at));
-            memory_.copy(arguments[0].text, at);
+            memory_.copy(arguments[0].place, at);
             memory_.set(at, whole);
         }
         return;
@@ -164,8 +163,8 @@ void Objects::construct(const Place& at, clang::QualType type, const clang::CXXC
 void Objects::construct(const Place& at, const clang::CXXConstructorDecl& declared, const Values& arguments) {
     const auto* constructor = llvm::cast_or_null<clang::CXXConstructorDecl>(definitionOf(declared));
     if (constructor == nullptr && (declared.isImplicit() || declared.isDefaulted())) constructor = &declared;
-    const bool matters = at == kRoot || std::any_of(arguments.begin(), arguments.end(), [&](const Value& value) {
-                             return value.is(Kind::Place) && registry_.scopes.count(value.text) != 0;
+    const bool matters = at.isComponent() || std::any_of(arguments.begin(), arguments.end(), [&](const Value& value) {
+                             return value.is(Kind::Place) && registry_.scopes.count(value.place) != 0;
                          });
     if (constructor == nullptr) {
         unseen_[at] = &declared;
@@ -181,14 +180,13 @@ void Objects::construct(const Place& at, const clang::CXXConstructorDecl& declar
     for (const clang::CXXCtorInitializer* init : constructor->inits()) {
         if (init->isAnyMemberInitializer()) {
             const clang::FieldDecl* field = init->getAnyMember();
-            const Place part =
-                isStandard(*constructor->getParent(), "array") ? at : at + "." + field->getNameAsString();
+            const Place part = isStandard(*constructor->getParent(), "array") ? at : at.field(field->getNameAsString());
             initialise(part, field->getType(), init->getInit());
         } else {
             constructBase(at, *init, arguments);
         }
     }
-    const clang::CXXRecordDecl* outer = stack_.become(at == kRoot ? constructor->getParent() : stack_.type());
+    const clang::CXXRecordDecl* outer = stack_.become(at.isComponent() ? constructor->getParent() : stack_.type());
     statements_.run(constructor->getBody());
     stack_.become(outer);
     stack_.leave();
@@ -212,7 +210,7 @@ void Objects::constructBase(const Place& at, const clang::CXXCtorInitializer& in
 Value Objects::make(clang::QualType type, const Values& arguments, clang::SourceLocation where) {
     const auto* record = type.isNull() ? nullptr : type->getAsCXXRecordDecl();
     if (record == nullptr || !record->hasDefinition()) return {};
-    const Place at = memory_.fresh("new");
+    const Place at = memory_.fresh();
     makeAt(at, type, arguments, where);
     return Value::ofPlace(at);
 }
@@ -231,7 +229,7 @@ void Objects::makeAt(const Place& at, clang::QualType type, const Values& argume
 
 const clang::FunctionDecl* Objects::unseenMaker(const Place& place) const {
     for (const auto& [object, constructor] : unseen_) {
-        if (place.compare(0, object.size() + 1, object + ".") == 0) return constructor;
+        if (place.isInFieldOf(object)) return constructor;
     }
     return nullptr;
 }

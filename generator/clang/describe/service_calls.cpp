@@ -20,13 +20,13 @@ Place ServiceCalls::serviceNamed(Scope& scope, const std::string& name, const cl
     for (const auto& [place, one] : registry_.scopes) {
         if (one == found) return place;
     }
-    const Place place = memory_.fresh("service");
+    const Place place = memory_.fresh();
     registry_.scopes[place] = found;
     return place;
 }
 
 Place ServiceCalls::requesterNamed(const std::string& name, const clang::Expr& at) {
-    const Place place = "requester " + name;
+    const Place place = Place::requester(name);
     if (registry_.requesters.count(place) == 0)
         registry_.requesters[place] = &registry_.makeRequester(name, findings_.locate(at.getExprLoc()));
     return place;
@@ -34,14 +34,14 @@ Place ServiceCalls::requesterNamed(const std::string& name, const clang::Expr& a
 
 Value ServiceCalls::addRequester(const clang::CallExpr& expression) {
     const Value value = values_.eval(expression.getArg(0));
-    auto found = registry_.requesters.find(value.text);
-    if (found == registry_.requesters.end()) found = registry_.requesters.find(memory_.load(value).text);
+    auto found = registry_.requesters.find(value.place);
+    if (found == registry_.requesters.end()) found = registry_.requesters.find(memory_.load(value).place);
     if (!findings_.isAdded(expression.getExprLoc(), "required service")) return {};
     if (found == registry_.requesters.end() || found->second->name.empty()) {
         findings_.remark(expression.getExprLoc(), "OC021", "which required service this is cannot be told");
         return {};
     }
-    registry_.requesters["requester " + found->second->name] = found->second;
+    registry_.requesters[Place::requester(found->second->name)] = found->second;
     return Value::ofBoolean(true);
 }
 
@@ -51,7 +51,8 @@ Value ServiceCalls::callHook(const std::string& name) {
         for (const clang::CXXMethodDecl* method : type->methods()) {
             const bool isHook = method->getDeclName().isIdentifier() && method->getName() == name;
             const clang::FunctionDecl* definition = isHook ? definitionOf(*method) : nullptr;
-            if (definition != nullptr && !isLibrary(*definition)) return calls_.invoke(*definition, {}, kRoot);
+            if (definition != nullptr && !isLibrary(*definition))
+                return calls_.invoke(*definition, {}, Place::component());
         }
         const bool hasBase = type->getNumBases() != 0;
         type = hasBase ? type->bases_begin()->getType()->getAsCXXRecordDecl() : nullptr;
@@ -68,12 +69,12 @@ Value ServiceCalls::require(const clang::CallExpr& expression, const Place& obje
         findings_.remark(expression.getExprLoc(), "OC021", "the name of this required service is not constant");
         return {};
     }
-    if (isRequester && object != "requester this") {
+    if (isRequester && object != Place::requester("this")) {
         findings_.remark(expression.getExprLoc(), "OC025",
                          "the service '" + *wanted + "' is required within another one, which a manifest cannot tell");
         return {};
     }
-    const bool isKnown = registry_.requesters.count("requester " + *wanted) != 0;
+    const bool isKnown = registry_.requesters.count(Place::requester(*wanted)) != 0;
     if (!isKnown && !findings_.isAdded(expression.getExprLoc(), "the required service '" + *wanted + "'")) return {};
     return Value::ofPlace(requesterNamed(*wanted, expression));
 }
@@ -117,7 +118,7 @@ std::optional<Value> ServiceCalls::call(const clang::CallExpr& expression, const
     Scope* scope = registry_.scopeAt(object);
     const bool isRequester = registry_.requesters.count(object) != 0;
     const unsigned count = expression.getNumArgs();
-    if ((name == "requires" || name == "requires_") && (isRequester || (scope != nullptr && object == kRoot)))
+    if ((name == "requires" || name == "requires_") && (isRequester || (scope != nullptr && object.isComponent())))
         return require(expression, object);
     if (isRequester && name == "addServiceRequester" && count == 1) return addRequester(expression);
     if (scope == nullptr) return std::nullopt;
@@ -128,7 +129,7 @@ std::optional<Value> ServiceCalls::call(const clang::CallExpr& expression, const
             "what the service " + (wanted ? "'" + *wanted + "' " : "") + "brings that is loaded here is not told");
         return Value();
     }
-    if (object == kRoot && (name == "configure" || name == "start") && count == 0) return callHook(name + "Hook");
+    if (object.isComponent() && (name == "configure" || name == "start") && count == 0) return callHook(name + "Hook");
     if (same.count(name) != 0 || (name == "provides" && count == 0)) return Value::ofPlace(object);
     if (count != 1) return std::nullopt;
     if (name == "provides") return provide(expression, object, *scope);

@@ -76,13 +76,17 @@ Statements::Flow Statements::run(const clang::Stmt* statement) {
         return Flow::Next;
     }
     if (const auto* choice = dyn_cast<clang::IfStmt>(statement)) return runIf(*choice);
-    if (const auto* loop = dyn_cast<clang::ForStmt>(statement)) return runFor(*loop);
+    if (const auto* loop = dyn_cast<clang::ForStmt>(statement)) {
+        run(loop->getInit());
+        return runRounds(loop->getCond(), loop->getInc(), loop->getBody());
+    }
     if (const auto* loop = dyn_cast<clang::CXXForRangeStmt>(statement)) return runEach(*loop);
-    if (const auto* loop = dyn_cast<clang::WhileStmt>(statement)) return runRounds(loop->getCond(), loop->getBody());
+    if (const auto* loop = dyn_cast<clang::WhileStmt>(statement))
+        return runRounds(loop->getCond(), nullptr, loop->getBody());
     if (const auto* choice = dyn_cast<clang::SwitchStmt>(statement)) return runSwitch(*choice);
     if (const auto* loop = dyn_cast<clang::DoStmt>(statement)) {
         const Flow flow = run(loop->getBody());
-        return flow == Flow::Next || flow == Flow::Continue ? runRounds(loop->getCond(), loop->getBody())
+        return flow == Flow::Next || flow == Flow::Continue ? runRounds(loop->getCond(), nullptr, loop->getBody())
                : flow == Flow::Break                        ? Flow::Next
                                                             : flow;
     }
@@ -110,10 +114,10 @@ void Statements::declare(const clang::VarDecl& variable) {
     if (variable.isStaticLocal() && !variable.getType().isConstQualified()) return;  // it may have changed since
     if (variable.getType()->isReferenceType()) {
         const Value target = values_.eval(variable.getInit());
-        stack_.top().locals[&variable] = target.is(Value::Kind::Place) ? target.text : memory_.fresh("local");
+        stack_.top().locals[&variable] = target.is(Value::Kind::Place) ? target.place : memory_.fresh();
         return;
     }
-    const Place place = memory_.fresh("local");
+    const Place place = memory_.fresh();
     stack_.top().locals[&variable] = place;
     if (variable.getInit() != nullptr) objects_.initialise(place, variable.getType(), variable.getInit());
 }
@@ -128,35 +132,20 @@ Statements::Flow Statements::runIf(const clang::IfStmt& statement) {
     return Flow::Next;
 }
 
-Statements::Flow Statements::runFor(const clang::ForStmt& statement) {
-    run(statement.getInit());
+Statements::Flow Statements::runRounds(const clang::Expr* condition, const clang::Expr* next, const clang::Stmt* body) {
     for (unsigned round = 0; round != kMostRounds; ++round) {
-        const auto goesOn =
-            statement.getCond() == nullptr ? std::optional<bool>(true) : values_.truth(statement.getCond());
-        if (goesOn && !*goesOn) return Flow::Next;
-        if (!goesOn || !findings_.isCertain()) break;
-        const Flow flow = run(statement.getBody());
-        if (flow == Flow::Break) return Flow::Next;
-        if (flow == Flow::Return) return flow;
-        values_.eval(statement.getInc());
-    }
-    // What counts the rounds is not known any more, nor are names that it is part of.
-    findings_.doubt("");
-    values_.eval(statement.getInc());
-    findings_.settle();
-    runUndecided(statement.getBody(), "in a loop whose rounds are not constant", true);
-    return Flow::Next;
-}
-
-Statements::Flow Statements::runRounds(const clang::Expr* condition, const clang::Stmt* body) {
-    for (unsigned round = 0; round != kMostRounds; ++round) {
-        const auto goesOn = values_.truth(condition);
+        const auto goesOn = condition == nullptr ? std::optional(true) : values_.truth(condition);
         if (goesOn && !*goesOn) return Flow::Next;
         if (!goesOn || !findings_.isCertain()) break;
         const Flow flow = run(body);
         if (flow == Flow::Break) return Flow::Next;
         if (flow == Flow::Return) return flow;
+        values_.eval(next);
     }
+    // What counts the rounds is not known any more, nor are names that it is part of.
+    findings_.doubt("");
+    values_.eval(next);
+    findings_.settle();
     runUndecided(body, "in a loop whose rounds are not constant", true);
     return Flow::Next;
 }
@@ -175,17 +164,18 @@ Statements::Flow Statements::runEach(const clang::CXXForRangeStmt& statement) {
     // Lists in braces say how long they are, and so do containers that were made of one.
     // Not so those that have an order of their own.
     const bool sorts = record != nullptr && (record->getName().contains("map") || record->getName().contains("set"));
-    if (const auto known = sorts ? std::nullopt : memory_.sizeOf(range.text)) size = static_cast<std::uint64_t>(*known);
+    if (const auto known = sorts ? std::nullopt : memory_.sizeOf(range.place))
+        size = static_cast<std::uint64_t>(*known);
     if (!range.is(Value::Kind::Place) || !size || *size > kMostRounds) {
         runUndecided(statement.getBody(), "in a loop over elements that are not constant", true);
         return Flow::Next;
     }
     for (std::uint64_t i = 0; i != *size; ++i) {
-        const Place element = range.text + "[" + std::to_string(i) + "]";
+        const Place element = range.place.element(i);
         if (variable.getType()->isReferenceType()) {
             stack_.top().locals[&variable] = element;
         } else {
-            const Place own = memory_.fresh("local");
+            const Place own = memory_.fresh();
             memory_.copy(element, own);
             stack_.top().locals[&variable] = own;
         }

@@ -53,7 +53,8 @@ std::optional<Value> Texts::operate(const clang::CXXOperatorCallExpr& expression
     const auto a = wordOf(memory_.load(target)), b = wordOf(memory_.load(values_.eval(second)));
     if (changes) {
         const bool known = b && (a || !adds);
-        if (target.is(Kind::Place)) memory_.assign(target.text, known ? Value::ofText((adds ? *a : "") + *b) : Value());
+        if (target.is(Kind::Place))
+            memory_.assign(target.place, known ? Value::ofText((adds ? *a : "") + *b) : Value());
         return target;
     }
     if (!a || !b) return Value();
@@ -67,7 +68,7 @@ Value Texts::printed(const clang::Expr& expression) {
 }
 
 void Texts::stream(const Place& into, const clang::Expr& what) {
-    const Place text = into + "#text";
+    const Place text = into.of(Place::Kind::Text);
     if (memory_.find(text) == nullptr) return;
     const Value more = printed(what), before = *memory_.find(text);
     const bool known = more.known() && before.is(Kind::Text);
@@ -77,11 +78,11 @@ void Texts::stream(const Place& into, const clang::Expr& what) {
 std::optional<Value> Texts::call(const clang::CXXMemberCallExpr& expression, const std::string& name,
                                  const Value& object) {
     const unsigned count = expression.getNumArgs();
-    const Value* streamed = object.is(Kind::Place) ? memory_.find(object.text + "#text") : nullptr;
+    const Value* streamed = object.is(Kind::Place) ? memory_.find(object.place.of(Place::Kind::Text)) : nullptr;
     if (name == "str" && streamed != nullptr) {
         if (count == 0) return *streamed;
         const auto text = values_.textOf(expression.getArg(0));
-        memory_.assign(object.text + "#text", text ? Value::ofText(*text) : Value());
+        memory_.assign(object.place.of(Place::Kind::Text), text ? Value::ofText(*text) : Value());
         return Value();
     }
     const Value text = memory_.load(object);
@@ -93,7 +94,7 @@ std::optional<Value> Texts::call(const clang::CXXMemberCallExpr& expression, con
     if (name == "size" || name == "length") return Value::ofNumber(static_cast<long long>(text.text.size()));
     if ((name == "append" || name == "push_back") && count == 1 && object.is(Kind::Place)) {
         const auto more = wordOf(values_.content(expression.getArg(0)));
-        memory_.assign(object.text, more ? Value::ofText(text.text + *more) : Value());
+        memory_.assign(object.place, more ? Value::ofText(text.text + *more) : Value());
         return object;
     }
     if (name == "substr" && count != 0) {
