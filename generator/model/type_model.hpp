@@ -141,6 +141,7 @@ struct Header {
     std::string path;
     std::string include;
     std::vector<std::size_t> before = {};  ///< those listed before it that have to be included first, by their numbers
+    std::size_t pieces = 1;                ///< how many source files its types are dealt out to
 };
 
 struct TypeModel {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -54,6 +55,15 @@ std::optional<std::string> below(const fs::path& header, const fs::path& folder)
     return relative.generic_string();
 }
 
+/// A header may be listed twice: by its name, and by its folder's.
+std::vector<std::string> withoutRepeated(const std::vector<std::string>& headers) {
+    std::vector<std::string> once;
+    std::set<fs::path> seen;
+    for (const std::string& header : headers)
+        if (seen.insert(fs::absolute(header).lexically_normal()).second) once.push_back(header);
+    return once;
+}
+
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
 }  // namespace
@@ -70,9 +80,10 @@ std::vector<std::string> expandInputs(const std::vector<std::string>& inputs, di
             headers.push_back(input);
         } else {
             sink.error({input}, "TK001", "no such header, expected a file or a folder of headers");
+            headers.push_back(input);
         }
     }
-    return headers;
+    return withoutRepeated(headers);
 }
 
 std::vector<std::string> includeDirsOf(const std::vector<std::string>& flags) {

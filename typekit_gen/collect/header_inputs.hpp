@@ -13,7 +13,7 @@
 namespace oroforge::typekit {
 
 /// Files stay, folders are searched for headers (*.h *.hh *.hpp *.hxx, sorted, names with "Typekit" left out).
-/// What does not exist is an error TK001, a folder without headers TK002.
+/// What does not exist is an error TK001, a folder without headers TK002. A file that is listed twice is there once.
 std::vector<std::string> expandInputs(const std::vector<std::string>& inputs, diag::Sink& sink);
 
 /// The header as other packages include it, never an absolute path:

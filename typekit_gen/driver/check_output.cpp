@@ -47,4 +47,14 @@ bool checkOutput(const emit::Outputs& outputs, const fs::path& folder, const std
     return faults.empty();
 }
 
+std::vector<std::string> removeSuperfluousSources(const emit::Outputs& outputs, const fs::path& folder) {
+    std::vector<std::string> removed;
+    for (const auto& [file, fault] : superfluous(outputs, folder)) {
+        std::error_code error;
+        const bool isSource = file.parent_path() == folder && file.filename().string().rfind("types_", 0) == 0;
+        if (isSource && fs::remove(file, error)) removed.push_back(file.string());
+    }
+    return removed;
+}
+
 }  // namespace oroforge::typekit

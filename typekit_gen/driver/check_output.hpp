@@ -17,6 +17,10 @@ namespace oroforge::typekit {
 bool checkOutput(const emit::Outputs& outputs, const std::filesystem::path& folder, const std::string& refresh,
                  diag::Sink& sink);
 
+/// Removes sources of types (types_*.cpp) that an earlier run has left in `folder`, and nothing without the banner of typegen:
+/// a build that compiles all that it finds there is not to compile them. Returns their paths.
+std::vector<std::string> removeSuperfluousSources(const emit::Outputs& outputs, const std::filesystem::path& folder);
+
 }  // namespace oroforge::typekit
 
 #endif

@@ -16,12 +16,30 @@ namespace oroforge::typekit {
 
 namespace {
 
-const std::vector<std::string> kLongOptions = {
-    "--output",   "--import",       "--transports",     "--notransports",     "--verbose",
-    "--debug",    "--help",         "--version",        "--list-outputs",     "--depfile",
-    "--dump",     "--template-dir", "--depfile-target", "--flags-from",       "--include-as",
-    "--format",   "--explain",      "--check",          "--compile-database", "--compile-database-for",
-    "--adapters", "--diff",         "--strict"};
+const std::vector<std::string> kLongOptions = {"--output",
+                                               "--import",
+                                               "--transports",
+                                               "--notransports",
+                                               "--verbose",
+                                               "--debug",
+                                               "--help",
+                                               "--version",
+                                               "--list-outputs",
+                                               "--depfile",
+                                               "--dump",
+                                               "--template-dir",
+                                               "--depfile-target",
+                                               "--flags-from",
+                                               "--include-as",
+                                               "--format",
+                                               "--explain",
+                                               "--check",
+                                               "--compile-database",
+                                               "--compile-database-for",
+                                               "--adapters",
+                                               "--diff",
+                                               "--strict",
+                                               "--pieces"};
 
 bool beginsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
 
@@ -144,6 +162,8 @@ private:
             options_.flagsFile = value;
         } else if (is(word, "", "--include-as", value)) {
             setIncludeName(value);
+        } else if (is(word, "", "--pieces", value)) {
+            setPieces(value);
         } else if (is(word, "", "--template-dir", value)) {
             options_.templateDir = value;
         } else if (is(word, "", "--explain", value)) {
@@ -186,6 +206,18 @@ private:
             error("illegal value '" + value + "' of --include-as, expected HEADER=NAME");
         } else {
             options_.includeAs[value.substr(0, at)] = value.substr(at + 1);
+        }
+    }
+
+    void setPieces(const std::string& value) {
+        const std::size_t at = value.rfind('=');
+        const std::string number = at == std::string::npos ? "" : value.substr(at + 1);
+        const bool isNumber = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
+        const unsigned long pieces = isNumber && number.size() < 5 ? std::stoul(number) : 0;
+        if (at == 0 || pieces == 0 || pieces > 1000) {
+            error("illegal value '" + value + "' of --pieces, expected HEADER=NUMBER with a number from 1 to 1000");
+        } else {
+            options_.pieces[value.substr(0, at)] = pieces;
         }
     }
 

@@ -27,6 +27,7 @@ struct Options {
     std::string database;                          ///< and more, see flags/compile_database.hpp
     std::string databaseEntry;                     ///< source or target whose entry is taken; empty = the best
     std::map<std::string, std::string> includeAs;  ///< input → how generated code includes it
+    std::map<std::string, std::size_t> pieces;     ///< input → how many source files its types are dealt out to
     std::vector<std::string> transports;           ///< to generate for
     bool diff = false;                             ///< compare two versions of headers, the only two inputs
     bool check = false;                            ///< compare with what is there, and write nothing

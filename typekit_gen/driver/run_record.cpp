@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include <files/draft_file.hpp>
-#include <plan/buckets.hpp>
+#include <plan/stable_hash.hpp>
 #include <plan/typekit_files.hpp>
 
 namespace fs = std::filesystem;
@@ -67,7 +67,8 @@ RunRecord::RunRecord(const Options& options, const cxx::ParseRequest& request) :
     std::error_code error;
     const fs::path here = fs::current_path(error);
     const std::string output = (here / options.output).lexically_normal().string();
-    for (const std::string& name : outputNames(options.name)) outputs_.push_back((fs::path(output) / name).string());
+    for (const std::string& name : outputNames(options.name, request.headers))
+        outputs_.push_back((fs::path(output) / name).string());
 
     const char* resources = std::getenv("TYPEGEN_RESOURCE_DIR");
     for (const std::string& word :
@@ -79,6 +80,7 @@ RunRecord::RunRecord(const Options& options, const cxx::ParseRequest& request) :
     for (const model::Header& header : request.headers) {
         add(request_, header.path);
         add(request_, header.include);
+        add(request_, std::to_string(header.pieces));
     }
     if (isOneLine(request_)) file_ = place + "/" + std::to_string(hashOf(output + "\n" + options.name));
 }

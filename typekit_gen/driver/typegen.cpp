@@ -20,6 +20,7 @@
 #include <emit/outputs.hpp>
 #include <flags/compile_database.hpp>
 #include <flags/flags_file.hpp>
+#include <plan/sources.hpp>
 #include <plan/typekit_files.hpp>
 #include <plan/typekit_view.hpp>
 #include <explain/explanations.hpp>
@@ -47,7 +48,7 @@ void addDatabaseFlags(const Options& options, cxx::ParseRequest& request, diag::
     if (options.verbose) out << "options of " << database->source << ", from " << database->file << "\n";
 }
 
-std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink& sink, std::ostream& out) {
+cxx::ParseRequest requestFor(const Options& options, diag::Sink& sink, std::ostream& out) {
     cxx::ParseRequest request;
     request.flags = options.flags;
     request.target = options.target;
@@ -65,7 +66,16 @@ std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink&
     for (model::Header& header : request.headers) {
         const auto named = options.includeAs.find(header.path);
         if (named != options.includeAs.end()) header.include = named->second;
+        const auto pieces = options.pieces.find(header.path);
+        std::error_code error;
+        const std::uintmax_t bytes = fs::file_size(header.path, error);
+        header.pieces = pieces != options.pieces.end() ? pieces->second : error ? 1 : piecesFor(bytes);
     }
+    return request;
+}
+
+std::optional<cxx::ParseRequest> makeRequest(const Options& options, diag::Sink& sink, std::ostream& out) {
+    cxx::ParseRequest request = requestFor(options, sink, out);
     request.adapters = adapters::readAdapters(options.adapters, sink);
     if (sink.hadErrors()) return std::nullopt;
     return request;
@@ -92,7 +102,8 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
     const fs::path folder = fs::absolute(options.output).lexically_normal();
     std::vector<std::string> outputs;
     if (options.depfileTarget.empty()) {
-        for (const std::string& name : outputNames(options.name)) outputs.push_back((folder / name).string());
+        for (const std::string& name : outputNames(options.name, model.headers))
+            outputs.push_back((folder / name).string());
     } else {
         outputs.push_back(options.depfileTarget);
     }
@@ -102,7 +113,8 @@ bool writeDependencies(const Options& options, const model::TypeModel& model, di
     return emit::writeDepfile(options.depfile, outputs, {inputs.begin(), inputs.end()}, sink);
 }
 
-void tell(const model::TypeModel& model, const emit::Written& written, std::ostream& out) {
+void tell(const model::TypeModel& model, const emit::Written& written, const std::vector<std::string>& removed,
+          std::ostream& out) {
     for (const model::Struct& type : model.structs) out << "struct " << type.name << "\n";
     for (const model::Adapted& type : model.adapted) out << "class " << type.name << "\n";
     for (const model::Enum& type : model.enums) out << "enum " << type.name << "\n";
@@ -111,6 +123,7 @@ void tell(const model::TypeModel& model, const emit::Written& written, std::ostr
             << "\n";
     for (const std::string& file : written.changed) out << "wrote " << file << "\n";
     for (const std::string& file : written.unchanged) out << "unchanged " << file << "\n";
+    for (const std::string& file : removed) out << "removed " << file << "\n";
 }
 
 int generate(const Options& options, const model::TypeModel& model, diag::Sink& sink, std::ostream& out) {
@@ -131,8 +144,9 @@ int generate(const Options& options, const model::TypeModel& model, diag::Sink& 
     if (options.check) return checkOutput(outputs, options.output, options.refresh, sink) ? 0 : 1;
     emit::Written written;
     if (!emit::writeGenerated(outputs, options.output, sink, &written)) return 1;
+    const std::vector<std::string> removed = removeSuperfluousSources(outputs, options.output);
     if (!writeDependencies(options, model, sink)) return 1;
-    if (options.verbose) tell(model, written, out);
+    if (options.verbose) tell(model, written, removed, out);
     return 0;
 }
 
@@ -157,7 +171,9 @@ int runDiff(const Options& options, diag::Sink& sink, std::ostream& out) {
 int run(const Options& options, diag::Sink& sink, std::ostream& out) {
     if (options.diff) return runDiff(options, sink, out);
     if (options.listOutputs) {
-        emit::listOutputs(out, outputNames(options.name), options.output);
+        // What is missing is an error when it is needed; names can be told without.
+        diag::Sink faults;
+        emit::listOutputs(out, outputNames(options.name, requestFor(options, faults, out).headers), options.output);
         return 0;
     }
     const auto request = makeRequest(options, sink, out);

@@ -27,6 +27,8 @@ Makes the source of a typekit plugin called NAME for the structs, classes and en
                             from the entry of this source (or the end of its path), or of a source of this target
       --include-as=HEADER=NAME
                             generated code includes HEADER as <NAME>; may be repeated
+      --pieces=HEADER=NUMBER
+                            so many source files for the types of HEADER; may be repeated. Otherwise its size decides
       --check[=HOW]         write nothing; fail if the output folder does not hold what would be written. HOW: what to do
                             then, told instead of the command to run
       --adapters=FILE       how classes with private storage are seen, as XML; may be repeated. Those for Eigen and KDL are

@@ -25,9 +25,14 @@ std::string cppString(const std::string& text) {
     return result + "\"";
 }
 
-std::string cppIdentifier(const std::string& text) {
+std::string cppLetters(const std::string& text) {
     std::string result;
     for (const char c : text) result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    return result;
+}
+
+std::string cppIdentifier(const std::string& text) {
+    std::string result = cppLetters(text);
     if (!result.empty() && std::isdigit(static_cast<unsigned char>(result[0])) != 0) result.insert(0, "_");
     return result;
 }

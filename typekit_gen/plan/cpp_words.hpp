@@ -13,7 +13,10 @@ namespace oroforge::typekit {
 /// A string literal with its quotes.
 std::string cppString(const std::string& text);
 
-/// A name made of letters, digits and underscores.
+/// Text made of letters, digits and underscores: what is neither becomes an underscore.
+std::string cppLetters(const std::string& text);
+
+/// The same as a name of its own, which does not begin with a digit.
 std::string cppIdentifier(const std::string& text);
 
 using model::cppShown;

@@ -13,9 +13,9 @@ using model::TypeKind;
 using model::TypeUse;
 using nlohmann::json;
 
-json field(const std::string& name, const std::string& offset, const TypeUse& type, bool last) {
+json field(const std::string& name, const std::string& offset, const TypeUse& type) {
     return {{"name", cppString(name)}, {"offset", offset},      {"type", type.cpp}, {"count", 0},
-            {"doc", cppString("")},    {"unit", cppString("")}, {"more", ""},       {"separator", last ? "" : ","}};
+            {"doc", cppString("")},    {"unit", cppString("")}, {"more", ""}};
 }
 
 std::string offsetOf(const std::string& cpp, const std::string& member) {
@@ -32,8 +32,7 @@ json structView(const std::string& cpp, const std::string& name, json fields) {
 json twoFields(const std::string& cpp, const std::string& name, const char* first, const TypeUse& firstType,
                const char* second, const TypeUse& secondType) {
     return structView(
-        cpp, name,
-        {field(first, offsetOf(cpp, first), firstType, false), field(second, offsetOf(cpp, second), secondType, true)});
+        cpp, name, {field(first, offsetOf(cpp, first), firstType), field(second, offsetOf(cpp, second), secondType)});
 }
 
 /// Its parts have addresses, but no offsets that a constant could hold.
@@ -41,7 +40,7 @@ json tupleView(const TypeUse& use) {
     json fields = json::array();
     for (std::size_t i = 0; i != use.element.size(); ++i) {
         const std::string number = std::to_string(i);
-        json view = field("_" + number, "0", use.element[i], i + 1 == use.element.size());
+        json view = field("_" + number, "0", use.element[i]);
         view["access"] = accessView({model::AccessKind::Part, number, number});
         view["index"] = i;
         view["more"] = ", nullptr, &access_" + number;
@@ -92,9 +91,9 @@ json libraryView(const TypeUse& use) {
         return twoFields(use.cpp, use.name, "first", use.element[0], "second", use.element[1]);
     if (use.kind == TypeKind::Complex) {
         // Two numbers one after the other, as the standard guarantees.
-        return structView(use.cpp, use.name,
-                          {field("real", "0", use.element[0], false),
-                           field("imag", "sizeof(" + use.element[0].cpp + ")", use.element[0], true)});
+        return structView(
+            use.cpp, use.name,
+            {field("real", "0", use.element[0]), field("imag", "sizeof(" + use.element[0].cpp + ")", use.element[0])});
     }
     json view = {{"cpp", use.cpp}, {"name", cppString(use.name)}, {"maker", "makeSequenceType"}};
     const std::string table = tableFor(use);

@@ -6,7 +6,7 @@
 
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
-#include <plan/buckets.hpp>
+#include <plan/stable_hash.hpp>
 
 namespace oroforge::typekit {
 
@@ -28,11 +28,7 @@ json started(const std::string& type, const std::string& cpp) {
 }
 
 void add(json& schema, json field) {
-    if (schema["fields"].empty())
-        schema["hasFields"] = true;
-    else
-        schema["fields"].back()["separator"] = ",";
-    field["separator"] = "";
+    schema["hasFields"] = true;
     schema["fields"].push_back(std::move(field));
     schema["count"] = schema["fields"].size();
 }

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <plan/buckets.hpp>
+#include <plan/sources.hpp>
 #include <render/output_table.hpp>
 
 namespace oroforge::typekit {
@@ -49,30 +49,30 @@ json without(const json& view, std::initializer_list<const char*> keys) {
 /// Every file of a typekit.
 const render::OutputTable kOutputs = {
     {"plugin", Owner::Generated, "Plugin.cpp", "typekit/Plugin.cpp"},
-    {"bucket", Owner::Generated, "types_{bucket}.cpp", "typekit/types.cpp"},
+    {"source", Owner::Generated, "types_{word}.cpp", "typekit/types.cpp"},
     {"header", Owner::Generated, "{header}", "typekit/Types.hpp"},
 };
 
 json pluginView(const json& typekit) {
-    json view = without(typekit, {"buckets", "externs", "makers", "schemas"});
-    for (const json& bucket : typekit["buckets"])
-        if (bucket.contains("used")) view["buckets"].push_back({{"index", bucket["index"]}});
+    json view = without(typekit, {"sources", "externs", "makers", "schemas"});
+    for (const json& source : typekit["sources"])
+        if (source.contains("used")) view["sources"].push_back({{"word", source["word"]}});
     return view;
 }
 
-json bucketView(const json& typekit, std::size_t bucket) {
-    json view = typekit["buckets"][bucket];
+json sourceView(const json& typekit, std::size_t source) {
+    json view = typekit["sources"][source];
     for (const char* key : {"versionGuard", "identifier"}) view[key] = typekit[key];
     return view;
 }
 
 /// For names, the view may be empty.
-std::vector<render::Subject> subjectsOf(const std::string& typekit, const json& view) {
+std::vector<render::Subject> subjectsOf(const std::string& typekit, const std::vector<std::string>& words,
+                                        const json& view) {
     std::vector<render::Subject> all = {{"plugin", {}, [&] { return pluginView(view); }}};
-    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket)
-        all.push_back(
-            {"bucket", {{"bucket", std::to_string(bucket)}}, [&view, bucket] { return bucketView(view, bucket); }});
-    all.push_back({"header", {{"header", userHeaderName(typekit)}}, [&] { return without(view, {"buckets"}); }});
+    for (std::size_t i = 0; i != words.size(); ++i)
+        all.push_back({"source", {{"word", words[i]}}, [&view, i] { return sourceView(view, i); }});
+    all.push_back({"header", {{"header", userHeaderName(typekit)}}, [&] { return without(view, {"sources"}); }});
     return all;
 }
 
@@ -80,12 +80,16 @@ std::vector<render::Subject> subjectsOf(const std::string& typekit, const json& 
 
 std::string userHeaderName(const std::string& typekit) { return "types/" + typekit + "/typekit/Types.hpp"; }
 
-std::vector<std::string> outputNames(const std::string& typekit) {
-    return render::outputNames(kOutputs, subjectsOf(typekit, {}), Owner::Generated);
+std::vector<std::string> outputNames(const std::string& typekit, const std::vector<model::Header>& headers) {
+    std::vector<std::string> words;
+    for (const Source& source : sourcesOf(headers)) words.push_back(source.word);
+    return render::outputNames(kOutputs, subjectsOf(typekit, words, {}), Owner::Generated);
 }
 
 emit::Outputs renderTypekit(const json& view, const render::Renderer& renderer) {
-    auto outputs = render::renderOutputs(kOutputs, subjectsOf(view["name"], view), Owner::Generated, renderer);
+    std::vector<std::string> words;
+    for (const json& source : view["sources"]) words.push_back(source["word"]);
+    auto outputs = render::renderOutputs(kOutputs, subjectsOf(view["name"], words, view), Owner::Generated, renderer);
     for (auto& [name, text] : outputs) text = tidied(text);
     return outputs;
 }

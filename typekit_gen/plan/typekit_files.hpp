@@ -10,14 +10,15 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <emit/outputs.hpp>
+#include <model/type_model.hpp>
 #include <render/renderer.hpp>
 
 namespace oroforge::typekit {
 
 std::string userHeaderName(const std::string& typekit);  ///< "types/NAME/typekit/Types.hpp"
 
-/// A function of the typekit's name alone, so that CMake can ask before anything is read.
-std::vector<std::string> outputNames(const std::string& typekit);
+/// A function of the names of the typekit and its headers, so that CMake can ask before anything is read.
+std::vector<std::string> outputNames(const std::string& typekit, const std::vector<model::Header>& headers);
 
 /// One text for each of outputNames(). Throws render::RenderError if a template does not fit the view.
 emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& renderer);

@@ -3,17 +3,16 @@
 #include <plan/typekit_view.hpp>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include <emit/banner.hpp>
 #include <plan/access_view.hpp>
-#include <plan/bucket_needs.hpp>
 #include <plan/cpp_words.hpp>
 #include <plan/library_view.hpp>
-#include <plan/buckets.hpp>
+#include <plan/sources.hpp>
 #include <plan/typekit_files.hpp>
 #include <plan/schema_view.hpp>
+#include <plan/type_needs.hpp>
 
 namespace oroforge::typekit {
 
@@ -28,11 +27,10 @@ std::string docOf(const model::Field& field) {
     return field.doc + (field.doc.empty() ? "" : ", ") + "at most " + field.capacity;
 }
 
-json viewOf(const model::Field& field, bool last) {
+json viewOf(const model::Field& field) {
     json view = {{"name", cppString(field.name)},  {"offset", std::to_string(field.offset)},
                  {"type", field.type.cpp},         {"count", field.count},
-                 {"doc", cppString(docOf(field))}, {"unit", cppString(field.unit)},
-                 {"separator", last ? "" : ","}};
+                 {"doc", cppString(docOf(field))}, {"unit", cppString(field.unit)}};
     // A base class that is a member has no name that could be asked for; its own struct is checked.
     const bool named = !field.declared.empty();
     if (!field.access.isPlace())
@@ -57,7 +55,7 @@ json viewOf(const model::Struct& type) {
     view["fieldCount"] = type.fields.size();
     view["fields"] = json::array();
     for (const model::Field& field : type.fields) {
-        view["fields"].push_back(viewOf(field, &field == &type.fields.back()));
+        view["fields"].push_back(viewOf(field));
         json& added = view["fields"].back();
         added["index"] = view["fields"].size() - 1;
         added["more"] = moreOf(field, view["fields"].size() - 1);
@@ -91,10 +89,7 @@ json viewOf(const model::Enum& type) {
     view["valueCount"] = type.values.size();
     view["values"] = json::array();
     for (const model::Enumerator& value : type.values) {
-        view["values"].push_back({{"name", cppString(value.name)},
-                                  {"cpp", value.cpp},
-                                  {"doc", cppString(value.doc)},
-                                  {"separator", &value == &type.values.back() ? "" : ","}});
+        view["values"].push_back({{"name", cppString(value.name)}, {"cpp", value.cpp}, {"doc", cppString(value.doc)}});
     }
     return view;
 }
@@ -110,36 +105,34 @@ json makerView(const Type& type, const std::string& make, const std::string& spa
     return view;
 }
 
-struct Buckets {
-    std::array<json, kBuckets> all;
-    std::array<std::vector<std::string>, kBuckets> types;
+/// What the sources are filled with, by their numbers.
+struct Contents {
+    const Placement& placement;
+    std::vector<json> views;
+    std::vector<std::vector<std::string>> types;
     json externs = json::array();
     json makers = json::array();
-    std::set<std::string> headers;
+    std::set<std::pair<std::size_t, std::string>> headers;
     std::set<std::string> entries;
 
-    Buckets() {
-        for (std::size_t i = 0; i < kBuckets; ++i) {
-            all[i] = {{"index", i},
-                      {"structs", json::array()},
-                      {"enums", json::array()},
-                      {"adapted", json::array()},
-                      {"aliases", json::array()},
-                      {"constructors", json::array()},
-                      {"library", json::array()},
-                      {"arrays", json::array()},
-                      {"instances", json::array()},
-                      {"system", json::array()}};
+    explicit Contents(const Placement& where) : placement(where), types(where.sources().size()) {
+        for (const Source& source : where.sources()) {
+            json view = {{"word", source.word}};
+            for (const char* list :
+                 {"structs", "enums", "adapted", "aliases", "constructors", "library", "arrays", "instances", "system"})
+                view[list] = json::array();
+            views.push_back(std::move(view));
         }
     }
     void addHeader(const std::string& typeName, const std::string& header) {
-        json& bucket = all[bucketOf(typeName)];
-        if (header.empty() || !headers.insert(std::to_string(bucketOf(typeName)) + header).second) return;
-        bucket["system"].push_back({{"path", header}});
+        const std::size_t source = placement.of(typeName);
+        if (!header.empty() && headers.insert({source, header}).second)
+            views[source]["system"].push_back({{"path", header}});
     }
     void add(const char* list, const std::string& typeName, const json& view) {
-        all[bucketOf(typeName)][list].push_back(view);
-        types[bucketOf(typeName)].push_back(typeName);
+        const std::size_t source = placement.of(typeName);
+        views[source][list].push_back(view);
+        types[source].push_back(typeName);
     }
     template <class Type>
     void addFromAdapter(const Type& type) {
@@ -154,62 +147,61 @@ struct Buckets {
         }
     }
     void addInstance(const std::string& typeName, const std::string& cpp, bool isSample = true) {
-        json view = {{"cpp", cpp}, {"keyword", "template"}, {"visible", ""}};
-        if (isSample) view["isSample"] = true;
+        json view = {{"of", typeName}, {"cpp", cpp}};
+        view[isSample ? "isSample" : "isValue"] = true;
         add("instances", typeName, view);
-        view.update({{"of", typeName}, {"keyword", "extern template"}, {"visible", "RTT_EXPORT "}});
         externs.push_back(view);
     }
 };
 
-Buckets fillBuckets(const model::TypeModel& model) {
-    Buckets buckets;
+Contents fill(const model::TypeModel& model, const Placement& placement) {
+    Contents contents(placement);
     for (const model::Struct& type : model.structs) {
-        buckets.add("structs", type.name, viewOf(type));
+        contents.add("structs", type.name, viewOf(type));
         for (const model::Field& field : type.fields)
-            if (field.access.hasAddress) buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
-        buckets.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
-        if (!type.make.empty()) buckets.makers.push_back(makerView(type, type.make, type.space));
-        buckets.addFromAdapter(type);
+            if (field.access.hasAddress) contents.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
+        contents.addInstance(type.name, type.cpp, type.assignable && type.make.empty());
+        if (!type.make.empty()) contents.makers.push_back(makerView(type, type.make, type.space));
+        contents.addFromAdapter(type);
     }
     for (const model::Enum& type : model.enums) {
-        buckets.add("enums", type.name, viewOf(type));
-        buckets.addInstance(type.name, type.cpp);
+        contents.add("enums", type.name, viewOf(type));
+        contents.addInstance(type.name, type.cpp);
     }
     for (const model::Adapted& type : model.adapted) {
         json view = viewOf(type);
-        const std::size_t bucket = bucketOf(type.name);
-        view["access"] =
-            "Access" + std::to_string(bucket) + "_" + std::to_string(buckets.all[bucket]["adapted"].size());
-        buckets.add("adapted", type.name, view);
-        buckets.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
-        buckets.addInstance(type.name, type.cpp);
-        buckets.addFromAdapter(type);
+        const std::size_t source = placement.of(type.name);
+        view["access"] = "Access_" + placement.sources()[source].word + "_" +
+                         std::to_string(contents.views[source]["adapted"].size());
+        contents.add("adapted", type.name, view);
+        contents.addHeader(type.name, "rtt/types/AdaptedTable.hpp");
+        contents.addInstance(type.name, type.cpp);
+        contents.addFromAdapter(type);
     }
     for (const model::Alias& alias : model.aliases)
-        buckets.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
+        contents.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
     // Ports and properties of a container are rare unless the user gave it a name.
     std::set<std::string> named;
     for (const model::Alias& alias : model.aliases) named.insert(alias.of);
     for (const TypeUse& use : model.library) {
-        if (isOfUserType(use) && named.count(use.name)) buckets.addInstance(use.name, use.cpp);
-        buckets.add("library", use.name, libraryView(use));
-        buckets.addHeader(use.name, libraryHeader(use.kind));
-        if (use.kind == TypeKind::Map && buckets.entries.insert(entryName(use)).second) {
-            buckets.add("library", entryName(use), entryView(use));
-            buckets.addHeader(entryName(use), "rtt/types/KeyValue.hpp");
+        if (isOfUserType(use) && named.count(use.name)) contents.addInstance(use.name, use.cpp);
+        contents.add("library", use.name, libraryView(use));
+        contents.addHeader(use.name, libraryHeader(use.kind));
+        if (use.kind == TypeKind::Map && contents.entries.insert(entryName(use)).second) {
+            contents.add("library", entryName(use), entryView(use));
+            contents.addHeader(entryName(use), "rtt/types/KeyValue.hpp");
         }
     }
     for (const TypeUse& use : model.arrays) {
         const std::string name = use.name + "[]";
-        buckets.add("arrays", name, {{"cpp", use.cpp}, {"name", cppString(name)}});
+        contents.add("arrays", name, {{"cpp", use.cpp}, {"name", cppString(name)}});
     }
-    for (json& bucket : buckets.all) {
-        const bool used = std::any_of(bucket.begin(), bucket.end(),
-                                      [](const json& list) { return list.is_array() && !list.empty(); });
-        if (used) bucket["used"] = true;
+    for (json& view : contents.views) {
+        const bool used =
+            std::any_of(view.begin(), view.end(), [](const json& list) { return list.is_array() && !list.empty(); });
+        if (used) view["used"] = true;
     }
-    return buckets;
+    return contents;
 }
 
 using Names = std::set<std::string>;
@@ -231,8 +223,8 @@ bool showsOptional(const model::TypeModel& model, const Names& types) {
     return false;
 }
 
-/// Includes and declarations, and a first line that names the headers.
-void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& typekit) {
+/// Includes, and a first line that names the headers; `otherwise` if there are none.
+void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& otherwise) {
     std::string names;
     view["includes"] = json::array();
     for (const std::size_t header : needs.headers) {
@@ -241,15 +233,13 @@ void addFront(json& view, const model::TypeModel& model, const Needs& needs, con
         names += (names.empty() ? "" : ", ") + include;
     }
     if (showsOptional(model, needs.types)) view["system"].push_back({{"path", "optional"}});
-    if (view.contains("index"))
-        for (const char* header : {"cstring", "type_traits", "utility"}) view["system"].push_back({{"path", header}});
-    view["banner"] = emit::banner("typegen", names.empty() ? "the headers of " + typekit : names);
+    view["banner"] = emit::banner("typegen", names.empty() ? otherwise : names);
 }
 
 /// A name of every type.
-Needs allOf(const model::TypeModel& model, const Buckets& buckets) {
+Needs allOf(const model::TypeModel& model, const Contents& contents) {
     Needs needs;
-    for (const auto& types : buckets.types) needs.types.insert(types.begin(), types.end());
+    for (const auto& types : contents.types) needs.types.insert(types.begin(), types.end());
     for (std::size_t i = 0; i != model.headers.size(); ++i) needs.headers.push_back(i);
     return needs;
 }
@@ -257,16 +247,17 @@ Needs allOf(const model::TypeModel& model, const Buckets& buckets) {
 }  // namespace
 
 json makeView(const model::TypeModel& model, const std::string& typekit) {
-    Buckets buckets = fillBuckets(model);
+    const TypeNeeds typeNeeds(model);
+    const Placement placement(model, typeNeeds);
+    Contents contents = fill(model, placement);
     const json schemas = schemaViews(model);
-    const BucketNeeds bucketNeeds(model);
-    for (std::size_t i = 0; i != kBuckets; ++i) {
-        const Needs needs = bucketNeeds.of(buckets.types[i]);
-        json& bucket = buckets.all[i];
-        addFront(bucket, model, needs, typekit);
-        bucket["externs"] = ofTypes(buckets.externs, needs.types);
-        bucket["makers"] = ofTypes(buckets.makers, needs.types);
-        bucket["schemas"] = ofTypes(schemas, needs.types);
+    for (std::size_t i = 0; i != contents.views.size(); ++i) {
+        const Needs needs = typeNeeds.of(contents.types[i]);
+        json& view = contents.views[i];
+        addFront(view, model, needs, model.headers[placement.sources()[i].header].include);
+        view["externs"] = ofTypes(contents.externs, needs.types);
+        view["makers"] = ofTypes(contents.makers, needs.types);
+        view["schemas"] = ofTypes(schemas, needs.types);
     }
     json view = {{"name", typekit},
                  {"quotedName", cppString(typekit)},
@@ -275,11 +266,11 @@ json makeView(const model::TypeModel& model, const std::string& typekit) {
                  {"versionGuard", emit::versionGuard("typegen")},
                  {"userHeader", userHeaderName(typekit)},
                  {"system", json::array()},
-                 {"externs", buckets.externs},
-                 {"makers", buckets.makers},
+                 {"externs", contents.externs},
+                 {"makers", contents.makers},
                  {"schemas", schemas},
-                 {"buckets", buckets.all}};
-    addFront(view, model, allOf(model, buckets), typekit);
+                 {"sources", contents.views}};
+    addFront(view, model, allOf(model, contents), "the headers of " + typekit);
     return view;
 }
 

@@ -12,7 +12,7 @@
 
 namespace oroforge::typekit {
 
-/// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], buckets[] with
+/// Keys: name, identifier, guard, banner, versionGuard, includes[], externs[], sources[] with word,
 /// structs[], enums[], library[], arrays[], instances[], headers[]. Texts for C++ are quoted already.
 nlohmann::json makeView(const model::TypeModel& model, const std::string& typekit);
 

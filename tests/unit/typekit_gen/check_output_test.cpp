@@ -68,13 +68,13 @@ TEST_F(CheckOutput, NamesWhatIsStaleAndHowToRefresh) {
 
 TEST_F(CheckOutput, NamesWhatIsMissing) {
     fs::remove(out("Plugin.cpp"));
-    fs::remove(out("types_2.cpp"));
+    fs::remove(out("types_types.cpp"));
     expectFault("Plugin.cpp: error: [TK067] missing");
-    EXPECT_NE(err_.find("types_2.cpp: error: [TK067] missing"), std::string::npos) << err_;
+    EXPECT_NE(err_.find("types_types.cpp: error: [TK067] missing"), std::string::npos) << err_;
 }
 
 TEST_F(CheckOutput, NamesWhatAnEarlierTypegenLeft) {
-    fs::copy(out("types_2.cpp"), out("types_99.cpp"));
+    fs::copy(out("types_types.cpp"), out("types_99.cpp"));
     fs::create_directories(out("types/renamed/typekit"));
     fs::copy(out("types/demo/typekit/Types.hpp"), out("types/renamed/typekit/Types.hpp"));
     dir_.write("generated/mine.cpp", "// by hand\n");

@@ -3,7 +3,7 @@
 // Which headers another one needs before it, and what a generated file includes.
 #include <clang/types/type_reader.hpp>
 #include <collect/close_model.hpp>
-#include <plan/bucket_needs.hpp>
+#include <plan/type_needs.hpp>
 
 #include <support/temp_dir.hpp>
 
@@ -31,7 +31,7 @@ struct Read {
         typekit::closeModel(model, sink);
     }
     Numbers before(std::size_t header) const { return model.headers[header].before; }
-    Numbers neededBy(const std::string& type) const { return typekit::BucketNeeds(model).of({type}).headers; }
+    Numbers neededBy(const std::string& type) const { return typekit::TypeNeeds(model).of({type}).headers; }
 };
 
 const std::string kPoint = "struct Point { int x; };\n";

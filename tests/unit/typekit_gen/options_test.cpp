@@ -88,6 +88,13 @@ TEST(Options, ReportEveryFault) {
     EXPECT_NE(errors[0].find("did you mean '--dump'"), std::string::npos) << errors[0];
 }
 
+TEST(Options, DealOutTheTypesOfAHeader) {
+    const auto options = parsed({"--pieces=a=b.hpp=12", "--pieces", "c.hpp=1", "n", "a=b.hpp", "c.hpp"});
+    EXPECT_EQ(options.pieces, (std::map<std::string, std::size_t>{{"a=b.hpp", 12}, {"c.hpp", 1}}));
+    for (const char* value : {"", "h", "=2", "h=", "h=0", "h=x", "h=-1", "h=1001", "h=99999999999999999999"})
+        EXPECT_FALSE(errorsOf({std::string("--pieces=") + value, "n", "h"}).empty()) << value;
+}
+
 TEST(Options, RefuseNamesThatAreNoFileNames) {
     EXPECT_EQ(errorsOf({"a/b", "h"}).size(), 1U);
     EXPECT_EQ(errorsOf({"..", "h"}).size(), 1U);

@@ -87,9 +87,9 @@ TEST_F(RunRecordTest, WhatIsWrittenDuringARunIsReadAgain) {
 TEST_F(RunRecordTest, ChangedOutputsAreWrittenAgain) {
     EXPECT_FALSE(upToDate());
     const auto tree = readTree(dir / "out");
-    fs::remove(dir / "out" / "types_1.cpp");
+    fs::remove(dir / "out" / "types_types.cpp");
     EXPECT_FALSE(upToDate());
-    dir.write("out/types_1.cpp", tree.at("types_1.cpp") + "// edited\n");
+    dir.write("out/types_types.cpp", tree.at("types_types.cpp") + "// edited\n");
     EXPECT_FALSE(upToDate());
     EXPECT_EQ(readTree(dir / "out"), tree);
 }

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <plan/buckets.hpp>
-
 using namespace oroforge;
 
 TEST(CppString, QuotesWhatCppWouldMisread) {
@@ -23,18 +21,20 @@ TEST(CppIdentifier, ReplacesWhatCppForbids) {
     EXPECT_EQ(typekit::cppIdentifier("1st"), "_1st");
 }
 
-TEST(TypekitView, PutsATypeAndItsInstancesIntoOneBucket) {
+TEST(TypekitView, PutsATypeAndItsInstancesIntoOneSource) {
     model::TypeModel model;
+    model.headers = {{"demo/point.hpp", "demo/point.hpp"}};
     model::Struct type;
     type.cpp = "::demo::Point";
     type.name = "/demo/Point";
     model.structs = {type};
     const auto view = typekit::makeView(model, "demo");
-    const auto& bucket = view["buckets"][typekit::bucketOf("/demo/Point")];
-    EXPECT_EQ(bucket["structs"].size(), 1U);
-    EXPECT_EQ(bucket["instances"][0]["cpp"], "::demo::Point");
+    const auto& source = view["sources"][0];
+    EXPECT_EQ(source["word"], "point");
+    EXPECT_EQ(source["structs"].size(), 1U);
+    EXPECT_EQ(source["instances"][0]["cpp"], "::demo::Point");
     EXPECT_EQ(view["externs"].size(), 1U);
-    EXPECT_FALSE(bucket["structs"][0].contains("hasFields"));
+    EXPECT_FALSE(source["structs"][0].contains("hasFields"));
 }
 
 namespace {
@@ -44,6 +44,7 @@ const model::TypeUse kPoint{model::TypeKind::Struct, "::P", "/P", {}, ""};
 
 model::TypeModel twoSequences() {
     model::TypeModel model;
+    model.headers = {{"p.hpp", "p.hpp"}};
     model.library = {{model::TypeKind::Sequence, "std::vector<double>", "/std/vector</double>", {kNumber}, ""},
                      {model::TypeKind::Sequence, "std::vector<::P>", "/std/vector</P>", {kPoint}, ""}};
     return model;
@@ -62,5 +63,5 @@ TEST(TypekitView, LeavesSequencesOfNumbersToTheRuntime) {
 TEST(TypekitView, HasNoInstancesOfContainersWithoutAName) {
     const auto view = typekit::makeView(twoSequences(), "demo");
     EXPECT_EQ(view["externs"].size(), 0U);
-    EXPECT_EQ(view["buckets"][typekit::bucketOf("/std/vector</P>")]["library"].size(), 1U);
+    EXPECT_EQ(view["sources"][0]["library"].size(), 2U);
 }

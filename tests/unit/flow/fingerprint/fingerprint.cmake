@@ -10,14 +10,10 @@ function(fingerprint_library version)
   set(sources ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/components.cpp)
   if(NOT "UNDESCRIBED" IN_LIST ARGN)
     set(generated ${CMAKE_CURRENT_BINARY_DIR}/${name})
-    set(buckets "")
-    foreach(i RANGE 15)
-      list(APPEND buckets ${generated}/types_${i}.cpp)
-    endforeach()
-    add_custom_command(OUTPUT ${buckets}
+    add_custom_command(OUTPUT ${generated}/types_sample.cpp
       COMMAND typegen -DVERSION_${macro} -o ${generated} sample ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp
       DEPENDS typegen ${CMAKE_CURRENT_SOURCE_DIR}/fingerprint/sample.hpp VERBATIM)
-    list(APPEND sources ${buckets})
+    list(APPEND sources ${generated}/types_sample.cpp)
   endif()
   add_library(${name} MODULE ${sources})
   target_compile_definitions(${name} PRIVATE RTT_COMPONENT VERSION_${macro} ${ARGN}

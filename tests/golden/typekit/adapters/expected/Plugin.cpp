@@ -11,19 +11,7 @@
 
 namespace oroforge_typekit_adapters {
 
-bool addTypes0();
-bool addTypes1();
-bool addTypes2();
-bool addTypes5();
-bool addTypes7();
-bool addTypes8();
-bool addTypes9();
-bool addTypes10();
-bool addTypes11();
-bool addTypes12();
-bool addTypes13();
-bool addTypes14();
-bool addTypes15();
+bool addTypes_input();
 
 }  // namespace oroforge_typekit_adapters
 
@@ -33,19 +21,7 @@ class adaptersTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_adapters::addTypes0();
-        added &= oroforge_typekit_adapters::addTypes1();
-        added &= oroforge_typekit_adapters::addTypes2();
-        added &= oroforge_typekit_adapters::addTypes5();
-        added &= oroforge_typekit_adapters::addTypes7();
-        added &= oroforge_typekit_adapters::addTypes8();
-        added &= oroforge_typekit_adapters::addTypes9();
-        added &= oroforge_typekit_adapters::addTypes10();
-        added &= oroforge_typekit_adapters::addTypes11();
-        added &= oroforge_typekit_adapters::addTypes12();
-        added &= oroforge_typekit_adapters::addTypes13();
-        added &= oroforge_typekit_adapters::addTypes14();
-        added &= oroforge_typekit_adapters::addTypes15();
+        added &= oroforge_typekit_adapters::addTypes_input();
         return added;
     }
     bool loadConstructors() override { return true; }

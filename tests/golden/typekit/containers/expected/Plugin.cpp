@@ -11,20 +11,7 @@
 
 namespace oroforge_typekit_containers {
 
-bool addTypes0();
-bool addTypes2();
-bool addTypes3();
-bool addTypes4();
-bool addTypes6();
-bool addTypes7();
-bool addTypes8();
-bool addTypes9();
-bool addTypes10();
-bool addTypes11();
-bool addTypes12();
-bool addTypes13();
-bool addTypes14();
-bool addTypes15();
+bool addTypes_input();
 
 }  // namespace oroforge_typekit_containers
 
@@ -34,20 +21,7 @@ class containersTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_containers::addTypes0();
-        added &= oroforge_typekit_containers::addTypes2();
-        added &= oroforge_typekit_containers::addTypes3();
-        added &= oroforge_typekit_containers::addTypes4();
-        added &= oroforge_typekit_containers::addTypes6();
-        added &= oroforge_typekit_containers::addTypes7();
-        added &= oroforge_typekit_containers::addTypes8();
-        added &= oroforge_typekit_containers::addTypes9();
-        added &= oroforge_typekit_containers::addTypes10();
-        added &= oroforge_typekit_containers::addTypes11();
-        added &= oroforge_typekit_containers::addTypes12();
-        added &= oroforge_typekit_containers::addTypes13();
-        added &= oroforge_typekit_containers::addTypes14();
-        added &= oroforge_typekit_containers::addTypes15();
+        added &= oroforge_typekit_containers::addTypes_input();
         return added;
     }
     bool loadConstructors() override { return true; }

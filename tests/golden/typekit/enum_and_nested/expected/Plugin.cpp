@@ -11,9 +11,7 @@
 
 namespace oroforge_typekit_enum_and_nested {
 
-bool addTypes9();
-bool addTypes11();
-bool addTypes13();
+bool addTypes_input();
 
 }  // namespace oroforge_typekit_enum_and_nested
 
@@ -23,9 +21,7 @@ class enum_and_nestedTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_enum_and_nested::addTypes9();
-        added &= oroforge_typekit_enum_and_nested::addTypes11();
-        added &= oroforge_typekit_enum_and_nested::addTypes13();
+        added &= oroforge_typekit_enum_and_nested::addTypes_input();
         return added;
     }
     bool loadConstructors() override { return true; }

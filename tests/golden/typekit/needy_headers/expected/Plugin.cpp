@@ -11,13 +11,12 @@
 
 namespace oroforge_typekit_needy_headers {
 
-bool addTypes0();
-bool addTypes1();
-bool addTypes3();
-bool addTypes4();
-bool addTypes5();
-bool addTypes14();
-bool addTypes15();
+bool addTypes_units();
+bool addTypes_pose();
+bool addTypes_alone();
+bool addTypes_path();
+bool addTypes_point();
+bool addTypes_label();
 
 }  // namespace oroforge_typekit_needy_headers
 
@@ -27,13 +26,12 @@ class needy_headersTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_needy_headers::addTypes0();
-        added &= oroforge_typekit_needy_headers::addTypes1();
-        added &= oroforge_typekit_needy_headers::addTypes3();
-        added &= oroforge_typekit_needy_headers::addTypes4();
-        added &= oroforge_typekit_needy_headers::addTypes5();
-        added &= oroforge_typekit_needy_headers::addTypes14();
-        added &= oroforge_typekit_needy_headers::addTypes15();
+        added &= oroforge_typekit_needy_headers::addTypes_units();
+        added &= oroforge_typekit_needy_headers::addTypes_pose();
+        added &= oroforge_typekit_needy_headers::addTypes_alone();
+        added &= oroforge_typekit_needy_headers::addTypes_path();
+        added &= oroforge_typekit_needy_headers::addTypes_point();
+        added &= oroforge_typekit_needy_headers::addTypes_label();
         return added;
     }
     bool loadConstructors() override { return true; }

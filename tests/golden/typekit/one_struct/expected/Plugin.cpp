@@ -11,7 +11,7 @@
 
 namespace oroforge_typekit_one_struct {
 
-bool addTypes7();
+bool addTypes_input();
 
 }  // namespace oroforge_typekit_one_struct
 
@@ -21,7 +21,7 @@ class one_structTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_one_struct::addTypes7();
+        added &= oroforge_typekit_one_struct::addTypes_input();
         return added;
     }
     bool loadConstructors() override { return true; }

@@ -11,11 +11,7 @@
 
 namespace oroforge_typekit_restricted {
 
-bool addTypes3();
-bool addTypes6();
-bool addTypes10();
-bool addTypes14();
-bool addTypes15();
+bool addTypes_input();
 
 }  // namespace oroforge_typekit_restricted
 
@@ -25,11 +21,7 @@ class restrictedTypekitPlugin : public RTT::types::TypekitPlugin {
 public:
     bool loadTypes() override {
         bool added = true;
-        added &= oroforge_typekit_restricted::addTypes3();
-        added &= oroforge_typekit_restricted::addTypes6();
-        added &= oroforge_typekit_restricted::addTypes10();
-        added &= oroforge_typekit_restricted::addTypes14();
-        added &= oroforge_typekit_restricted::addTypes15();
+        added &= oroforge_typekit_restricted::addTypes_input();
         return added;
     }
     bool loadConstructors() override { return true; }

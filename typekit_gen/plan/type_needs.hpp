@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+/// What a file about some of the types has to include and to declare, so that an edit of a header changes no other files
+/// than those about types that have to do with it.
+#ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
+#define OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <model/type_model.hpp>
+
+namespace oroforge::typekit {
+
+struct Needs {
+    std::vector<std::size_t> headers;  ///< numbers of listed ones, in their order
+    std::set<std::string> types;       ///< names of these types and of all that they are made of
+};
+
+class TypeNeeds {
+public:
+    /// `model` has to live as long.
+    explicit TypeNeeds(const model::TypeModel& model);
+
+    /// Of types by their names in the registry, "/demo/Point[]" for an array, and the entries of a map.
+    Needs of(const std::vector<std::string>& names) const;
+
+    /// The number of the listed header that a type belongs to: the one that defines it, else the first that brings along all
+    /// that it is made of, for a type of the library the first with such a field.
+    std::size_t homeOf(const std::string& name) const;
+
+private:
+    static constexpr auto kNowhere = static_cast<std::size_t>(-1);
+    struct Node {
+        std::vector<const model::TypeUse*> parts;
+        model::Homes homes;  // of a library type: one set, of the headers with a struct that has such a field
+        bool isUnknown = false;
+        std::size_t home = kNowhere;
+    };
+    /// Who has a type of the library as a field.
+    struct User {
+        const model::Homes& homes;
+        std::size_t home;
+    };
+    template <class Type>
+    User addNamed(const Type& type);
+    void addUse(const model::TypeUse& use, const User& user);
+    void add(const std::string& name, const std::vector<model::TypeUse>& parts, const User& user);
+    void addArguments(const std::vector<model::Constructor>& all, const User& user, Node& to);
+    void addArray(const model::TypeUse& use, const User& user);
+    void collect(const std::string& name, std::set<std::string>& to) const;
+    std::vector<std::size_t> headersOf(const std::set<std::string>& names) const;
+
+    const model::TypeModel& model_;
+    std::map<std::string, Node> nodes_;
+};
+
+}  // namespace oroforge::typekit
+
+#endif
