@@ -5,13 +5,13 @@ if(OROFORGE_BUILD_TOOLS)
   set(dir ${PROJECT_BINARY_DIR}/bench/measured)
   set(header ${dir}/include/measured/measured.hpp)
   set(sources ${dir}/Plugin.cpp)
-  foreach(i RANGE 15)
-    list(APPEND sources ${dir}/types_${i}.cpp)
+  foreach(i RANGE 1 16)
+    list(APPEND sources ${dir}/types_measured_${i}.cpp)
   endforeach()
   add_custom_command(OUTPUT ${sources}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}/include/measured
     COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/typegen_bench.py --header 200 > ${header}
-    COMMAND typegen -o ${dir} measured ${header}
+    COMMAND typegen -o ${dir} --pieces=${header}=16 measured ${header}
     DEPENDS typegen typegen_bench.py
     VERBATIM)
   add_library(measured-typekit MODULE EXCLUDE_FROM_ALL ${sources})

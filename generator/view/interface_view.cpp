@@ -14,12 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Ends every item but the last with a comma.
-json separated(json list) {
-    for (std::size_t i = 0; i < list.size(); ++i) list[i]["comma"] = i + 1 < list.size() ? ", " : "";
-    return list;
-}
-
 json docLiteral(const std::string& doc) { return doc.empty() ? json(nullptr) : json(model::stringLiteral(doc)); }
 
 json policyView(const model::Policy& policy) {
@@ -113,14 +107,18 @@ json operationView(const model::Operation& operation, const model::ServicePath& 
     view["comment"] = model::commentLines(operation.doc);
     view["result"] = orNull(model::firstResult(operation));
     view["args"] = json::array();
-    std::string signature;
+    std::string signature, parameters, unused;
     for (const model::Argument& argument : operation.arguments) {
-        signature += (signature.empty() ? "" : ", ") + argument.type.value;
+        const std::string separator = signature.empty() ? "" : ", ", type = argument.type.value;
+        signature += separator + type;
+        parameters += separator + type + " " + argument.name.value;
+        unused += separator + type + " /*" + argument.name.value + "*/";
         view["args"].push_back({{"name", argument.name.value},
-                                {"type", argument.type.value},
+                                {"type", type},
                                 {"doc", model::stringLiteral(model::docWithUnit(argument.doc, argument.unit))}});
     }
-    view["args"] = separated(view["args"]);
+    view["parameters"] = parameters;
+    view["unusedParameters"] = unused;
     view["signature"] = returns + "(" + signature + ")";
     return view;
 }
