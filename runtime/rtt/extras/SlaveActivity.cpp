@@ -187,8 +187,8 @@ internal::Presence::Place* SlaveActivity::enter() {
     return place;
 }
 
-// The owner enters and then checks that it still is the owner. A thread that takes over first removes the owner and then
-// looks for others inside. So the owner, which is nearly always the thread that executes, needs no locked instruction.
+// The owner enters and then checks that it still is the owner. A thread that takes over first removes the owner and
+// then looks for others inside. So the owner, nearly always the thread that executes, needs no locked instruction.
 base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*& place) {
     const int self = os::detail::currentTid();
     if (executor_ == self) return Direct::Granted;

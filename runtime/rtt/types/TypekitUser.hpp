@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What <NAME/typekit/Types.hpp>, which is generated, needs of the runtime. The templates that component authors use with a
-// type are declared for users, and instantiated once, in the typekit; its library must be linked.
+// What the generated <NAME/typekit/Types.hpp> needs of the runtime. The templates that component authors use with a
+// type are declared for users, and instantiated once, in the typekit. A user links the typekit's library.
 #ifndef ORO_TYPEKIT_USER_HPP
 #define ORO_TYPEKIT_USER_HPP
 
@@ -12,7 +12,7 @@
 #include "../base/ChannelElement.hpp"
 #include "../internal/DataSources.hpp"
 
-// HOW: `template class`, or `extern template class`. The compiler wants to know where an instance is first made whether it is
+// HOW: `template class`, or `extern template class`. The compiler decides where an instance is first made whether it is
 // visible, so classes that others are made of come first.
 #define ORO_VALUE_TEMPLATES(HOW, ...)                     \
     HOW RTT::internal::DataSource<__VA_ARGS__>;           \
