@@ -137,20 +137,23 @@ void ExecutionEngine::work(WorkReason reason) {
 // Calls what others wrote. False if it threw; the component is in Exception then.
 template <class Action>
 bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& action) {
-    std::string why;
     try {
         const internal::HookInProgress hook(task_, what);
         action();
         return true;
     } catch (const std::exception& e) {
-        why = e.what();
+        logException(here, what, e.what());
     } catch (...) {
-        why = "something that is no std::exception";
+        logException(here, what, "something that is no std::exception");
     }
-    log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task_)) << ": " << what
-               << " threw: " << why << endlog();
     if (!here.gone() && task_) task_->exception();
     return false;
+}
+
+// Apart, so that a step that goes well does not prepare for it.
+[[gnu::cold, gnu::noinline]] void ExecutionEngine::logException(const Step& here, const char* what, const char* why) {
+    log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task_)) << ": " << what
+               << " threw: " << why << endlog();
 }
 
 void ExecutionEngine::processMailbox(const Step& here, Depth depth) {

@@ -161,6 +161,7 @@ private:
     void processHooks(const Step& here);
     template <class Action>
     bool guarded(const Step& here, const char* what, Action&& action);
+    void logException(const Step& here, const char* what, const char* why);
     template <class Hook>
     void callHook(const Step& here, const char* what, Hook&& hook);
 

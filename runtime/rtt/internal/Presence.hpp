@@ -114,8 +114,8 @@ private:
 
     static constexpr unsigned kBells = 64;
     static Bell& bellOf(std::uintptr_t what) noexcept { return bells_[(what >> 4 ^ what >> 10) % kBells]; }
-    static Record* deeper() noexcept;
-    static void ring(Bell& bell) noexcept;
+    [[gnu::cold, gnu::noinline]] static Record* deeper() noexcept;
+    [[gnu::cold, gnu::noinline]] static void ring(Bell& bell) noexcept;
 
     static Bell bells_[kBells];
     static bool asymmetric_;
