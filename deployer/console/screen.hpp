@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The output of the console.
+// The output of the console, and the line that errors point into.
 #ifndef OROFORGE_CONSOLE_SCREEN_HPP
 #define OROFORGE_CONSOLE_SCREEN_HPP
 
@@ -20,7 +20,7 @@ struct Screen {
     std::ostream& err;
     Theme theme;
     bool hex = false;
-    /** The number of letters in a line. */
+    /** The number of columns of a line. */
     std::function<std::size_t()> width = [] { return std::size_t(100); };
     bool cutsTables = false;  ///< tables are cut at the end of the line, as a terminal needs
     bool failed = false;      ///< a line could not be executed
@@ -36,13 +36,13 @@ struct Screen {
     std::string paint(Style style, const std::string& text) const { return theme.paint(style, text); }
 };
 
-/** A word of the executed line, and where it begins. */
+/** A word of a line, and where it begins. */
 struct Word {
     std::string text;
     std::size_t begin = 0;
 };
 
-/** A typed line. */
+/** A line to execute: typed, or read from a file. */
 struct Input {
     std::string name;  ///< the name of the source of lines, for messages
     unsigned line = 1;

@@ -19,7 +19,7 @@ namespace OCL::console {
 class Watch {
 public:
     Watch(RTT::TaskContext& self, RTT::TaskContext& watched);
-    /** Removes the ports. The watched component may have been destroyed. */
+    /** Removes the ports and the peer. The watched component may have been destroyed. */
     ~Watch();
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;

@@ -32,6 +32,16 @@ std::string nameBeside(const std::string& target, const char* ending) {
     return target + '.' + std::to_string(::getpid()) + '.' + std::to_string(count++) + ending;
 }
 
+/// A new file beside the target, and its name.
+int openBeside(const std::string& target, const char* ending, std::string& name) {
+    for (int attempts = 0; attempts != kAttempts; ++attempts) {
+        name = nameBeside(target, ending);
+        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    }
+    return -1;
+}
+
 std::error_code copyBeside(const std::string& target, std::string& name) {
     struct stat before {};
     std::FILE* in = std::fopen(target.c_str(), "rbe");
@@ -44,7 +54,7 @@ std::error_code copyBeside(const std::string& target, std::string& name) {
         std::ferror(in) != 0 || ::fstat(fileno(in), &before) != 0 ? lastError() : std::error_code();
     (void)std::fclose(in);
     if (failed) return failed;
-    const int descriptor = openDraft(target, name);
+    const int descriptor = openBeside(target, ".old", name);
     if (descriptor < 0) return lastError();
     failed = takeOver(descriptor, before);
     const std::error_code written = writeAndClose(descriptor, text, Durability::process);
@@ -60,7 +70,7 @@ std::optional<int> numberOf(std::string_view text) {
     return number;
 }
 
-/// "x.cpf.123.0.new": the name of the target and the process.
+/// The target and the process of "x.cpf.123.0.new", or of ".old".
 std::optional<std::pair<std::string, pid_t>> draftOf(const std::string& file) {
     const std::size_t ending = file.rfind('.');
     if (ending == std::string::npos || (file.substr(ending) != ".new" && file.substr(ending) != ".old"))
@@ -79,14 +89,7 @@ bool isDead(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
 
 }  // namespace
 
-int openDraft(const std::string& target, std::string& name) {
-    for (int attempts = 0; attempts != kAttempts; ++attempts) {
-        name = nameBeside(target, ".new");
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST) return descriptor;
-    }
-    return -1;
-}
+int openDraft(const std::string& target, std::string& name) { return openBeside(target, ".new", name); }
 
 std::error_code keepBackup(const std::string& target, std::string& name) {
     for (int attempts = 0; attempts != kAttempts; ++attempts) {
@@ -101,7 +104,7 @@ std::error_code takeOver(int descriptor, const struct stat& before) {
     mode_t kept = 07777;
     if (::fchown(descriptor, before.st_uid, before.st_gid) != 0)
         kept = ::fchown(descriptor, static_cast<uid_t>(-1), before.st_gid) == 0 ? 02777 : 0777;
-    // Last, because a change of owner clears some.
+    // Last, because a change of owner clears some permissions.
     return ::fchmod(descriptor, before.st_mode & kept) == 0 ? std::error_code() : lastError();
 }
 

@@ -22,11 +22,11 @@ enum class Durability {
 /// links included, is opened, followed or removed. -1 and errno if it cannot be made.
 int openDraft(const std::string& target, std::string& name);
 
-/// Gives `target` a second name of the same kind, ending in ".old", and sets it; where there are no hard links, a copy
-/// gets the name.
+/// Keeps what `target` has under a second name of the same form, ending in ".old", and sets that: as a hard link, or as
+/// a copy where none can be made. After an error the caller removes what has the name.
 std::error_code keepBackup(const std::string& target, std::string& name);
 
-/// Owner, group and permissions of `before`, as far as this process may set them.
+/// Gives the file the owner, group and permissions of `before`, as far as this process may set them.
 std::error_code takeOver(int descriptor, const struct stat& before);
 
 /// Writes everything, and closes in any case.

@@ -7,7 +7,7 @@
 namespace RTT::types {
 
 bool RealTimeTypekitPlugin::loadTypes() {
-    builtin::addNumbers();
+    builtin::addFundamentalTypes();
     builtin::addSmallNumbers();
     builtin::addTexts();
     builtin::addBags();

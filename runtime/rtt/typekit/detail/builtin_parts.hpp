@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The parts of the built-in typekit, one file each.
+// The parts of the built-in typekit, one file each, called once, when it is loaded.
 #ifndef ORO_BUILTIN_PARTS_HPP
 #define ORO_BUILTIN_PARTS_HPP
 
@@ -8,7 +8,7 @@ namespace RTT {
 namespace types {
 namespace builtin {
 
-void addNumbers();
+void addFundamentalTypes();
 void addSmallNumbers();
 void addTexts();
 void addBags();

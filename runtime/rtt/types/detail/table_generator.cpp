@@ -23,10 +23,10 @@ bool TableGenerator::installTypeInfoObject(TypeInfo* info) {
     info->setTypeId(ops_->id);
     info->setOps(ops_);
     info->setThunks(thunks_);
-    // A value factory of an earlier registration would hide the thunks, which make the same.
+    // A value factory of an earlier registration would be used instead of the thunks, which make the same objects.
     info->setValueFactory(ValueFactoryPtr());
     if (doc_ && *doc_) info->setDescription(doc_);
-    return false;
+    return false;  // the repository keeps this generator
 }
 
 namespace {

@@ -10,7 +10,8 @@ namespace RTT {
 namespace types {
 namespace detail {
 
-/** The common base of generators with constant tables: the name, and the tables of operations and thunks. */
+/** The common base of generators with constant tables: of operations on values, and of thunks, which make the data
+    sources and ports of the type. */
 class TableGenerator : public TypeInfoGenerator {
 public:
     TableGenerator(const char* name, const char* doc, const TypeOps& ops, const TypeThunks& thunks);

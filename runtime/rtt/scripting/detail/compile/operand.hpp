@@ -11,8 +11,8 @@
 namespace RTT::scripting::detail {
 
 /**
- * Either the `address` of the value after the preceding code was executed (direct kinds only), or a `source`, which the
- * user of the operand must evaluate; a variable has both.
+ * Either the `address` of the value, valid when the code compiled so far has run (direct kinds only: those that
+ * instructions work on), or a `source`, which the user of the operand must evaluate; a variable has both.
  */
 struct Operand {
     Kind kind = Kind::None;
@@ -20,17 +20,17 @@ struct Operand {
     base::DataSourceBase::shared_ptr source;
     bool constant = false;  ///< the value at `address` does not change
     bool computed = false;  ///< only one instruction writes it: to a cell at `address`, or to `source`
-    bool sent = false;      ///< the result of send(), whose type has no name
+    bool sent = false;      ///< the result of send(), whose type no typekit has
     ast::Place at;
 
     /** True for a variable, or part of one, that can be assigned. */
     bool assignable() const { return source && source->isAssignable(); }
 };
 
-/** True for a type that widened() knows. */
+/** True for a number that is computed as one of a larger type, such as short: see widened(). */
 bool isSmallNumber(const Operand& operand);
 
-/** True for a type whose values have names. */
+/** True for an enumeration. */
 bool isEnum(const types::TypeInfo* type);
 
 /** The type's name for messages. */

@@ -11,11 +11,13 @@
 namespace RTT::scripting::detail {
 
 namespace {
-constexpr std::int64_t kSlice = 1000000;  // between two attempts, in ns
-constexpr unsigned kTries = 1000;
+// Between two attempts: a component's thread, in ns, and others, in µs.
+constexpr std::int64_t kSlice = 1000000;
+constexpr useconds_t kSleep = 100;
+constexpr unsigned kTries = 1000;  // some microseconds
 }  // namespace
 
-// The thread that has the machine may be waiting for an operation of the component that this thread executes.
+// The thread that holds the machine may be waiting for an operation that only this thread can execute.
 void MachineClaim::wait(std::int64_t patience) {
     for (unsigned tries = kTries; tries != 0; --tries)
         if (take()) return;
@@ -28,7 +30,7 @@ void MachineClaim::wait(std::int64_t patience) {
             engine->waitForMessages([this] { return owner_.load(std::memory_order_relaxed) == 0; },
                                     rtos_get_time_ns() + kSlice);
         else
-            usleep(kSlice / 10000);
+            usleep(kSleep);
     }
 }
 

@@ -11,17 +11,17 @@
 
 namespace RTT::scripting::detail {
 
-/** The thread that has the machine, or null. Taken with acquire and given back with release, so a thread that takes it
-    sees what the last one did. */
+/** The thread that holds the machine; 0: none. Taken with acquire and given back with release, so a thread that takes
+    it sees what the last one did. */
 typedef std::atomic<std::uintptr_t> MachineOwner;
 
-/** Has the machine while it exists, if it converts to true. A thread may have it several times, because programs of the
-    machine may give it commands. */
+/** Holds the machine while it exists, if it converts to true. A thread may hold it several times, because programs of
+    the machine may give it commands. */
 class MachineClaim {
 public:
     /** Never waits; real-time safe. */
     static MachineClaim now(MachineOwner& owner) { return MachineClaim(owner, 0); }
-    /** Waits some microseconds, because other threads rarely have it longer. */
+    /** Waits some microseconds, because other threads rarely hold it longer. */
     static MachineClaim soon(MachineOwner& owner) { return MachineClaim(owner, -1); }
     /** Waits at most `ns` for other threads, and executes messages of the component that this thread executes. */
     static MachineClaim within(MachineOwner& owner, std::int64_t ns) { return MachineClaim(owner, ns); }
@@ -32,7 +32,7 @@ public:
     MachineClaim& operator=(const MachineClaim&) = delete;
 
     explicit operator bool() const { return taken_ || nested_; }
-    /** True if a caller further up the stack has it already. */
+    /** True if a caller further up the stack holds it already. */
     bool nested() const { return nested_; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace RTT::types::builtin {
 
-void addNumbers() {
+void addFundamentalTypes() {
     const auto types = Types();
     types->addType(new StdTypeInfo<int>("int"));
     types->addType(new StdTypeInfo<unsigned int>("uint"));
@@ -18,7 +18,7 @@ void addNumbers() {
     types->addType(new BoolTypeInfo());
     types->addType(new StdTypeInfo<long long>("llong"));
     types->addType(new StdTypeInfo<unsigned long long>("ullong"));
-    types->addType(new TypeInfoName<void>("void"));
+    types->addType(new TypeInfoName<void>("void"));  // operations without a result name it
 }
 
 }  // namespace RTT::types::builtin
