@@ -11,7 +11,6 @@ add_library(orocos-ocl-taskbrowser SHARED
   console/console.cpp
   console/cursor_row.cpp
   console/dot_commands.cpp
-  console/end_signals.cpp
   console/help_text.cpp
   console/history.cpp
   console/interface_text.cpp

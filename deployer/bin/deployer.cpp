@@ -5,11 +5,11 @@
 #include "program.hpp"
 
 #include "../console/kept_terminal.hpp"
-#include "../deployment/signals.hpp"
 
 #include <ocl/DeploymentComponent.hpp>
 #include <ocl/TaskBrowser.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 
 namespace {
 
@@ -21,7 +21,7 @@ bool stay(OCL::DeploymentComponent& deployer, OCL::deploy::SignalCatcher& ending
     if (!options.daemon) {
         OCL::TaskBrowser browser(&deployer);
         browser.endOn(ending.descriptor());
-        OCL::deploy::beforeSecondSignal(&OCL::console::restoreTerminal);
+        RTT::os::beforeSecondSignal(&OCL::console::restoreTerminal);
         browser.loop();
         succeeded = !browser.failed();
         if (!ending.caught()) return succeeded;

@@ -3,7 +3,6 @@
 #include "program.hpp"
 
 #include "../deployment/lenient.hpp"
-#include "../deployment/signals.hpp"
 #include "crash_report.hpp"
 #include "explain.hpp"
 #include "program_report.hpp"
@@ -15,6 +14,7 @@
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/internal/FailureReport.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 #include <rtt/os/startstop.h>
 #include <rtt/types/SizeLimit.hpp>
 

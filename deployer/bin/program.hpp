@@ -6,13 +6,16 @@
 
 #include "deployer_options.hpp"
 
+namespace RTT::os {
+class SignalCatcher;
+}
 namespace OCL {
 class DeploymentComponent;
 }
 
 namespace OCL::deploy {
 
-class SignalCatcher;
+using RTT::os::SignalCatcher;
 
 /** Runs after the files are deployed, until the program should end. `deployed` is false if a file failed; those after
     it were not tried. SIGINT, SIGTERM and SIGHUP go to `ending`. Returns false if something failed. */

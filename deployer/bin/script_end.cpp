@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "script_end.hpp"
 
+#include <rtt/os/SignalsBlocked.hpp>
+
 #include <cerrno>
 #include <system_error>
 
@@ -22,15 +24,11 @@ void waitFor(pollfd* descriptors, nfds_t count, int limit) {
 
 }  // namespace
 
-ScriptEnd::ScriptEnd(const SignalCatcher& ending) {
+ScriptEnd::ScriptEnd(const RTT::os::SignalCatcher& ending) {
     if (pipe2(over_, O_CLOEXEC) != 0)
         throw std::system_error(errno, std::generic_category(), "no pipe to watch scripts with");
-    // The new thread handles no signals; older threads do.
-    sigset_t all, kept;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &kept);
+    const RTT::os::SignalsBlocked blocked;
     thread_ = std::thread([this, descriptor = ending.descriptor()] { watch(descriptor); });
-    pthread_sigmask(SIG_SETMASK, &kept, nullptr);
 }
 
 ScriptEnd::~ScriptEnd() {

@@ -3,9 +3,8 @@
 #ifndef OROFORGE_DEPLOYER_SCRIPT_END_HPP
 #define OROFORGE_DEPLOYER_SCRIPT_END_HPP
 
-#include "../deployment/signals.hpp"
-
 #include <rtt/internal/Interruption.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 
 #include <thread>
 
@@ -17,7 +16,7 @@ namespace OCL::deploy {
  */
 class ScriptEnd {
 public:
-    explicit ScriptEnd(const SignalCatcher& ending);
+    explicit ScriptEnd(const RTT::os::SignalCatcher& ending);
     ~ScriptEnd();
     ScriptEnd(const ScriptEnd&) = delete;
     ScriptEnd& operator=(const ScriptEnd&) = delete;

@@ -3,14 +3,17 @@
 #include <ocl/TaskBrowser.hpp>
 
 #include "console.hpp"
-#include "end_signals.hpp"
 #include "history.hpp"
 #include "interrupts.hpp"
+#include "kept_terminal.hpp"
 #include "line_editor.hpp"
 #include "table.hpp"
 
+#include <rtt/os/SignalCatcher.hpp>
+
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -91,8 +94,12 @@ void TaskBrowser::switchTaskContext(RTT::TaskContext* component) {
 void TaskBrowser::loop() {
     using console::LineSource;
     console::Console& lines = impl_->console;
-    std::optional<console::EndSignals> signals;
-    if (impl_->endsOn < 0) signals.emplace();
+    // For programs that do not catch these signals themselves.
+    std::optional<RTT::os::SignalCatcher> signals;
+    if (impl_->endsOn < 0) {
+        RTT::os::beforeSecondSignal(&console::restoreTerminal);
+        signals.emplace(std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP});
+    }
     const int endsOn = signals ? signals->descriptor() : impl_->endsOn;
     std::unique_ptr<LineSource> source;
     const bool edits = onTerminal();

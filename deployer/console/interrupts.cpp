@@ -7,6 +7,8 @@
 
 #include "kept_terminal.hpp"
 
+#include <rtt/os/SignalsBlocked.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -96,12 +98,8 @@ Interrupts::Interrupts(int endsOn, bool onTerminal)
     pressed = made;
     watching = true;
     if (on_terminal_) takeOver();
-    // The new thread handles no signals; older threads do.
-    sigset_t all, kept;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &kept);
+    const RTT::os::SignalsBlocked blocked;
     thread_ = std::thread([this] { watch(); });
-    pthread_sigmask(SIG_SETMASK, &kept, nullptr);
 }
 
 Interrupts::~Interrupts() {

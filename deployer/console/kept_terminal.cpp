@@ -16,7 +16,7 @@ termios original;
 volatile sig_atomic_t kept = 0;   // `original` has the previous mode
 pid_t owner = -1;                 // a child that ends or crashes must not restore the terminal of its parent
 volatile sig_atomic_t paste = 0;  // the terminal marks pasted text
-// The previous actions, by signal number, for the handler of signals that end the process.
+// The previous actions, by signal number.
 struct sigaction before[NSIG];
 
 void onStop(int signal, siginfo_t*, void*);
@@ -107,27 +107,27 @@ KeptTerminal::~KeptTerminal() {
     if (!kept) return;
     restoreTerminal();
     kept = 0;
-    for (const Previous& previous : previous_) {
+    for (const int signal : handled_) {
         struct sigaction now = {};
         // Other code may have replaced the handler, and after its execution it is not installed any more.
-        if (sigaction(previous.signal, nullptr, &now) == 0 && (isHandler(now, &onEnd) || isHandler(now, &onStop)))
-            sigaction(previous.signal, &previous.action, nullptr);
+        if (sigaction(signal, nullptr, &now) == 0 && (isHandler(now, &onEnd) || isHandler(now, &onStop)))
+            sigaction(signal, &before[signal], nullptr);
     }
 }
 
 void KeptTerminal::handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
-    Previous previous = {signal, {}};
-    if (sigaction(signal, nullptr, &previous.action) != 0) return;
+    struct sigaction previous = {};
+    if (sigaction(signal, nullptr, &previous) != 0) return;
     // Leaves ignored signals and other handlers alone, except those of crashes, which end the process anyway.
-    const bool usual = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_DFL;
-    const bool ignored = !(previous.action.sa_flags & SA_SIGINFO) && previous.action.sa_handler == SIG_IGN;
+    const bool plain = !(previous.sa_flags & SA_SIGINFO);
+    const bool usual = plain && previous.sa_handler == SIG_DFL, ignored = plain && previous.sa_handler == SIG_IGN;
     if (ignored || (!usual && !isFault(signal) && signal != SIGABRT && signal != SIGQUIT)) return;
-    before[signal] = previous.action;
+    before[signal] = previous;
     struct sigaction action = {};
     action.sa_sigaction = handler;
     action.sa_flags = flags;
     sigemptyset(&action.sa_mask);
-    if (sigaction(signal, &action, nullptr) == 0) previous_.push_back(previous);
+    if (sigaction(signal, &action, nullptr) == 0) handled_.push_back(signal);
 }
 
 }  // namespace OCL::console

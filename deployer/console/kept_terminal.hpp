@@ -21,13 +21,9 @@ public:
     KeptTerminal& operator=(const KeptTerminal&) = delete;
 
 private:
-    struct Previous {
-        int signal;
-        struct sigaction action;
-    };
     void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags);
 
-    std::vector<Previous> previous_;
+    std::vector<int> handled_;  // signals
 };
 
 // Any thread and signal handlers may call these.

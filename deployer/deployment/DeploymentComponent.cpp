@@ -9,12 +9,12 @@
 #include "read_value.hpp"
 #include "report.hpp"
 #include "scripts.hpp"
-#include "signals.hpp"
 #include "summary.hpp"
 #include "xml_to_plan.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/os/threads.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
@@ -252,14 +252,14 @@ bool DeploymentComponent::runScript(const std::string& file) {
 // --- waiting -------------------------------------------------------------------------------------------------------
 
 void DeploymentComponent::waitForInterrupt() {
-    deploy::SignalCatcher catcher({SIGINT, SIGTERM, SIGHUP});
+    RTT::os::SignalCatcher catcher({SIGINT, SIGTERM, SIGHUP});
     std::cout << "DeploymentComponent: waiting for an interrupt" << std::endl;
     (void)catcher.wait();
     std::cout << "DeploymentComponent: got the interrupt" << std::endl;
 }
 
 bool DeploymentComponent::waitForSignal(int signal) {
-    deploy::SignalCatcher catcher({signal});
+    RTT::os::SignalCatcher catcher({signal});
     if (!catcher.ready()) {
         log(RTT::Error) << "signal " << signal << " cannot be caught" << endlog();
         return false;

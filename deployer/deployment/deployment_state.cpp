@@ -5,10 +5,10 @@
 #include "report.hpp"
 #include "script_forecast.hpp"
 #include "scripts.hpp"
-#include "signals.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/internal/located_log.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 #include <rtt/os/fosi.h>
 
 #include <iostream>
@@ -79,7 +79,7 @@ bool DeploymentComponent::Impl::checkScript(const std::string& file) {
 }
 
 bool DeploymentComponent::Impl::goesOn(const std::string& file) const {
-    const int signal = deploy::pendingSignal();
+    const int signal = RTT::os::pendingSignal();
     if (signal != 0)
         RTT::log(RTT::Error) << "signal " << signal << " came while '" << file << "' was being deployed"
                              << RTT::endlog();

@@ -25,6 +25,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/os/Condition.cpp
   rtt/os/MainThread.cpp
   rtt/os/Mutex.cpp
+  rtt/os/SignalCatcher.cpp
   rtt/os/StartStopManager.cpp
   rtt/os/Thread.cpp
   rtt/os/ThreadInterface.cpp

@@ -4,6 +4,7 @@
 
 #include <rtt/detail/log_line.hpp>
 #include <rtt/detail/log_sink.hpp>
+#include <rtt/os/SignalsBlocked.hpp>
 
 #include <csignal>
 
@@ -18,13 +19,11 @@ void LogDrain::start() {
     // Explicit: it may be made by a real-time thread.
     pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
     pthread_attr_setstacksize(&attributes, 256 * 1024);
-    // Signals of the process are not for this thread.
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
     end_ = false;
-    running_ = pthread_create(&thread_, &attributes, &LogDrain::run, this) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    {
+        const os::SignalsBlocked blocked;
+        running_ = pthread_create(&thread_, &attributes, &LogDrain::run, this) == 0;
+    }
     pthread_attr_destroy(&attributes);
     writeLogOnFatalSignals();
 }

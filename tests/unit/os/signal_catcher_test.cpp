@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Catchers of signals that several threads make and give up in any order.
-#include <deployment/signals.hpp>
+#include <rtt/os/SignalCatcher.hpp>
 
 #include <atomic>
 #include <csignal>
@@ -11,10 +11,12 @@
 #include <optional>
 #include <thread>
 
+#include <poll.h>
+
 namespace {
 
-using OCL::deploy::pendingSignal;
-using OCL::deploy::SignalCatcher;
+using RTT::os::pendingSignal;
+using RTT::os::SignalCatcher;
 
 TEST(SignalCatchers, AreGivenUpInAnyOrder) {
     std::optional<SignalCatcher> first(std::in_place, {SIGUSR1, SIGTERM});
@@ -32,6 +34,24 @@ TEST(SignalCatchers, AreGivenUpInAnyOrder) {
         sigaction(signal, nullptr, &action);
         EXPECT_EQ(SIG_DFL, action.sa_handler);
     }
+}
+
+TEST(SignalCatchers, TakeTheirOwnSignalsOnly) {
+    std::atomic<int> others{0};
+    static std::atomic<int>* counter;
+    counter = &others;
+    void (*const before)(int) = std::signal(SIGTERM, [](int) { ++*counter; });
+    for (int i = 0; i != 3; ++i) {
+        SignalCatcher catcher({SIGTERM});
+        pollfd descriptor = {catcher.descriptor(), POLLIN, 0};
+        EXPECT_EQ(poll(&descriptor, 1, 0), 0);
+        raise(SIGTERM);
+        EXPECT_EQ(poll(&descriptor, 1, 0), 1);
+    }
+    EXPECT_EQ(others, 0);
+    raise(SIGTERM);
+    EXPECT_EQ(others, 1);
+    std::signal(SIGTERM, before);
 }
 
 TEST(SignalCatchers, OnlyThoseThatEndTheProgramArePending) {

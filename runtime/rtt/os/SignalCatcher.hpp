@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef OROFORGE_DEPLOYMENT_SIGNALS_HPP
-#define OROFORGE_DEPLOYMENT_SIGNALS_HPP
+#ifndef ORO_OS_SIGNAL_CATCHER_HPP
+#define ORO_OS_SIGNAL_CATCHER_HPP
+
+#include <rtt/rtt-config.h>
 
 #include <signal.h>
 
@@ -9,21 +11,22 @@
 #include <initializer_list>
 #include <vector>
 
-namespace OCL::deploy {
+namespace RTT {
+namespace os {
 
 /** SIGINT, SIGTERM or SIGHUP if it was caught and nobody has waited for it yet; 0 if there is none. May be called from
     any thread. */
-int pendingSignal();
+RTT_API int pendingSignal();
 
 /** Sets a function that is called before a second signal ends the process, for example to restore the terminal. It must
     be safe in signal handlers. */
-void beforeSecondSignal(void (*action)());
+RTT_API void beforeSecondSignal(void (*action)());
 
 /**
  * Catches signals while it exists. A second signal that nobody waits for has its usual effect, so that a program that
  * hangs can still be ended. Of several catchers, in any threads, the one that was made last for a signal catches it.
  */
-class SignalCatcher {
+class RTT_API SignalCatcher {
 public:
     explicit SignalCatcher(std::initializer_list<int> signals);
     ~SignalCatcher();
@@ -43,7 +46,7 @@ public:
     int descriptor() const { return pipe_[0]; }
 
 private:
-    friend int pendingSignal();
+    friend RTT_API int pendingSignal();
     static void onSignal(int signal);
     bool catchesEnd() const;
 
@@ -60,6 +63,7 @@ private:
     int pipe_[2];
 };
 
-}  // namespace OCL::deploy
+}  // namespace os
+}  // namespace RTT
 
 #endif

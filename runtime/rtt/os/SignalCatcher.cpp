@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The handler does only what is safe in any thread at any point: it writes the number into a pipe.
-#include "signals.hpp"
+#include <rtt/os/SignalCatcher.hpp>
 
 #include <rtt/os/detail/terminal_flow.hpp>
 
@@ -15,7 +15,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-namespace OCL::deploy {
+namespace RTT::os {
 namespace {
 
 std::mutex chain;  // guards the chain of catchers; the handler does not lock it
@@ -31,7 +31,7 @@ bool ends(int signal) { return signal == SIGINT || signal == SIGTERM || signal =
 
 void SignalCatcher::onSignal(int signal) {
     const int kept = errno;
-    if (ends(signal)) RTT::os::detail::letTerminalsWrite();
+    if (ends(signal)) detail::letTerminalsWrite();
     const unsigned char number = static_cast<unsigned char>(signal);
     // seq_cst, like the end of a catcher: either that sees this handler and waits, or this sees that the catcher is
     // gone.
@@ -144,4 +144,4 @@ int SignalCatcher::wait() {
     return number;
 }
 
-}  // namespace OCL::deploy
+}  // namespace RTT::os
