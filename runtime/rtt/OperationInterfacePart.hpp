@@ -26,7 +26,8 @@ class TypeInfo;
 namespace internal {
 template <typename T>
 class DataSource;
-}
+struct OperationSignature;
+}  // namespace internal
 
 /** What users are told of an argument. */
 struct ArgumentDescription {
@@ -58,6 +59,9 @@ public:
     virtual unsigned collectArity() const = 0;
     /** Type of the value `index`, counted from 1, that is collected. */
     virtual const types::TypeInfo* getCollectType(unsigned index) const = 0;
+
+    /** All of the above, also what is no text: which arguments are assigned. */
+    virtual internal::OperationSignature signature() const;
 
     /** A source whose evaluation calls the operation. Throws wrong_number_of_args_exception and its siblings. */
     virtual base::DataSourceBase::shared_ptr produce(const Args& args, ExecutionEngine* caller) const = 0;

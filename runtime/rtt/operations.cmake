@@ -25,6 +25,7 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/Interruption.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationCallerC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationPart.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/OperationSignature.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/PortCallbacks.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/RemoteOperation.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SendHandleC.cpp

@@ -14,19 +14,27 @@ namespace RTT::internal {
 
 namespace {
 
-std::string nameOf(const ValueType& type) {
-    return detail::plainTypeName(type.info()) + detail::qualifierText(type.isConst, type.isReference, type.isPointer);
+typedef OperationSignature::Value Value;
+
+Value valueOf(const ValueType& type) {
+    const types::TypeInfo* const info = type.info();
+    return {info, type.id, info->getTypeName(), type.isConst, type.isReference, type.isPointer, "", ""};
 }
 
-bool holds(const base::DataSourceBase& source, const ValueType& type) {
+bool holds(const base::DataSourceBase& source, const Value& wanted) {
     const std::type_info* const id = source.getTypeId();
-    return id && *id == *type.id;
+    return id && *id == *wanted.id;
 }
 
-[[noreturn]] void throwWrongType(std::size_t index, const ValueType& wanted,
+[[noreturn]] void throwWrongType(std::size_t index, const Value& wanted,
                                  const base::DataSourceBase::shared_ptr& source) {
-    throw wrong_types_of_args_exception(static_cast<int>(index), nameOf(wanted),
-                                        source ? source->getType() : "nothing");
+    throw wrong_types_of_args_exception(static_cast<int>(index), wanted.text(), source ? source->getType() : "nothing");
+}
+
+/** Throws unless `to`, which is argument `index`, can be assigned values of that type. */
+void checkAssigned(const base::DataSourceBase::shared_ptr& to, const Value& wanted, std::size_t index) {
+    if (!to || !holds(*to, wanted)) throwWrongType(index, wanted, to);
+    if (!to->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), to->getType());
 }
 
 void checkCount(std::size_t wanted, std::size_t received) {
@@ -34,12 +42,12 @@ void checkCount(std::size_t wanted, std::size_t received) {
 }
 
 /** The source of argument `index`, counted from 1: `source` itself, or one that converts its value. */
-base::DataSourceBase::shared_ptr sourceFor(const ValueType& wanted, base::DataSourceBase::shared_ptr source,
+base::DataSourceBase::shared_ptr sourceFor(const Value& wanted, base::DataSourceBase::shared_ptr source,
                                            std::size_t index) {
     if (!source) throwWrongType(index, wanted, source);
     if (wanted.isOutput() && !source->isAssignable())
         throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
-    if (!holds(*source, wanted) && !wanted.isOutput()) source = wanted.info()->convert(source);
+    if (!holds(*source, wanted) && !wanted.isOutput()) source = wanted.type->convert(source);
     if (!source || !holds(*source, wanted)) throwWrongType(index, wanted, source);
     return source;
 }
@@ -68,43 +76,26 @@ void OperationPart::setThread(ExecutionThread et, ExecutionEngine* owner) const 
 
 std::string OperationPart::getName() const { return description_->name; }
 std::string OperationPart::description() const { return description_->texts.front(); }
-std::string OperationPart::resultType() const { return nameOf(table_->types[0]); }
-unsigned OperationPart::arity() const { return table_->arity; }
 
-std::vector<ArgumentDescription> OperationPart::getArgumentList() const {
+OperationSignature OperationPart::signature() const {
     const std::vector<std::string>& texts = description_->texts;
-    std::vector<ArgumentDescription> list;
+    OperationSignature signature;
+    signature.result = valueOf(table_->types[0]);
     for (std::size_t i = 1; i <= table_->arity; ++i) {
+        Value value = valueOf(table_->types[i]);
         const bool documented = 2 * i < texts.size();
-        list.emplace_back(documented ? texts[2 * i - 1] : "arg" + std::to_string(i), documented ? texts[2 * i] : "",
-                          nameOf(table_->types[i]));
+        value.name = documented ? texts[2 * i - 1] : "arg" + std::to_string(i);
+        if (documented) value.description = texts[2 * i];
+        signature.arguments.push_back(std::move(value));
     }
-    return list;
-}
-
-const types::TypeInfo* OperationPart::getArgumentType(unsigned index) const {
-    return index <= table_->arity ? table_->types[index].info() : nullptr;
-}
-
-std::vector<const ValueType*> OperationPart::collected() const {
-    std::vector<const ValueType*> types;
-    if (*table_->types[0].id != typeid(void)) types.push_back(&table_->types[0]);
-    for (unsigned i = 1; i <= table_->arity; ++i)
-        if (table_->types[i].isOutput()) types.push_back(&table_->types[i]);
-    return types;
-}
-
-unsigned OperationPart::collectArity() const { return static_cast<unsigned>(collected().size()); }
-
-const types::TypeInfo* OperationPart::getCollectType(unsigned index) const {
-    const auto types = collected();
-    return index >= 1 && index <= types.size() ? types[index - 1]->info() : nullptr;
+    return signature;
 }
 
 OperationPart::Args OperationPart::checkedArguments(const Args& args) const {
     checkCount(table_->arity, args.size());
     Args checked;
-    for (std::size_t i = 0; i != args.size(); ++i) checked.push_back(sourceFor(table_->types[i + 1], args[i], i + 1));
+    for (std::size_t i = 1; i <= args.size(); ++i)
+        checked.push_back(sourceFor(valueOf(table_->types[i]), args[i - 1], i));
     return checked;
 }
 
@@ -132,14 +123,12 @@ OperationPart::Source OperationPart::produceHandle() const {
 
 OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource<bool>::shared_ptr blocking) const {
     checkSendable();
-    const auto types = collected();
-    if (args.size() != 1) checkCount(1 + types.size(), args.size());
+    const OperationSignature own = signature();
+    const auto values = own.collected();
+    if (args.size() != 1) checkCount(1 + values.size(), args.size());
     auto* const handle = DataSource<SentCall::shared_ptr>::narrow(args[0].get());
     if (!handle) throw wrong_types_of_args_exception(1, "SendHandle", args[0] ? args[0]->getType() : "nothing");
-    for (std::size_t i = 1; i != args.size(); ++i) {
-        if (!args[i] || !holds(*args[i], *types[i - 1])) throwWrongType(i + 1, *types[i - 1], args[i]);
-        if (!args[i]->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(i + 1), args[i]->getType());
-    }
+    for (std::size_t i = 1; i != args.size(); ++i) checkAssigned(args[i], *values[i - 1], i + 1);
     return new detail::CollectSource(*table_, handle, Args(args.begin() + 1, args.end()), std::move(blocking));
 }
 
@@ -149,11 +138,10 @@ Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& a
     if (!callee || !callee->signal()) return OperationInterfacePart::produceSignal(action, args, subscriber);
     checkCount(table_->arity, args.size());
     for (std::size_t i = 0; i != args.size(); ++i) {
-        const ValueType& type = table_->types[i + 1];
-        if (!args[i] || !holds(*args[i], type)) throwWrongType(i + 1, type, args[i]);
-        if (!args[i]->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(i + 1), args[i]->getType());
+        const Value value = valueOf(table_->types[i + 1]);
+        checkAssigned(args[i], value, i + 1);
         // What is handed to another thread is copied to values of its type.
-        if (subscriber && !type.info()->buildValue()) throwWrongType(i + 1, type, args[i]);
+        if (subscriber && !value.type->buildValue()) throwWrongType(i + 1, value, args[i]);
     }
     const auto slot = std::make_shared<detail::ActionSlot>(action, args, subscriber);
     callee->signal()->add(slot, true);

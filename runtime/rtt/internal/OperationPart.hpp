@@ -3,18 +3,16 @@
 #ifndef ORO_INTERNAL_OPERATION_PART_HPP
 #define ORO_INTERNAL_OPERATION_PART_HPP
 
-#include <rtt/OperationInterfacePart.hpp>
 #include <rtt/base/OperationBase.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 
 #include <typeinfo>
 
 namespace RTT {
 namespace internal {
 
-struct ValueType;
-
 /** An operation of this process for those who learn its signature at run time. */
-class RTT_API OperationPart final : public OperationInterfacePart {
+class RTT_API OperationPart final : public SignedPart {
 public:
     typedef base::DataSourceBase::shared_ptr Source;
     typedef base::OperationCallerInterface::shared_ptr Caller;
@@ -24,12 +22,7 @@ public:
 
     std::string getName() const override;
     std::string description() const override;
-    std::vector<ArgumentDescription> getArgumentList() const override;
-    std::string resultType() const override;
-    unsigned arity() const override;
-    const types::TypeInfo* getArgumentType(unsigned index) const override;
-    unsigned collectArity() const override;
-    const types::TypeInfo* getCollectType(unsigned index) const override;
+    OperationSignature signature() const override;
     bool isSynchronous() const override { return call_only_; }
     base::DisposableInterface::shared_ptr getLocalOperation() const override { return caller_; }
 
@@ -55,7 +48,6 @@ public:
 private:
     Args checkedArguments(const Args& args) const;
     void checkSendable() const;
-    std::vector<const ValueType*> collected() const;
 
     struct Overload {
         const std::type_info* signature;

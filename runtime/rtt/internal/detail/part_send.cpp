@@ -3,6 +3,7 @@
 #include <rtt/internal/detail/part_send.hpp>
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
@@ -14,11 +15,11 @@ namespace {
 
 /** The sources of what the operation gives, in its order; null: the caller does not take it. Empty if it takes nothing. */
 std::vector<Source> collected(const OperationInterfacePart& part, const std::vector<Source>& values) {
+    const OperationSignature signature = part.signature();
     std::vector<Source> given;
-    if (part.resultType() != "void") given.push_back(values[0]);
-    const std::vector<ArgumentDescription> arguments = part.getArgumentList();
-    for (std::size_t i = 0; i != arguments.size() && i + 1 != values.size(); ++i)
-        if (isChangedBy(arguments[i])) given.push_back(values[i + 1]);
+    if (!signature.result.isVoid()) given.push_back(values[0]);
+    for (std::size_t i = 0; i != signature.arguments.size() && i + 1 != values.size(); ++i)
+        if (signature.arguments[i].isOutput()) given.push_back(values[i + 1]);
     if (std::none_of(given.begin(), given.end(), [](const Source& value) { return value != nullptr; })) return {};
     if (given.size() != part.collectArity())
         throw std::runtime_error("what it changes does not follow from the types of its arguments");

@@ -3,6 +3,7 @@
 #include <rtt/internal/detail/remote_values.hpp>
 
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -67,14 +68,6 @@ void assign(void* to, base::DataSourceBase& from) {
 }
 
 }  // namespace
-
-bool isChangedBy(const ArgumentDescription& argument) {
-    const std::string& type = argument.type;
-    const auto endsWith = [&](const std::string& end) {
-        return type.size() >= end.size() && type.compare(type.size() - end.size(), end.size(), end) == 0;
-    };
-    return endsWith("&") && !endsWith(" const&") && !endsWith(" const &") && type.compare(0, 6, "const ") != 0;
-}
 
 bool takesCollected(base::DataSourceBase& value) {
     const auto* const address = dynamic_cast<const AddressSource*>(&value);
@@ -146,9 +139,9 @@ void CallerSources::give(void* const* arguments, void* result) const {
 
 void checkOutputs(const OperationInterfacePart& part, const CallerSignature& signature) {
     unsigned index = 0;
-    for (const ArgumentDescription& argument : part.getArgumentList()) {
-        if (++index > signature.arity) return;  // somebody else will complain of that
-        if (isChangedBy(argument) && signature.values[index].isConstant)
+    for (const OperationSignature::Value& argument : part.signature().arguments) {
+        if (++index > signature.arity) return;  // the number of arguments is checked elsewhere
+        if (argument.isOutput() && signature.values[index].isConstant)
             throw std::runtime_error("argument " + std::to_string(index) +
                                      " is changed by it, the caller's is constant");
     }

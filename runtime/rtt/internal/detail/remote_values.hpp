@@ -21,8 +21,6 @@ typedef std::unique_ptr<base::ActionInterface> Assignment;
 /** What assigns the value of `from` to `to`. Throws std::runtime_error with both types if nothing can. */
 Assignment assignment(const Source& to, const Source& from, const char* what);
 bool run(base::ActionInterface& assignment);
-/** Judged by the name of its type: a reference that is not constant. */
-bool isChangedBy(const ArgumentDescription& argument);
 /** False for an argument by reference whose type the type system does not know: what is collected cannot be assigned. */
 bool takesCollected(base::DataSourceBase& value);
 

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compile/call_words.hpp>
 
-#include <rtt/OperationInterfacePart.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
@@ -25,27 +25,15 @@ std::string signature(const std::string& name, const std::vector<base::DataSourc
     return text + ")";
 }
 
-bool isChanged(const std::string& type) {
-    static const std::string constant = " const&";
-    const bool isConstant =
-        type.size() >= constant.size() && type.compare(type.size() - constant.size(), std::string::npos, constant) == 0;
-    return !type.empty() && type.back() == '&' && !isConstant;
-}
-
-std::string plainType(const std::string& type) {
-    std::string plain = type.substr(0, type.find('&'));
-    const std::size_t constant = plain.rfind(" const");
-    if (constant != std::string::npos) plain.erase(constant);
-    while (!plain.empty() && plain.back() == ' ') plain.pop_back();
-    return plain;
-}
+std::string plainType(const std::string& type) { return internal::OperationSignature::Value::parsed(type).plainText(); }
 
 std::string declarationOf(const OperationInterfacePart& part) {
+    const internal::OperationSignature signature = part.signature();
     std::string text;
-    for (const auto& argument : part.getArgumentList())
-        text += (text.empty() ? "" : ", ") + plainType(argument.type) + (isChanged(argument.type) ? "&" : "") +
+    for (const auto& argument : signature.arguments)
+        text += (text.empty() ? "" : ", ") + argument.plainText() + (argument.isOutput() ? "&" : "") +
                 (argument.name.empty() ? "" : " ") + argument.name;
-    return plainType(part.resultType()) + ' ' + part.getName() + '(' + text + ')';
+    return signature.result.plainText() + ' ' + part.getName() + '(' + text + ')';
 }
 
 std::string elementsOf(const types::TypeInfo& type) {

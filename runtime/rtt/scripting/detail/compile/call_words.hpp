@@ -22,8 +22,6 @@ std::string joined(const std::vector<ast::Identifier>& parts);
 std::string counted(std::size_t count);
 /** The attempted call: "array(int, int)". */
 std::string signature(const std::string& name, const std::vector<base::DataSourceBase::shared_ptr>& arguments);
-/** True for the type of an argument that the operation assigns to. */
-bool isChanged(const std::string& type);
 /** The type without a reference: "string" for "string const&". */
 std::string plainType(const std::string& type);
 /** The declaration of an operation: "bool moveTo(double position)". */

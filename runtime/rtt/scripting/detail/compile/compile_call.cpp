@@ -7,6 +7,7 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 #include <rtt/scripting/detail/compile/arithmetic.hpp>
 #include <rtt/scripting/detail/function/function_operation.hpp>
 #include <rtt/scripting/detail/execute/instructions.hpp>
@@ -15,17 +16,37 @@
 
 namespace RTT::scripting::detail {
 
+using internal::OperationSignature;
+
+namespace {
+
+/** True if the operation changes that argument by reference. */
+bool isOutput(const OperationSignature& signature, std::size_t index) {
+    return index < signature.arguments.size() && signature.arguments[index].isOutput();
+}
+
+Kind kindOfArgument(const OperationSignature::Value& argument) {
+    return argument.type ? kindOf(argument.type->getTypeId()) : Kind::Other;
+}
+
+bool isConverted(const OperationSignature::Value& argument, const Operand& value) {
+    const Kind wanted = kindOfArgument(argument);
+    return wanted != value.kind && conversion(value.kind, wanted) != Conversion::None && !argument.isOutput();
+}
+
+}  // namespace
+
 /** Evaluates arguments from left to right, because a later one may call what changes an earlier one. Those that
     `isOutput` are variables. */
 std::vector<Operand> UnitCompiler::values(const ast::Expressions& expressions, const IsOutput& isOutput,
-                                          const OperationInterfacePart* part) {
+                                          const OperationSignature* signature) {
     std::vector<Operand> values;
     const unsigned first = executions_;
     for (const auto& argument : expressions) {
         const std::size_t before = code_.size();
         const unsigned executions = executions_;
-        const types::TypeInfo* const wanted = part && values.size() < part->arity()
-                                                  ? part->getArgumentType(static_cast<unsigned>(values.size()) + 1)
+        const types::TypeInfo* const wanted = signature && values.size() < signature->arguments.size()
+                                                  ? signature->arguments[values.size()].type
                                                   : nullptr;
         text_ = wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
         Operand value = expression(*argument);
@@ -46,59 +67,45 @@ std::vector<Operand> UnitCompiler::values(const ast::Expressions& expressions, c
     return values;
 }
 
-/** True if the operation changes that argument by reference. */
-bool UnitCompiler::isOutput(const OperationInterfacePart& part, std::size_t index) {
-    const auto descriptions = part.getArgumentList();
-    return index < descriptions.size() && isChanged(descriptions[index].type);
-}
-
 /** The arguments, with numbers converted to the types of the operation. */
 OperationInterfacePart::Args UnitCompiler::arguments(const ast::Name& name, const OperationInterfacePart& part) {
     const unsigned executions = executions_;
+    const OperationSignature signature = part.signature();
     auto given = values(
-        name.arguments, [&](std::size_t index) { return isOutput(part, index); }, &part);
+        name.arguments, [&](std::size_t index) { return isOutput(signature, index); }, &signature);
     OperationInterfacePart::Args sources;
-    const bool fits = given.size() == part.arity();
+    const bool fits = given.size() == signature.arguments.size();
     // Conversions happen before the call, so calls in earlier arguments must happen first.
-    for (unsigned i = 1; fits && executions_ != executions && i < given.size(); ++i) {
-        if (!isConverted(part, i, given[i])) continue;
-        for (unsigned j = 0; j != i; ++j)
-            if (!isOutput(part, j)) given[j] = taken(given[j], code_.size());
+    for (std::size_t i = 1; fits && executions_ != executions && i < given.size(); ++i) {
+        if (!isConverted(signature.arguments[i], given[i])) continue;
+        for (std::size_t j = 0; j != i; ++j)
+            if (!isOutput(signature, j)) given[j] = taken(given[j], code_.size());
     }
-    for (unsigned i = 0; i != given.size(); ++i)
-        sources.push_back(fits ? argument(name, part, i, given) : sourceOf(given[i]));
+    for (std::size_t i = 0; i != given.size(); ++i)
+        sources.push_back(fits ? argument(name, signature, i, given) : sourceOf(given[i]));
     return sources;
 }
 
-Kind UnitCompiler::wantedKind(const OperationInterfacePart& part, unsigned index) {
-    const types::TypeInfo* const type = part.getArgumentType(index + 1);
-    return type ? kindOf(type->getTypeId()) : Kind::Other;
-}
-
-bool UnitCompiler::isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value) {
-    const Kind wanted = wantedKind(part, index);
-    return wanted != value.kind && conversion(value.kind, wanted) != Conversion::None && !isOutput(part, index);
-}
-
-base::DataSourceBase::shared_ptr UnitCompiler::argument(const ast::Name& name, const OperationInterfacePart& part,
-                                                        unsigned index, const std::vector<Operand>& values) {
+base::DataSourceBase::shared_ptr UnitCompiler::argument(const ast::Name& name, const OperationSignature& signature,
+                                                        std::size_t index, const std::vector<Operand>& values) {
     const Operand& value = values[index];
-    const types::TypeInfo* const type = part.getArgumentType(index + 1);
-    if (!isOutput(part, index) && isEnum(type))
-        return watched(value.at, [&] { return type->convert(sourceOf(value)); });
-    if (!isConverted(part, index, value)) return sourceOf(value);
-    const Kind wanted = wantedKind(part, index);
-    const auto descriptions = part.getArgumentList();
+    const OperationSignature::Value& argument = signature.arguments[index];
+    if (!argument.isOutput() && isEnum(argument.type))
+        return watched(value.at, [&] { return argument.type->convert(sourceOf(value)); });
+    if (!isConverted(argument, value)) return sourceOf(value);
+    const Kind wanted = kindOfArgument(argument);
     if (!value.constant || !isReal(value.kind) || isReal(wanted)) return sourceOf(loadAs(value, wanted));
     // A fractional number where an integer is expected often means that two arguments were swapped.
     std::string hint;
-    for (unsigned i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i)
-        if (i != index && isReal(wantedKind(part, i)) && !isReal(values[i].kind) && isDirect(values[i].kind))
-            hint = "argument " + std::to_string(i + 1) + " (" + descriptions[i].name + ") is of type " +
-                   descriptions[i].type + ": are the two swapped?";
+    for (std::size_t i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i) {
+        const OperationSignature::Value& other = signature.arguments[i];
+        if (i != index && isReal(kindOfArgument(other)) && !isReal(values[i].kind) && isDirect(values[i].kind))
+            hint = "argument " + std::to_string(i + 1) + " (" + other.name + ") is of type " + other.text() +
+                   ": are the two swapped?";
+    }
     warn(value.at, "OPS152",
-         "argument " + std::to_string(index + 1) + " (" + descriptions[index].name + ") of '" + joined(name.parts) +
-             "' is a whole number (" + descriptions[index].type + "): what is given loses its fraction",
+         "argument " + std::to_string(index + 1) + " (" + argument.name + ") of '" + joined(name.parts) +
+             "' is a whole number (" + argument.text() + "): what is given loses its fraction",
          hint);
     ++aliases_;  // already reported
     const Source whole = sourceOf(loadAs(value, wanted));
@@ -193,7 +200,7 @@ UnitCompiler::Source UnitCompiler::made(const ast::Name& name, ast::Place at, co
     const auto becomesText = [&](const std::string& wanted, const std::string& found, int number) {
         const types::TypeInfo* const type = types::Types()->type(found);
         return plainType(wanted) == "string" && type && isDirect(kindOf(type->getTypeId())) && last != "collect" &&
-               last != "collectIfDone" && !isOutput(part, static_cast<std::size_t>(number - 1));
+               last != "collectIfDone" && !isOutput(part.signature(), static_cast<std::size_t>(number - 1));
     };
     try {
         return watched(at, make);

@@ -173,12 +173,9 @@ private:
     /** True for the index of an argument that the call assigns to. */
     typedef std::function<bool(std::size_t)> IsOutput;
     std::vector<Operand> values(const ast::Expressions& expressions, const IsOutput& isOutput,
-                                const OperationInterfacePart* part = nullptr);
-    static bool isOutput(const OperationInterfacePart& part, std::size_t index);
-    static Kind wantedKind(const OperationInterfacePart& part, unsigned index);
-    static bool isConverted(const OperationInterfacePart& part, unsigned index, const Operand& value);
+                                const internal::OperationSignature* signature = nullptr);
     OperationInterfacePart::Args arguments(const ast::Name& name, const OperationInterfacePart& part);
-    Source argument(const ast::Name& name, const OperationInterfacePart& part, unsigned index,
+    Source argument(const ast::Name& name, const internal::OperationSignature& signature, std::size_t index,
                     const std::vector<Operand>& values);
     Source made(const ast::Name& name, ast::Place at, const OperationInterfacePart& part,
                 const std::function<Source()>& make);

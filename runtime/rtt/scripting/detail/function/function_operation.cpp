@@ -84,27 +84,26 @@ FunctionSignature::FunctionSignature(std::shared_ptr<const FunctionDefinition> d
 
 std::string FunctionSignature::getName() const { return definition_->name; }
 std::string FunctionSignature::description() const { return "A function of a script."; }
-std::string FunctionSignature::resultType() const { return typeOf(values_.front())->getTypeName(); }
-unsigned FunctionSignature::arity() const { return static_cast<unsigned>(values_.size() - 1); }
-unsigned FunctionSignature::collectArity() const { return values_.front() ? 1 : 0; }
 
-std::vector<ArgumentDescription> FunctionSignature::getArgumentList() const {
-    std::vector<ArgumentDescription> list;
-    for (const ast::Function::Argument& argument : definition_->tree->arguments)
-        list.emplace_back(argument.name.text, "", typeOf(values_[list.size() + 1])->getTypeName());
-    return list;
-}
-
-const types::TypeInfo* FunctionSignature::getArgumentType(unsigned index) const {
-    return index < values_.size() ? typeOf(values_[index]) : nullptr;
-}
-
-const types::TypeInfo* FunctionSignature::getCollectType(unsigned index) const {
-    return index == 1 && values_.front() ? typeOf(values_.front()) : nullptr;
+internal::OperationSignature FunctionSignature::signature() const {
+    const auto valueAt = [this](std::size_t index) {
+        internal::OperationSignature::Value value;
+        value.type = typeOf(values_[index]);
+        value.id = value.type->getTypeId();
+        value.typeName = value.type->getTypeName();
+        return value;
+    };
+    internal::OperationSignature signature;
+    signature.result = valueAt(0);
+    for (const ast::Function::Argument& argument : definition_->tree->arguments) {
+        signature.arguments.push_back(valueAt(signature.arguments.size() + 1));
+        signature.arguments.back().name = argument.name.text;
+    }
+    return signature;
 }
 
 FunctionSignature::Args FunctionSignature::checked(const Args& args) const {
-    checkCount(arity(), args.size());
+    checkCount(values_.size() - 1, args.size());
     Args sources;
     for (std::size_t i = 1; i != values_.size(); ++i) {
         const DataSourceBase::shared_ptr& given = args[i - 1];

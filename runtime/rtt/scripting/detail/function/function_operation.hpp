@@ -4,7 +4,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_FUNCTION_OPERATION_HPP
 #define ORO_SCRIPTING_DETAIL_FUNCTION_OPERATION_HPP
 
-#include <rtt/OperationInterfacePart.hpp>
+#include <rtt/internal/OperationSignature.hpp>
 #include <rtt/scripting/detail/function/function_pool.hpp>
 #include <rtt/scripting/detail/function/function_sources.hpp>
 
@@ -19,16 +19,11 @@ namespace scripting {
 namespace detail {
 
 /** The signature of a function. */
-class FunctionSignature : public OperationInterfacePart {
+class FunctionSignature : public internal::SignedPart {
 public:
     std::string getName() const override;
     std::string description() const override;
-    std::vector<ArgumentDescription> getArgumentList() const override;
-    std::string resultType() const override;
-    unsigned arity() const override;
-    const types::TypeInfo* getArgumentType(unsigned index) const override;
-    unsigned collectArity() const override;
-    const types::TypeInfo* getCollectType(unsigned index) const override;
+    internal::OperationSignature signature() const override;
     base::DataSourceBase::shared_ptr produceHandle() const override;
 
 protected:
