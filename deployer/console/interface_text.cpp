@@ -227,7 +227,7 @@ bool describeType(Screen& screen, const std::string& name) {
 bool describePort(Screen& screen, RTT::Service& service, const std::string& name, const std::string& path) {
     const RTT::base::PortInterface* const port = service.getPort(name);
     if (!port) return false;
-    const bool input = dynamic_cast<const RTT::base::InputPortInterface*>(port);
+    const bool input = port->asInput();
     screen.out << (input ? "Input port " : "Output port ") << screen.paint(Style::Name, name) << "  "
                << screen.paint(Style::Type, dotted(port->getTypeInfo()->getTypeName())) << '\n';
     writeDoc(screen, port->getDescription(), "  ");
@@ -236,7 +236,7 @@ bool describePort(Screen& screen, RTT::Service& service, const std::string& name
         screen.out << "    " << (input ? "<- " : "-> ") << (id->peer() ? id->peer()->getFullName() : id->toString())
                    << "  " << connection.get<2>() << '\n';
     }
-    const auto* const output = dynamic_cast<const RTT::base::OutputPortInterface*>(port);
+    const auto* const output = port->asOutput();
     if (output && output->hasLastWrittenValue())
         screen.out << "    last written: " << valueText(output->getDataSource(), screen.hex) << '\n';
     screen.out << "    " << screen.paint(Style::Faint, path + (input ? ".read(x)" : ".write(x)")) << '\n';

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostNamed = 2;
 
 std::string partnersOf(const RTT::base::PortInterface& port) {
-    const bool input = dynamic_cast<const RTT::base::InputPortInterface*>(&port);
+    const bool input = port.asInput();
     const auto connections = port.getManager()->getConnections();
     if (connections.empty()) return port.connected() ? "connected" : "not connected";
     if (connections.size() > kMostNamed) return std::to_string(connections.size()) + " connections";
@@ -30,7 +30,7 @@ std::string partnersOf(const RTT::base::PortInterface& port) {
 }
 
 std::string lastValueOf(const RTT::base::PortInterface& port, const Screen& screen) {
-    const auto* const output = dynamic_cast<const RTT::base::OutputPortInterface*>(&port);
+    const auto* const output = port.asOutput();
     if (!output || !output->hasLastWrittenValue()) return {};
     return "= " + shortened(oneLine(valueText(output->getDataSource(), screen.hex)), screen.valueWidth());
 }
@@ -40,7 +40,7 @@ std::string lastValueOf(const RTT::base::PortInterface& port, const Screen& scre
 void writePorts(Screen& screen, RTT::DataFlowInterface& ports, const std::string& indent) {
     Table table({Style::Faint, Style::Name, Style::Type, Style::Value, Style::Plain, Style::Faint});
     for (const RTT::base::PortInterface* const port : ports.getPorts())
-        table.add({dynamic_cast<const RTT::base::InputPortInterface*>(port) ? "in" : "out", port->getName(),
+        table.add({port->asInput() ? "in" : "out", port->getName(),
                    RTT::types::Types()->toDot(port->getTypeInfo()->getTypeName()), lastValueOf(*port, screen),
                    partnersOf(*port), oneLine(port->getDescription())});
     table.write(screen.out, screen.theme, indent, screen.tableWidth());

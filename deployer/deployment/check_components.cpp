@@ -54,7 +54,7 @@ private:
     void resolve(const Connection::Member& member, bool configured) {
         const Text& name = member.plan->port;
         if (const PortInterface* port = findPort(*member.record->instance, name.value)) {
-            const bool isOutput = dynamic_cast<const RTT::base::OutputPortInterface*>(port) != nullptr;
+            const bool isOutput = port->asOutput() != nullptr;
             ports_.push_back(
                 {port,
                  {name.where, member.record->name + "." + name.value, RTT::internal::sampleTypeName(*port), isOutput}});

@@ -23,8 +23,10 @@ PortInterface* portOf(const Connection::Member& member) {
 
 void connectPair(const Connection& connection, const Connection::Member& from, const Connection::Member& to,
                  diag::Sink& sink) {
-    auto* output = dynamic_cast<OutputPortInterface*>(portOf(from));
-    auto* input = dynamic_cast<InputPortInterface*>(portOf(to));
+    PortInterface* const source = portOf(from);
+    PortInterface* const target = portOf(to);
+    OutputPortInterface* const output = source ? source->asOutput() : nullptr;
+    InputPortInterface* const input = target ? target->asInput() : nullptr;
     if (!output || !input || output->connectedTo(input)) return;
     if (output->connectTo(input, connection.policy)) return;
     sink.error(to.plan->port.where, "DEP055",

@@ -25,7 +25,7 @@ std::string portIn(const std::string& path) {
     return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-bool isOutput(const PortInterface* port) { return dynamic_cast<const OutputPortInterface*>(port) != nullptr; }
+bool isOutput(const PortInterface* port) { return port && port->asOutput(); }
 
 class ForeseenGraph {
 public:

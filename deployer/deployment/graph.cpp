@@ -101,7 +101,7 @@ private:
     /** Adds the connections of the output ports of a service and of its sub-services. */
     void addConnections(const std::string& component, RTT::Service& service, const std::string& path) {
         for (PortInterface* port : service.getPorts())
-            if (auto* output = dynamic_cast<OutputPortInterface*>(port)) addConnections(component, *output, path);
+            if (auto* output = port->asOutput()) addConnections(component, *output, path);
         for (const std::string& name : service.getProviderNames())
             if (name != "this") addConnections(component, *service.provides(name), path + name + ".");
     }

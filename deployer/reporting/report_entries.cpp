@@ -78,7 +78,7 @@ RTT::base::PortInterface* portOf(TaskContext& component, std::string path) {
 std::vector<std::string> outputsOf(TaskContext& component) {
     std::vector<std::string> names;
     for (RTT::base::PortInterface* port : component.ports()->getPorts())
-        if (dynamic_cast<OutputPortInterface*>(port)) names.push_back(port->getName());
+        if (port->asOutput()) names.push_back(port->getName());
     return names;
 }
 std::vector<std::string> valuesOf(TaskContext& component) {
@@ -91,7 +91,7 @@ std::vector<std::string> valuesOf(TaskContext& component) {
 /** The output port. Logs an error and returns null if there is none that can be reported. */
 OutputPortInterface* outputOf(TaskContext& peer, const std::string& component, const std::string& path) {
     RTT::base::PortInterface* const port = portOf(peer, path);
-    auto* const output = dynamic_cast<OutputPortInterface*>(port);
+    auto* const output = port ? port->asOutput() : nullptr;
     if (output) return output;
     if (port)
         log(RTT::Error) << "cannot report input port '" << path << "' of component '" << component << "'" << endlog();
@@ -162,7 +162,7 @@ bool ReportingComponent::Impl::addComponent(const std::string& component, Known 
     if (!peer) return false;
     // A port whose type is in no typekit is left out with a message; the other ports of the component have columns.
     for (RTT::base::PortInterface* port : peer->ports()->getPorts()) {
-        if (!dynamic_cast<OutputPortInterface*>(port)) continue;
+        if (!port->asOutput()) continue;
         const bool stays = known == Known::Stay && isReportedNow(component + "." + port->getName());
         if (!stays) (void)addPort(component, port->getName());
     }
@@ -215,7 +215,7 @@ bool ReportingComponent::Impl::renew(const Source& source) {
     if (source.port()) {
         // A port that does not exist any more keeps its column, with the last value.
         RTT::base::PortInterface* const port = peer ? portOf(*peer, source.path()) : nullptr;
-        if (auto* const output = dynamic_cast<OutputPortInterface*>(port))
+        if (auto* const output = port ? port->asOutput() : nullptr)
             (void)connect(source.component(), source.path(), *output);
         return true;
     }

@@ -135,7 +135,7 @@ void DataFlowInterface::silencePorts() {
 /** The port no longer knows us, and nobody is telling us of its samples any more. */
 void DataFlowInterface::takeOut(PortInterface& port) {
     port.setInterface(nullptr);
-    InputPortInterface* input = dynamic_cast<InputPortInterface*>(&port);
+    InputPortInterface* input = port.asInput();
     if (!input) return;
     input->signalInterface(false);
     TaskContext* const owner = getOwner();

@@ -226,8 +226,8 @@ bool TaskContext::connectPorts(TaskContext* peer) {
                        << " with" << endlog();
             continue;
         }
-        const bool mineReads = dynamic_cast<base::InputPortInterface*>(mine) != nullptr;
-        const bool theirsReads = dynamic_cast<base::InputPortInterface*>(theirs) != nullptr;
+        const bool mineReads = mine->asInput() != nullptr;
+        const bool theirsReads = theirs->asInput() != nullptr;
         if (mineReads == theirsReads) {
             log(Debug) << "ports '" << mine->getName() << "' of " << getName() << " and " << peer->getName()
                        << " have the same direction and are not connected" << endlog();

@@ -119,7 +119,7 @@ FlowStatus InputPortInterface::read(DataSourceBase::shared_ptr source, bool copy
 }
 
 bool InputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy) {
-    OutputPortInterface* output = dynamic_cast<OutputPortInterface*>(other);
+    OutputPortInterface* output = other ? other->asOutput() : nullptr;
     if (output) return output->createConnection(*this, policy);
     log(Error) << "input port " << getFullName() << " could not connect to "
                << (other ? other->getFullName() : std::string("nothing")) << ": not an output port" << endlog();

@@ -19,6 +19,9 @@ public:
                        const types::TypeOps* ops = nullptr);
     ~InputPortInterface() override;
 
+    InputPortInterface* asInput() override { return this; }
+    const InputPortInterface* asInput() const override { return this; }
+
     /** The policy used when connecting without one. */
     const ConnPolicy& getDefaultPolicy() const { return default_policy_; }
 

@@ -212,9 +212,9 @@ bool OutputPortInterface::createConnection(internal::SharedConnectionBase::share
 }
 
 namespace {
-/** Null, and an error, if it is none. */
-InputPortInterface* asInput(const OutputPortInterface& output, PortInterface* other) {
-    InputPortInterface* const input = dynamic_cast<InputPortInterface*>(other);
+/** Null, and an error, if it is no input port. */
+InputPortInterface* inputFor(const OutputPortInterface& output, PortInterface* other) {
+    InputPortInterface* const input = other ? other->asInput() : nullptr;
     if (!input)
         log(Error) << "output port " << output.getFullName() << " could not connect to "
                    << (other ? other->getFullName() : std::string("nothing")) << ": not an input port" << endlog();
@@ -223,12 +223,12 @@ InputPortInterface* asInput(const OutputPortInterface& output, PortInterface* ot
 }  // namespace
 
 bool OutputPortInterface::connectTo(PortInterface* other, ConnPolicy const& policy) {
-    InputPortInterface* const input = asInput(*this, other);
+    InputPortInterface* const input = inputFor(*this, other);
     return input && createConnection(*input, policy);
 }
 
 bool OutputPortInterface::connectTo(PortInterface* other) {
-    InputPortInterface* const input = asInput(*this, other);
+    InputPortInterface* const input = inputFor(*this, other);
     return input && createConnection(*input);
 }
 

@@ -21,6 +21,9 @@ public:
     OutputPortInterface(const std::string& name, const types::TypeOps* ops = nullptr, bool keep_last = false);
     ~OutputPortInterface() override;
 
+    OutputPortInterface* asOutput() override { return this; }
+    const OutputPortInterface* asOutput() const override { return this; }
+
     /** Writes the value of a data source of the port's type; any other gives WriteFailure and an error. */
     virtual WriteStatus write(boost::intrusive_ptr<DataSourceBase> source);
 

@@ -32,6 +32,8 @@ struct ChannelArray;
 }  // namespace internal
 
 namespace base {
+class InputPortInterface;
+class OutputPortInterface;
 
 /** A named end of connections. Connecting and disconnecting may be done by any thread, also while other threads write and
     read, and from callbacks; it is not real-time safe, may allocate and takes a process-wide lock, but never makes a
@@ -51,6 +53,12 @@ public:
     const std::string& getDescription() const { return description_; }
     /** Describes the port, and its service if it has one already. */
     PortInterface& doc(const std::string& text);
+
+    /** This port, if samples are read from it, or written to it; null otherwise. Real-time safe. */
+    virtual InputPortInterface* asInput() { return nullptr; }
+    virtual const InputPortInterface* asInput() const { return nullptr; }
+    virtual OutputPortInterface* asOutput() { return nullptr; }
+    virtual const OutputPortInterface* asOutput() const { return nullptr; }
 
     /** True if there is at least one connection or stream. Real-time safe. */
     virtual bool connected() const;

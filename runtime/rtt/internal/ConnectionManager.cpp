@@ -19,9 +19,7 @@ using detail::GraphLock;
 
 ConnectionManager::~ConnectionManager() = default;
 
-bool ConnectionManager::isInput(const PortInterface& port) {
-    return dynamic_cast<const base::InputPortInterface*>(&port) != nullptr;
-}
+bool ConnectionManager::isInput(const PortInterface& port) { return port.asInput() != nullptr; }
 
 /** Ports of the same direction in one shared connection are not connected with each other. */
 bool ConnectionManager::leadsTo(const Connection& connection, const PortInterface& port) const {

@@ -9,7 +9,7 @@
 namespace RTT::internal {
 
 PortLink::PortLink(const base::PortInterface& port)
-    : endpoint_(port.getEndpoint()), input_(dynamic_cast<const base::InputPortInterface*>(&port) != nullptr) {}
+    : endpoint_(port.getEndpoint()), input_(port.asInput() != nullptr) {}
 PortLink::PortLink(const PortLink&) = default;
 PortLink::~PortLink() = default;
 

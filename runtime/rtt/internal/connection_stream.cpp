@@ -18,8 +18,7 @@ namespace RTT::internal {
 namespace {
 
 std::string describe(const base::PortInterface& port) {
-    return dynamic_cast<const base::InputPortInterface*>(&port) ? "input port " + port.getFullName()
-                                                                : "output port " + port.getFullName();
+    return port.asInput() ? "input port " + port.getFullName() : "output port " + port.getFullName();
 }
 
 /** Gets what sizes a new channel, as a value of the port's type. */

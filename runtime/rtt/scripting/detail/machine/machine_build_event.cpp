@@ -75,7 +75,7 @@ void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& sou
     std::vector<std::string> names = source.service->getNames();
     bool isOutput = false;
     for (base::PortInterface* port : source.service->getPorts()) {
-        if (dynamic_cast<base::InputPortInterface*>(port))
+        if (port->asInput())
             names.push_back(port->getName());
         else
             isOutput = isOutput || port->getName() == name.text;
