@@ -12,6 +12,9 @@
 namespace RTT {
 namespace internal {
 
+/** Shorthand for the map that copy() carries along. */
+typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
+
 /**
  * Lets a constructor take P as a pointer to a Source, plain or counted, or as nullptr, but neither the literal 0 nor {}: these
  * are values, and would fit a parameter of type Source* as well.

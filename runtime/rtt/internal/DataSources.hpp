@@ -10,9 +10,6 @@
 namespace RTT {
 namespace internal {
 
-/** Shorthand for the map that copy() carries along. */
-typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
-
 /** For constructors that copy a value once, where those that take one copy and move it. */
 struct CopyTag {};
 
@@ -152,6 +149,6 @@ private:
 }  // namespace internal
 }  // namespace RTT
 
-#include "DataSourcesMore.hpp"
+#include "ReferringDataSources.hpp"
 
 #endif

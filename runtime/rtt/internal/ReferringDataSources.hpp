@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The rarer data sources; include DataSources.hpp instead.
-#ifndef ORO_CORELIB_DATASOURCES_MORE_HPP
-#define ORO_CORELIB_DATASOURCES_MORE_HPP
+// Data sources that refer to another source, or to memory that is known later; users include DataSources.hpp.
+#ifndef ORO_CORELIB_REFERRING_DATASOURCES_HPP
+#define ORO_CORELIB_REFERRING_DATASOURCES_HPP
 
 #include <rtt/base/ActionInterface.hpp>
-#include "DataSources.hpp"
+#include "AssignCommand.hpp"
+#include "DataSource.hpp"
 #include <memory>
 
 namespace RTT {
