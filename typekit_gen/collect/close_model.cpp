@@ -44,7 +44,7 @@ void sortByName(std::vector<T>& all) {
     std::sort(all.begin(), all.end(), [](const T& a, const T& b) { return a.name < b.name; });
 }
 
-/// Ports and property files know types by these names, so a shared one would let wrong types meet.
+/// Rejects shared names: ports and property files know a type only by its name, and would mix up the two.
 class NameCheck {
 public:
     explicit NameCheck(diag::Sink& sink) : sink_(sink) {}
@@ -64,7 +64,7 @@ private:
 
 bool isPartOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Whole names only: "/demo/Point" is no part of "/demo/Pointer".
+/// Replaces whole names only: "/demo/Point" is not replaced within "/demo/Pointer".
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     std::size_t at = text.find(from);
     while (at != std::string::npos) {
@@ -86,7 +86,7 @@ void renameArguments(std::vector<model::Constructor>& all, const std::string& fr
         for (model::TypeUse& argument : one.arguments) rename(argument, from, to);
 }
 
-/// A template instance is called by its first alias; the name made of its arguments becomes another alias of it.
+/// A template instance takes the name of its first alias; the name made from its arguments becomes another alias.
 void preferAliases(model::TypeModel& model) {
     std::map<std::string, std::string> preferred;  // instance → its first alias
     for (model::Alias& alias : model.aliases) {
@@ -96,11 +96,11 @@ void preferAliases(model::TypeModel& model) {
         else
             alias.of = entry->second;
     }
-    // A type that keeps its name has an alias that is none.
+    // A type that keeps its name is now its own alias.
     model.aliases.erase(std::remove_if(model.aliases.begin(), model.aliases.end(),
                                        [](const model::Alias& alias) { return alias.name == alias.of; }),
                         model.aliases.end());
-    // "/Q</P<3>>" before "/P<3>", or it would no longer be found.
+    // "/Q</P<3>>" goes before "/P<3>", or it would no longer be found.
     std::vector<std::pair<std::string, std::string>> ordered(preferred.begin(), preferred.end());
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
@@ -135,7 +135,7 @@ bool mayHold(const model::TypeUse& use, const std::string& name, const model::Ty
     return false;
 }
 
-/// Pointers may go round in circles, which a file or a display would follow for ever. Containers hold what they hold.
+/// Rejects circles of pointers, which a file or a display would follow for ever; containers own what they hold.
 void checkCircles(const model::TypeModel& model, diag::Sink& sink) {
     for (const model::Struct& type : model.structs) {
         for (const model::Field& field : type.fields) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What the types imply: the library types and arrays that their fields reach, one order, no two types of one name.
+/// Completes a model: adds the library types and arrays that fields use, sorts all types and checks their names.
 #ifndef OROFORGE_TYPEKIT_GEN_COLLECT_CLOSE_MODEL_HPP
 #define OROFORGE_TYPEKIT_GEN_COLLECT_CLOSE_MODEL_HPP
 
@@ -9,9 +9,8 @@
 
 namespace oroforge::typekit {
 
-/// Fills in library types and arrays, calls template instances by their aliases, and sorts everything by registry
-/// name. Two types with one name: error TK060.
-/// No type at all: warning TK061.
+/// Adds the library types and arrays that fields use, calls template instances by their aliases, and sorts everything
+/// by registry name. Two types with one name are error TK060; a model without types is warning TK061.
 void closeModel(model::TypeModel& model, diag::Sink& sink);
 
 }  // namespace oroforge::typekit

@@ -19,7 +19,7 @@ bool isHeader(const fs::path& file) {
     return known && file.filename().string().find("Typekit") == std::string::npos;
 }
 
-/// Hidden folders (.git) and build trees, whose headers are copies, or made of those that are read.
+/// Hidden folders (.git) and build trees: headers in a build tree are copies of those that are read, or made from them.
 bool isLeftOut(const fs::path& folder) {
     std::error_code ignored;
     return folder.filename().string()[0] == '.' || fs::exists(folder / "CMakeCache.txt", ignored);
@@ -48,14 +48,14 @@ fs::path resolved(const fs::path& path) {
     return error ? fs::absolute(path) : real;
 }
 
-/// "demo/types.hpp" if `header` lies below `folder`.
+/// Returns "demo/types.hpp" if `header` is below `folder`.
 std::optional<std::string> below(const fs::path& header, const fs::path& folder) {
     const fs::path relative = header.lexically_relative(folder);
     if (relative.empty() || *relative.begin() == ".." || relative == ".") return std::nullopt;
     return relative.generic_string();
 }
 
-/// A header may be listed twice: by its name, and by its folder's.
+/// A header may be listed twice: by its own name, and by its folder.
 std::vector<std::string> withoutRepeated(const std::vector<std::string>& headers) {
     std::vector<std::string> once;
     std::set<fs::path> seen;
@@ -103,7 +103,7 @@ std::vector<std::string> includeDirsOf(const std::vector<std::string>& flags) {
 std::string includeSpelling(const std::string& header, const std::vector<std::string>& includeDirs,
                             const std::string& package) {
     std::vector<std::string> spellings;
-    // Compared as written first: a symlinked tree is included by the names the user sees.
+    // The paths are compared as written first: code includes a symlinked tree by the names that the user sees.
     for (const std::string& dir : includeDirs) {
         auto spelling = below(fs::absolute(header).lexically_normal(), fs::absolute(dir).lexically_normal());
         if (!spelling) spelling = below(resolved(header), resolved(dir));

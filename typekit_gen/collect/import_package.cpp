@@ -12,7 +12,7 @@ namespace oroforge::typekit {
 
 namespace {
 
-/// Only what pkg-config module names are made of: the name becomes part of a shell command.
+/// Accepts only the characters of pkg-config module names: the name becomes part of a shell command.
 bool isModuleName(const std::string& name) {
     for (const char c : name) {
         if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string("._+-").find(c) == std::string::npos) {

@@ -17,7 +17,7 @@ using model::Enumerator;
 using model::Field;
 using model::Struct;
 
-/// "byte 8", "bit 67".
+/// Returns "byte 8" or "bit 67".
 std::string placeText(std::uint64_t bits) {
     return bits % 8 == 0 ? "byte " + std::to_string(bits / 8) : "bit " + std::to_string(bits);
 }
@@ -27,7 +27,7 @@ std::string typeText(const Field& field) {
     return field.width == 0 ? type : type + " : " + std::to_string(field.width);
 }
 
-/// "3", "2 x 3"; "any number of" if it may change.
+/// Returns "3" or "2 x 3"; "any number of" for a size that may change.
 std::string shapeText(const Adapted& type) {
     const auto number = [](const std::string& cpp) {
         return cpp.find_first_not_of("0123456789") == std::string::npos ? cpp : "any number of";
@@ -64,7 +64,7 @@ public:
         }
         const std::string subject = "'" + cppShown(now.cpp) + "'";
         if (old.assignable && !now.assignable) add(true, subject + " can no longer be assigned", now.where, old.where);
-        // Else something that has a name accounts for it.
+        // Any other difference already explains a new size.
         if (changes.size() == before) compareSizes(old, now);
     }
 
@@ -103,7 +103,7 @@ public:
                 old.where);
     }
 
-    /// All types of one kind, by their C++ names.
+    /// Compares all types of one kind, by their C++ names.
     template <class Type>
     void compareAll(const std::vector<Type>& old, const std::vector<Type>& now, const char* kind) {
         std::map<std::string, const Type*> before;
@@ -143,7 +143,7 @@ private:
         changes.push_back({breaking, std::move(message), where, was});
     }
 
-    /// The field of the old version that stood there under a name that is gone.
+    /// Finds the old field at the same place whose name is gone: `field` is that field renamed.
     static const Field* calledBefore(const Field& field, const Struct& old, const Struct& now) {
         for (const Field& other : old.fields)
             if (other.place == field.place && typeText(other) == typeText(field) && !find(now.fields, other.name))

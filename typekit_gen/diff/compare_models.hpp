@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What changed between two versions of a package's types, and whether plugins, files and sources of the old one still fit.
+/// Compares two versions of a package's types: do plugins, files and sources made for the old one still work?
 #ifndef OROFORGE_TYPEKIT_GEN_DIFF_COMPARE_MODELS_HPP
 #define OROFORGE_TYPEKIT_GEN_DIFF_COMPARE_MODELS_HPP
 
@@ -15,13 +15,13 @@ namespace oroforge::typekit {
 struct Change {
     bool breaking = false;
     std::string message;
-    diag::Location where;  ///< in the new version; of what is gone, in the old one
-    diag::Location was;    ///< in the old version, if it is in both
+    diag::Location where;  ///< in the new version; in the old one if the item is gone
+    diag::Location was;    ///< in the old version, if both versions have the item
 };
 
-/// In the order of the new types, then of the old ones that are gone. Breaking is what makes the runtime refuse to connect
-/// ports of the two versions (see RTT::types::schemaDifference()), what property files or sources name and no longer find,
-/// and what can no longer be written.
+/// Returns changes in the order of the new types, then of old types that are gone. A change is breaking if the runtime
+/// refuses to connect ports of the two versions (see RTT::types::schemaDifference()), if property files or sources use
+/// a name that is gone, or if a value can no longer be written.
 std::vector<Change> compareModels(const model::TypeModel& old, const model::TypeModel& now);
 
 }  // namespace oroforge::typekit

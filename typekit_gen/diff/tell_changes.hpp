@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Changes of a package's types as diagnostics and as one line for people.
+/// Reports changes of a package's types as diagnostics, and sums them up in one line.
 #ifndef OROFORGE_TYPEKIT_GEN_DIFF_TELL_CHANGES_HPP
 #define OROFORGE_TYPEKIT_GEN_DIFF_TELL_CHANGES_HPP
 
@@ -12,10 +12,10 @@
 
 namespace oroforge::typekit {
 
-/// Breaking ones are errors TK064, the others notes.
+/// Reports breaking changes as errors TK064, the others as notes.
 void tellChanges(const std::vector<Change>& changes, diag::Sink& sink);
 
-/// "breaking: 2 changes break, 1 does not", "compatible: 1 change", "compatible: no change".
+/// Returns "breaking: 2 changes break, 1 does not", "compatible: 1 change" or "compatible: no change".
 std::string verdict(const std::vector<Change>& changes);
 
 }  // namespace oroforge::typekit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// typegen --check: is what was generated, and then committed, still what would be generated?
+/// typegen --check: compares committed files with what typegen would generate now.
 #ifndef OROFORGE_TYPEKIT_GEN_DRIVER_CHECK_OUTPUT_HPP
 #define OROFORGE_TYPEKIT_GEN_DRIVER_CHECK_OUTPUT_HPP
 
@@ -12,13 +12,13 @@
 
 namespace oroforge::typekit {
 
-/// Reads only. False, and an error TK067 for each file that differs, is missing, or is of typegen's but no longer made;
-/// the last of them says how to refresh them.
+/// Only reads. Returns false after an error TK067 for each file that differs, is missing, or was written by typegen but
+/// is no longer made. The last error says how to refresh them.
 bool checkOutput(const emit::Outputs& outputs, const std::filesystem::path& folder, const std::string& refresh,
                  diag::Sink& sink);
 
-/// Removes sources of types (types_*.cpp) that an earlier run has left in `folder`, and nothing without the banner of typegen:
-/// a build that compiles all that it finds there is not to compile them. Returns their paths.
+/// Removes sources of types (types_*.cpp) that an earlier run left in `folder`, because a build may compile every file
+/// in it. Only files with typegen's banner are removed. Returns their paths.
 std::vector<std::string> removeSuperfluousSources(const emit::Outputs& outputs, const std::filesystem::path& folder);
 
 }  // namespace oroforge::typekit

@@ -52,7 +52,7 @@ std::vector<std::string> splitList(const std::string& text) {
     return parts;
 }
 
-/// As a shell would have to be told it.
+/// Quotes a word for a shell where it needs quotes.
 std::string quoted(const std::string& word) {
     const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
         return std::isalnum(c) != 0 || c >= 0x80 || std::strchr("_-+=./,:@%", c) != nullptr;
@@ -118,7 +118,7 @@ private:
         return false;
     }
 
-    /// Options that change what a header means go to the compiler; any other would be ours by accident.
+    /// Takes options that change what a header means. Any other option might be mistaken for one of typegen's own.
     bool takeCompilerFlag(const std::string& word) {
         if (beginsWith(word, "-std=")) {
             options_.flags.push_back(word);
@@ -179,7 +179,7 @@ private:
         return true;
     }
 
-    /// "-oDIR", "-o DIR", "--output=DIR" or "--output DIR".
+    /// Accepts "-oDIR", "-o DIR", "--output=DIR" and "--output DIR".
     bool is(const std::string& word, const std::string& brief, const std::string& full, std::string& value) {
         if (word == full || (!brief.empty() && word == brief)) {
             value = next(word);
@@ -239,14 +239,14 @@ private:
         }
     }
 
-    /// The codes stand where otherwise the name and the headers do.
+    /// The codes are in the places of the name and the headers.
     void finishExplain() {
         if (!options_.name.empty()) options_.codes.push_back(options_.name);
         options_.codes.insert(options_.codes.end(), options_.inputs.begin(), options_.inputs.end());
         if (options_.format != report::Format::Text) error("--explain prints text, so it takes no --format");
     }
 
-    /// Both words are headers or folders; nothing is generated, so nothing has a name.
+    /// With --diff both words are headers or folders: nothing is generated, so no typekit is named.
     void finishDiff() {
         if (!options_.name.empty()) options_.inputs.insert(options_.inputs.begin(), options_.name);
         if (options_.inputs.size() != 2)
@@ -303,7 +303,7 @@ private:
     std::vector<std::string> unwanted_;
     std::size_t at_ = 0;
     bool onlyPositional_ = false;
-    bool valueMissing_ = false;  // said already; what follows from it is not worth saying
+    bool valueMissing_ = false;  // reported already; errors that follow from it are left out
 };
 
 }  // namespace

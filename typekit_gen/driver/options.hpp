@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Command line of typegen: the original's options, and those of a compiler that change what a header means.
+/// Command line of typegen: the original's options, and those compiler options that change what a header means.
 #ifndef OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
 #define OROFORGE_TYPEKIT_GEN_DRIVER_OPTIONS_HPP
 
@@ -23,31 +23,31 @@ struct Options {
     std::vector<std::string> imports;  ///< packages whose include folders are needed
     std::vector<std::string> flags;    ///< for the compiler
     std::string target = "gnulinux";
-    std::string flagsFile;                         ///< more of them, see flags/flags_file.hpp
-    std::string database;                          ///< and more, see flags/compile_database.hpp
-    std::string databaseEntry;                     ///< source or target whose entry is taken; empty = the best
+    std::string flagsFile;                         ///< file with more flags, see flags/flags_file.hpp
+    std::string database;                          ///< compile database with more flags, see flags/compile_database.hpp
+    std::string databaseEntry;                     ///< source or target whose entry is used; empty = the best
     std::map<std::string, std::string> includeAs;  ///< input → how generated code includes it
-    std::map<std::string, std::size_t> pieces;     ///< input → how many source files its types are dealt out to
+    std::map<std::string, std::size_t> pieces;     ///< input → number of source files for its types
     std::vector<std::string> transports;           ///< to generate for
-    bool diff = false;                             ///< compare two versions of headers, the only two inputs
-    bool check = false;                            ///< compare with what is there, and write nothing
-    std::string refresh;                           ///< what to do when that fails
-    std::vector<std::string> adapters;             ///< files that say how classes are seen
+    bool diff = false;                             ///< compare two versions of headers, which are the only two inputs
+    bool check = false;                            ///< compare with existing files, and write nothing
+    std::string refresh;                           ///< what to do when the check fails
+    std::vector<std::string> adapters;             ///< files that describe how classes are shown
     std::string depfile;
-    std::string depfileTarget;  ///< what the depfile is about; empty = the files that are generated
+    std::string depfileTarget;  ///< target in the depfile; empty = the generated files
     std::string templateDir;
     Dump dump = Dump::None;
     report::Format format = report::Format::Text;
-    bool strict = false;  ///< classes that are no values are errors
+    bool strict = false;  ///< classes that are not values are errors
     bool explain = false;
-    std::vector<std::string> codes;  ///< to explain; empty = list them all
+    std::vector<std::string> codes;  ///< to explain; empty = list all codes
     bool listOutputs = false;
     bool verbose = false;
     bool help = false;
     bool version = false;
 };
 
-/// Nothing, and errors TK003 in the sink, if the words make no sense.
+/// Returns nothing, after errors TK003, if the words are not a valid command line.
 std::optional<Options> parseOptions(const std::vector<std::string>& words, diag::Sink& sink);
 
 std::string usage();

@@ -36,7 +36,7 @@ State stateOf(const std::string& path) {
 
 std::int64_t now() { return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
-constexpr std::int64_t kTick = 20000000;  // of time stamps of files, with room to spare
+constexpr std::int64_t kTick = 20000000;  // resolution of file times, with room to spare
 constexpr auto kOldest = std::chrono::hours(24 * 30);
 
 void removeOld(const fs::path& place) {
@@ -54,7 +54,7 @@ std::string folder() {
     return home != nullptr && *home != '\0' ? std::string(home) + "/.cache/oroforge/typegen" : std::string();
 }
 
-/// Lines cannot be told from each other if a name has more than one.
+/// A record has one path in a line.
 bool isOneLine(const std::string& path) { return path.find('\n') == std::string::npos; }
 
 void add(std::string& text, const std::string& word) { text += std::to_string(word.size()) + ":" + word + " "; }
@@ -107,13 +107,13 @@ void RunRecord::keep(const std::vector<std::string>& inputs) const {
         for (const std::string& path : *files) {
             const std::string absolute = fs::absolute(path, error).string();
             const State state = stateOf(absolute);
-            // What was changed since we began may not be what we have read.
+            // A file that changed after this run began may differ from what was read.
             const bool tooNew = files == &inputs && state.time > began_ - kTick;
             if (state.text.empty() || tooNew || !isOneLine(absolute)) return forget();
             text += state.text + " " + absolute + "\n";
         }
     }
-    // Renamed when it is complete: another run may read it. A draft that is left here becomes old, as records do.
+    // The complete file is renamed, because another run may read it. A draft left behind is removed as an old record.
     std::string draft;
     const int descriptor = files::openDraft(file_, draft);
     if (descriptor < 0) return forget();

@@ -39,7 +39,7 @@ namespace oroforge::typekit {
 namespace {
 
 void addDatabaseFlags(const Options& options, cxx::ParseRequest& request, diag::Sink& sink, std::ostream& out) {
-    diag::Sink faultsOfInputs;  // reported where they are read
+    diag::Sink faultsOfInputs;  // reported where the inputs are read
     const auto headers = expandInputs(options.inputs, faultsOfInputs);
     const auto database = flags::readCompileDatabase(options.database, options.databaseEntry, headers, sink);
     if (!database) return;
@@ -91,12 +91,12 @@ std::optional<model::TypeModel> readModel(const Options& options, const cxx::Par
 
 std::string realPath(const std::string& path) {
     std::error_code error;
-    // The compiler spells system headers with "..", which only the file system can take out.
+    // The compiler spells system headers with "..", which only the file system can resolve.
     const fs::path real = fs::weakly_canonical(path, error);
     return (error ? fs::absolute(path) : real).string();
 }
 
-/// Absolute names: ninja and make read relative ones from other folders than we do.
+/// Writes absolute names: ninja and make run in other folders than typegen, and read relative names from theirs.
 bool writeDependencies(const Options& options, const model::TypeModel& model, diag::Sink& sink) {
     if (options.depfile.empty()) return true;
     const fs::path folder = fs::absolute(options.output).lexically_normal();
@@ -171,7 +171,7 @@ int runDiff(const Options& options, diag::Sink& sink, std::ostream& out) {
 int run(const Options& options, diag::Sink& sink, std::ostream& out) {
     if (options.diff) return runDiff(options, sink, out);
     if (options.listOutputs) {
-        // What is missing is an error when it is needed; names can be told without.
+        // A missing input is an error when it is needed; names can be listed without it.
         diag::Sink faults;
         emit::listOutputs(out, outputNames(options.name, requestFor(options, faults, out).headers), options.output);
         return 0;
@@ -192,14 +192,14 @@ int run(const Options& options, diag::Sink& sink, std::ostream& out) {
     }
     if (writes) record.forget();
     const int status = generate(options, *model, sink, out);
-    // Warnings are to be seen in every run.
+    // A run with warnings is not recorded, so that each run shows them.
     if (status == 0 && writes && sink.all().empty()) record.keep(model->files);
     return status;
 }
 
 namespace {
 
-/// What is asked for instead of a typekit, if that is so.
+/// Prints what is asked for instead of a typekit; false if a typekit is wanted.
 bool tellOnly(const Options& options, diag::Sink& sink, std::ostream& out) {
     if (options.help) {
         out << usage();
@@ -219,12 +219,12 @@ int run(const std::vector<std::string>& words, std::ostream& out, std::ostream& 
     const report::Format format = report::wantedFormat(words);
     const bool isText = format == report::Format::Text;
     diag::Sink sink;
-    std::ostringstream last;  // the verdict of --diff comes below the changes
+    std::ostringstream last;  // the verdict of --diff goes below the changes
     bool told = false;
     try {
         const auto options = parseOptions(words, sink);
         told = options && tellOnly(*options, sink, out);
-        // A document for programs stands alone on standard output.
+        // A document for programs has standard output to itself.
         if (options && !told) run(*options, sink, options->diff ? last : isText ? out : err);
     } catch (const std::exception& failure) {
         sink.error({"typegen"}, "TK009", std::string("stopped by a failure that was not expected: ") + failure.what());

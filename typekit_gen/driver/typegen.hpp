@@ -14,8 +14,7 @@
 
 namespace oroforge::typekit {
 
-/// Exit status: 0, or 1 after errors. Either all files are written or none.
-/// `out` gets what was asked for by an option, and nothing else.
+/// Returns the exit status: 0, or 1 after errors. Writes all files or none. `out` gets only what an option asks for.
 int run(const Options& options, diag::Sink& sink, std::ostream& out);
 
 /// The whole program: parses the words, runs, and prints diagnostics to `err`, or to `out` in a --format for programs.

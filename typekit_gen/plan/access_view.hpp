@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// How a part of an object is reached, as templates/typekit/access_*.mustache read it.
+/// Describes access to a part of an object, for templates/typekit/access_*.mustache.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_ACCESS_VIEW_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_ACCESS_VIEW_HPP
 
@@ -9,7 +9,7 @@
 
 namespace oroforge::typekit {
 
-/// Keys: get, the word of its kind, which is true, and if present set, number, pointee, assigned, address.
+/// Keys: get; the name of its kind, which is true; if present set, number, pointee, assigned, address.
 nlohmann::json accessView(const model::FieldAccess& access);
 
 }  // namespace oroforge::typekit

@@ -16,7 +16,7 @@ std::string cppString(const std::string& text) {
         } else if (c == '"' || c == '\\') {
             result += std::string("\\") + c;
         } else if (byte < 0x20 || byte == 0x7f) {
-            // Three octal digits end by themselves, whatever follows.
+            // Three octal digits end the escape, whatever character follows.
             result += std::string("\\") + kDigits[byte >> 6] + kDigits[(byte >> 3) & 7] + kDigits[byte & 7];
         } else {
             result += c;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Text as C++ source.
+/// Turns text into C++ source.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_CPP_WORDS_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_CPP_WORDS_HPP
 
@@ -10,13 +10,13 @@
 
 namespace oroforge::typekit {
 
-/// A string literal with its quotes.
+/// Returns a string literal with its quotes.
 std::string cppString(const std::string& text);
 
-/// Text made of letters, digits and underscores: what is neither becomes an underscore.
+/// Replaces every character but letters, digits and underscores by an underscore.
 std::string cppLetters(const std::string& text);
 
-/// The same as a name of its own, which does not begin with a digit.
+/// Returns the same as an identifier, which does not begin with a digit.
 std::string cppIdentifier(const std::string& text);
 
 using model::cppShown;

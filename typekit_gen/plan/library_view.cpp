@@ -35,7 +35,7 @@ json twoFields(const std::string& cpp, const std::string& name, const char* firs
         cpp, name, {field(first, offsetOf(cpp, first), firstType), field(second, offsetOf(cpp, second), secondType)});
 }
 
-/// Its parts have addresses, but no offsets that a constant could hold.
+/// Parts of a tuple have addresses, but no offsets that a constant could hold.
 json tupleView(const TypeUse& use) {
     json fields = json::array();
     for (std::size_t i = 0; i != use.element.size(); ++i) {
@@ -90,7 +90,7 @@ json libraryView(const TypeUse& use) {
     if (use.kind == TypeKind::Pair)
         return twoFields(use.cpp, use.name, "first", use.element[0], "second", use.element[1]);
     if (use.kind == TypeKind::Complex) {
-        // Two numbers one after the other, as the standard guarantees.
+        // The standard guarantees two numbers, one after the other.
         return structView(
             use.cpp, use.name,
             {field("real", "0", use.element[0]), field("imag", "sizeof(" + use.element[0].cpp + ")", use.element[0])});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// How generated code registers types of the standard library.
+/// Describes how generated code registers types of the standard library.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_LIBRARY_VIEW_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_LIBRARY_VIEW_HPP
 
@@ -11,19 +11,19 @@
 
 namespace oroforge::typekit {
 
-/// {"cpp", "name", "maker", "arguments"}, for a struct-like type {"cpp", "name", "fields"} instead; alternatives of a
-/// variant under "labels".
+/// Returns {"cpp", "name", "maker", "arguments"}, for a struct-like type {"cpp", "name", "fields"}; alternatives of a
+/// variant are in "labels".
 nlohmann::json libraryView(const model::TypeUse& use);
 
-/// The entries of a map as a type of their own: like libraryView() of a struct.
+/// Returns the entries of a map as a type of their own: like libraryView() of a struct.
 nlohmann::json entryView(const model::TypeUse& map);
-/// Name of that type in the registry.
+/// Returns the registry name of that type.
 std::string entryName(const model::TypeUse& map);
 
-/// The header of the runtime that has the tables of this kind of type; empty if all generated files include it.
+/// Returns the runtime header with the tables of this kind of type; empty if all generated files include it.
 std::string libraryHeader(model::TypeKind kind);
 
-/// What scripts and files call an alternative of a variant: "double", "string", "demo::Point".
+/// Returns the name of a variant's alternative in scripts and files: "double", "string", "demo::Point".
 std::string alternativeName(const model::TypeUse& use);
 
 }  // namespace oroforge::typekit

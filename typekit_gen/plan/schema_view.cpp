@@ -43,7 +43,7 @@ json fieldView(const std::string& name, const std::string& type, const std::stri
 json viewOf(const model::Struct& type) {
     json view = started(type.name, type.cpp);
     for (const model::Field& field : type.fields) {
-        // The compiler of the plugin says where a field is, if it can be asked.
+        // Where a field has a name, the plugin's compiler gives its offset.
         const bool named = field.access.isPlace() && !field.declared.empty();
         const std::string place =
             named ? "8LL * __builtin_offsetof(" + type.cpp + ", " + field.name + ")" : std::to_string(field.place);

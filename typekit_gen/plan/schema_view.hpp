@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What plugins carry to tell each other how they see a type.
+/// Schemas of types: plugins compare them to find out whether they see a type in the same way.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_SCHEMA_VIEW_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_SCHEMA_VIEW_HPP
 
@@ -9,11 +9,11 @@
 
 namespace oroforge::typekit {
 
-/// True for types that are, or are made of, structs and enums of the user.
+/// True for structs and enums of the user, and for types made from them.
 bool isOfUserType(const model::TypeUse& use);
 
-/// One entry for each struct, enum, and tuple or variant of them: key, cpp, name, isEnum, fields[] with name, type, place,
-/// unit, of.
+/// Returns an entry for each struct, enum, and tuple or variant of them: key, cpp, name, isEnum, fields[] (name, type,
+/// place, unit, of).
 nlohmann::json schemaViews(const model::TypeModel& model);
 
 }  // namespace oroforge::typekit

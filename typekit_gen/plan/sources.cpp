@@ -16,9 +16,9 @@ namespace oroforge::typekit {
 
 namespace {
 
-constexpr std::size_t kLongestWord = 120;  // names of files have 255 bytes at most
+constexpr std::size_t kLongestWord = 120;  // a file name has 255 bytes at most
 
-/// The name of a header, from its end: more folders are taken in as long as another header is called the same.
+/// Makes a header's name from its end: it includes more folders until no other header has the same name.
 struct HeaderName {
     std::vector<std::string> parts;
     std::string extension;

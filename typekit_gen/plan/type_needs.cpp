@@ -24,7 +24,7 @@ const model::Homes kKnown = {{}};
 
 bool isLeaf(const TypeUse& use) { return use.kind == TypeKind::Scalar || use.kind == TypeKind::String; }
 
-/// The runtime's headers bring along what it takes.
+/// The runtime's headers declare everything that these types need.
 bool isKnownAnyway(const TypeUse& use) {
     if (isLeaf(use)) return true;
     const bool isVector = use.kind == TypeKind::Sequence && use.element.size() == 1 &&
@@ -39,7 +39,7 @@ void addWithThoseBefore(std::size_t header, const std::vector<model::Header>& he
     for (const std::size_t before : headers[header].before) addWithThoseBefore(before, headers, to);
 }
 
-/// Where a type is whose parts come with these headers.
+/// Finds the header for a type whose parts come with these headers.
 std::size_t homeFor(const model::Homes& homes) {
     if (homes.empty() || homes[0].empty()) return 0;
     for (const std::size_t header : homes[0]) {
@@ -98,7 +98,7 @@ void TypeNeeds::addArray(const TypeUse& use, const User& user) {
     if (!user.homes.empty() && !isLeaf(use)) node.homes[0] = merged(node.homes[0], user.homes[0]);
 }
 
-/// What a struct has as a field is known where the struct is.
+/// The fields of a struct are known where the struct is.
 void TypeNeeds::addUse(const TypeUse& use, const User& user) {
     if (isNamed(use) || isLeaf(use)) return;
     add(use.name, use.element, isKnownAnyway(use) ? User{kKnown, user.home} : user);
@@ -133,7 +133,7 @@ Headers TypeNeeds::headersOf(const std::set<std::string>& names) const {
         }
         open.insert(node.homes.begin(), node.homes.end());
     }
-    // Where there is a choice, what is there anyway comes first.
+    // Where there is a choice, headers that are included anyway come first.
     std::set<std::size_t> chosen;
     for (const Headers& any : open)
         if (any.size() == 1) addWithThoseBefore(any[0], model_.headers, chosen);

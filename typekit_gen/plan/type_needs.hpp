@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What a file about some of the types has to include and to declare, so that an edit of a header changes no other files
-/// than those about types that have to do with it.
+/// Finds what a file about some types must include and declare, so that an edit of a header changes only files about
+/// types that depend on it.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
 
@@ -15,31 +15,31 @@
 namespace oroforge::typekit {
 
 struct Needs {
-    std::vector<std::size_t> headers;  ///< numbers of listed ones, in their order
-    std::set<std::string> types;       ///< names of these types and of all that they are made of
+    std::vector<std::size_t> headers;  ///< numbers of listed headers, in their order
+    std::set<std::string> types;       ///< names of these types and of all types they are made of
 };
 
 class TypeNeeds {
 public:
-    /// `model` has to live as long.
+    /// `model` must outlive this object.
     explicit TypeNeeds(const model::TypeModel& model);
 
-    /// Of types by their names in the registry, "/demo/Point[]" for an array, and the entries of a map.
+    /// Takes registry names of types, "/demo/Point[]" for an array; the entries of a map have a name, too.
     Needs of(const std::vector<std::string>& names) const;
 
-    /// The number of the listed header that a type belongs to: the one that defines it, else the first that brings along all
-    /// that it is made of, for a type of the library the first with such a field.
+    /// Returns the number of the listed header that a type belongs to: the one that defines it, else the first that
+    /// provides all its parts. A library type belongs to the first header with such a field.
     std::size_t homeOf(const std::string& name) const;
 
 private:
     static constexpr auto kNowhere = static_cast<std::size_t>(-1);
     struct Node {
         std::vector<const model::TypeUse*> parts;
-        model::Homes homes;  // of a library type: one set, of the headers with a struct that has such a field
+        model::Homes homes;  // of a library type: one set, the headers with a struct that has such a field
         bool isUnknown = false;
         std::size_t home = kNowhere;
     };
-    /// Who has a type of the library as a field.
+    /// A type that has a library type as a field.
     struct User {
         const model::Homes& homes;
         std::size_t home;

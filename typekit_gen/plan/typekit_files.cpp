@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using render::Owner;
 
-/// Sections that are left out leave empty lines behind: none after "{" or before "}", never two in a row.
+/// Removes empty lines that omitted sections leave: after "{", before "}", and all but one of several.
 std::string tidied(const std::string& text) {
     std::string result, line, last = "{";
     bool blank = false;
@@ -38,7 +38,7 @@ std::string tidied(const std::string& text) {
     return result;
 }
 
-/// A file reads only parts of the view, and copies what it is given.
+/// A template reads only parts of the view, and rendering copies what it gets.
 json without(const json& view, std::initializer_list<const char*> keys) {
     json result = json::object();
     for (const auto& [key, value] : view.items())
@@ -46,7 +46,6 @@ json without(const json& view, std::initializer_list<const char*> keys) {
     return result;
 }
 
-/// Every file of a typekit.
 const render::OutputTable kOutputs = {
     {"plugin", Owner::Generated, "Plugin.cpp", "typekit/Plugin.cpp"},
     {"source", Owner::Generated, "types_{word}.cpp", "typekit/types.cpp"},
@@ -66,7 +65,7 @@ json sourceView(const json& typekit, std::size_t source) {
     return view;
 }
 
-/// For names, the view may be empty.
+/// The view may be empty if only names are needed.
 std::vector<render::Subject> subjectsOf(const std::string& typekit, const std::vector<std::string>& words,
                                         const json& view) {
     std::vector<render::Subject> all = {{"plugin", {}, [&] { return pluginView(view); }}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The generated files: their names, and from the view to their texts.
+/// The generated files: their names, and their texts from the view.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_FILES_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_FILES_HPP
 
@@ -17,10 +17,10 @@ namespace oroforge::typekit {
 
 std::string userHeaderName(const std::string& typekit);  ///< "types/NAME/typekit/Types.hpp"
 
-/// A function of the names of the typekit and its headers, so that CMake can ask before anything is read.
+/// The names depend only on the typekit's and its headers' names, so that CMake can ask before anything is read.
 std::vector<std::string> outputNames(const std::string& typekit, const std::vector<model::Header>& headers);
 
-/// One text for each of outputNames(). Throws render::RenderError if a template does not fit the view.
+/// Returns a text for each of outputNames(). Throws render::RenderError if a template does not fit the view.
 emit::Outputs renderTypekit(const nlohmann::json& view, const render::Renderer& renderer);
 
 }  // namespace oroforge::typekit

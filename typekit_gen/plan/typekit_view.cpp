@@ -31,7 +31,7 @@ json viewOf(const model::Field& field) {
     json view = {{"name", cppString(field.name)},  {"offset", std::to_string(field.offset)},
                  {"type", field.type.cpp},         {"count", field.count},
                  {"doc", cppString(docOf(field))}, {"unit", cppString(field.unit)}};
-    // A base class that is a member has no name that could be asked for; its own struct is checked.
+    // A base class that is shown as a member has no name to check; its own struct is checked.
     const bool named = !field.declared.empty();
     if (!field.access.isPlace())
         view["access"] = accessView(field.access);
@@ -40,7 +40,7 @@ json viewOf(const model::Field& field) {
     return view;
 }
 
-/// What few members have: a way to copy them, a range, another name.
+/// Arguments that few members have: access, range, another name.
 std::string moreOf(const model::Field& field, std::size_t index) {
     const std::string access = field.access.isPlace() ? "nullptr" : "&access_" + std::to_string(index);
     const std::string also = field.also.empty() ? "" : ", " + cppString(field.also);
@@ -94,7 +94,7 @@ json viewOf(const model::Enum& type) {
     return view;
 }
 
-/// How a value is made where there is no default constructor. The user's words mean what they mean in the type's namespace.
+/// How a value is made without a default constructor. The user's words are looked up in the type's namespace.
 template <class Type>
 json makerView(const Type& type, const std::string& make, const std::string& space) {
     const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
@@ -105,7 +105,7 @@ json makerView(const Type& type, const std::string& make, const std::string& spa
     return view;
 }
 
-/// What the sources are filled with, by their numbers.
+/// The contents of the sources, by the number of the source.
 struct Contents {
     const Placement& placement;
     std::vector<json> views;
@@ -180,7 +180,7 @@ Contents fill(const model::TypeModel& model, const Placement& placement) {
     }
     for (const model::Alias& alias : model.aliases)
         contents.add("aliases", alias.of, {{"name", cppString(alias.name)}, {"of", cppString(alias.of)}});
-    // Ports and properties of a container are rare unless the user gave it a name.
+    // Ports and properties of a container are rare unless the user named it with an alias.
     std::set<std::string> named;
     for (const model::Alias& alias : model.aliases) named.insert(alias.of);
     for (const TypeUse& use : model.library) {
@@ -206,7 +206,7 @@ Contents fill(const model::TypeModel& model, const Placement& placement) {
 
 using Names = std::set<std::string>;
 
-/// What stands in front of all, of these types only.
+/// Returns the views of these types only.
 json ofTypes(const json& views, const Names& types) {
     json result = json::array();
     for (const json& view : views)
@@ -214,7 +214,7 @@ json ofTypes(const json& views, const Names& types) {
     return result;
 }
 
-/// A std::optional that the user's header need not know of: what a smart pointer points to.
+/// True if a std::optional is shown whose header the user need not include: for what a smart pointer points to.
 bool showsOptional(const model::TypeModel& model, const Names& types) {
     for (const model::Struct& type : model.structs)
         for (const model::Field& field : type.fields)
@@ -223,7 +223,7 @@ bool showsOptional(const model::TypeModel& model, const Names& types) {
     return false;
 }
 
-/// Includes, and a first line that names the headers; `otherwise` if there are none.
+/// Adds includes, and a first line that names the headers; it shows `otherwise` if there are none.
 void addFront(json& view, const model::TypeModel& model, const Needs& needs, const std::string& otherwise) {
     std::string names;
     view["includes"] = json::array();
@@ -236,7 +236,6 @@ void addFront(json& view, const model::TypeModel& model, const Needs& needs, con
     view["banner"] = emit::banner("typegen", names.empty() ? otherwise : names);
 }
 
-/// A name of every type.
 Needs allOf(const model::TypeModel& model, const Contents& contents) {
     Needs needs;
     for (const auto& types : contents.types) needs.types.insert(types.begin(), types.end());

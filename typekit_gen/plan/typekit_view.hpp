@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// From the model to the JSON that the templates of templates/typekit/ read.
+/// Turns the model into the JSON that templates/typekit/ reads.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_VIEW_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_TYPEKIT_VIEW_HPP
 
