@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-# Manifest → components: the steps and the program orocreate-pkg.
+# The libraries that turn a manifest into components, and the program orocreate-pkg.
 find_package(CLI11 REQUIRED)
 
 oroforge_generator_library(oroforge_gen_manifest

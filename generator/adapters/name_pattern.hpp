@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Names of types with variables in them: "/Eigen/Vector${N}d".
+/// Type names with variables: "/Eigen/Vector${N}d".
 #ifndef OROFORGE_GENERATOR_ADAPTERS_NAME_PATTERN_HPP
 #define OROFORGE_GENERATOR_ADAPTERS_NAME_PATTERN_HPP
 
@@ -11,14 +11,14 @@
 namespace oroforge::adapters {
 
 struct NamePart {
-    std::string text;  ///< of a variable, its name
+    std::string text;  ///< the name of a variable
     bool isVariable = false;
 };
 
-/// Of "$N" and "${N}", and what is between them. A '$' without a name behind it is a variable without a name.
+/// Splits a pattern into "$N", "${N}" and the text between. A '$' without a name is a variable without a name.
 std::vector<NamePart> partsOf(const std::string& pattern);
 
-/// With the variables replaced.
+/// Returns the pattern with its variables replaced.
 std::string expanded(const std::string& pattern, const std::map<std::string, std::string>& variables);
 
 }  // namespace oroforge::adapters

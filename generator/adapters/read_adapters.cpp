@@ -35,7 +35,7 @@ bool isIdentifier(const std::string& text) {
     return true;
 }
 
-/// "std::complex<double>, $N": split at the commas that are not within brackets.
+/// Splits "std::complex<double>, $N" at the commas outside brackets.
 std::vector<Pattern> splitArguments(const std::string& text, bool keepBlanks = false) {
     std::vector<Pattern> parts(1);
     int depth = 0;
@@ -177,7 +177,7 @@ private:
         return accessor(element, "set", words);
     }
 
-    /// What can change must be asked for.
+    /// If a size can change, 'resize' must take it as an argument.
     void checkResize(const Adapter& adapter) {
         const std::pair<const Accessor*, const char*> all[] = {
             {&adapter.size, "size"}, {&adapter.rows, "rows"}, {&adapter.columns, "columns"}};
@@ -201,7 +201,7 @@ private:
         }
     }
 
-    /// "double x, KDL::Vector p"
+    /// Reads "double x, KDL::Vector p".
     void readConstructor(const xml::Element& element, Adapter& into) {
         Constructor made;
         made.where = element.where;
@@ -224,7 +224,7 @@ private:
 
     static Constructor::Argument constructorArgument(const std::string& text) {
         const std::size_t end = text.find_last_not_of(' ');
-        const std::size_t begin = text.find_last_of(' ', end) + 1;  // the name, unless it is all
+        const std::size_t begin = text.find_last_of(' ', end) + 1;  // start of the name, unless there is only one word
         if (end == std::string::npos || begin == 0) return {};
         const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ', begin - 1);
         if (first >= begin || last == std::string::npos) return {};
@@ -262,7 +262,7 @@ private:
     std::set<std::string> variables_;
 };
 
-/// $names are only names: what matters is where the same one stands.
+/// Replaces the names of $variables: only the places of equal names matter.
 std::vector<Pattern> withoutNames(const std::vector<Pattern>& arguments) {
     std::map<Pattern, std::size_t> numbers;
     std::vector<Pattern> result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Adapter files to plain data: XML, checked as far as it can be without the C++ that it is about.
+/// Reads adapter files into plain data, checked as far as possible without the C++ that they describe.
 #ifndef OROFORGE_GENERATOR_ADAPTERS_READ_ADAPTERS_HPP
 #define OROFORGE_GENERATOR_ADAPTERS_READ_ADAPTERS_HPP
 
@@ -12,8 +12,8 @@
 
 namespace oroforge::adapters {
 
-/// Those of the files, in their order, and behind them those that are shipped: the first one that fits a class is taken.
-/// Errors TK070, TK071 and TK075, and those of the XML, are in the sink.
+/// Returns the adapters of the files in their order, then the shipped ones: the first one that fits a class is used.
+/// Reports errors TK070, TK071 and TK075, and those of the XML.
 std::vector<Adapter> readAdapters(const std::vector<std::string>& files, diag::Sink& sink);
 
 }  // namespace oroforge::adapters

@@ -10,7 +10,7 @@ namespace oroforge::check {
 
 namespace {
 
-/// Remembers who has a name, and complains about the second.
+/// Remembers the owner of each name, and reports a second one.
 class Names {
 public:
     explicit Names(diag::Sink& sink) : sink_(sink) {}
@@ -45,7 +45,7 @@ void addOperation(Names& names, const model::Operation& operation, diag::Sink& s
     for (const auto& argument : operation.arguments) argumentNames.add("argument", argument.name);
 }
 
-/// One set for all: they are members of one class, and ports are services of their name.
+/// All names of an interface share one set: they are members of one class, and ports are also services.
 void checkInterface(const model::Interface& interface, diag::Sink& sink) {
     Names names(sink);
     for (const auto& port : interface.ports) names.add("port", port.name);
@@ -55,7 +55,7 @@ void checkInterface(const model::Interface& interface, diag::Sink& sink) {
     for (const auto& service : interface.services) names.add("service", service.name);
 }
 
-/// The generated class has members for all services, "gripper_open" for "open" of "gripper".
+/// The generated class has members for all services: "gripper_open" for "open" of "gripper".
 void addMembers(Names& members, const model::Interface& interface, const model::ServicePath& path) {
     const auto add = [&](const char* what, const model::Text& name) {
         const std::string member = model::methodName(path, name.value);
@@ -68,7 +68,7 @@ void addMembers(Names& members, const model::Interface& interface, const model::
     for (const auto& operation : interface.operations) add("operation", operation.name);
 }
 
-/// Within an interface checkInterface() has told it already.
+/// Skips interfaces in which checkInterface() found duplicates, to report each only once.
 void checkMembers(const model::Interface& top, const std::vector<model::Requirement>& required, diag::Sink& sink) {
     Names members(sink);
     model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {

@@ -13,7 +13,7 @@ namespace oroforge::check {
 
 namespace {
 
-/// Members of RTT::TaskContext: an operation of that name would hide or override them.
+/// Members of RTT::TaskContext: an operation with such a name would hide or override them.
 bool isTaskContextMember(const std::string& name) {
     static const std::set<std::string> members = {
         "activate",       "addAttribute",   "addConstant",     "addEventPort", "addLocalPort",
@@ -34,7 +34,7 @@ bool isTaskContextMember(const std::string& name) {
     return members.count(name) != 0;
 }
 
-/// Attributes every component has.
+/// Attributes that every component has.
 bool isStandardAttribute(const std::string& name) {
     static const std::set<std::string> attributes = {"TriggerOnStart", "CycleCounter", "IOCounter", "TimeOutCounter",
                                                      "TriggerCounter"};
@@ -56,7 +56,7 @@ bool checkIdentifier(const std::string& what, const model::Text& name, diag::Sin
     return true;
 }
 
-/// Members of RTT::Service that RTT::TaskContext has not.
+/// Members of RTT::Service that RTT::TaskContext does not have.
 bool isServiceMember(const std::string& name) {
     static const std::set<std::string> members = {"doc",        "getOwner",     "getParent",           "getNames",
                                                   "hasService", "hasOperation", "getOperationFactory", "removeService",
@@ -81,7 +81,7 @@ void checkOperation(const model::Operation& operation, Owner owner, diag::Sink& 
     for (const auto& argument : operation.arguments) checkIdentifier("argument", argument.name, sink);
 }
 
-/// `top` is a component's or a service's; what is in services below has names of its own.
+/// `top` belongs to a component or a service; services below it have names of their own.
 void checkInterface(const model::Interface& top, Owner ownerOfTop, diag::Sink& sink) {
     model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {
         const Owner owner = path.empty() ? ownerOfTop : Owner::ProvidedService;
@@ -108,7 +108,7 @@ void checkComponent(const model::Component& component, diag::Sink& sink) {
     checkClassName(component.className, sink);
     checkInterface(component, Owner::Component, sink);
     for (const auto& required : component.required) {
-        // "this" is the component's own requester: operations that no service of the peer has.
+        // "this" is the component's own requester, for operations that no service of the peer provides.
         if (required.name.value != "this") checkIdentifier("service", required.name, sink);
         for (const auto& operation : required.operations) checkOperation(operation, Owner::ProvidedService, sink);
     }
@@ -163,7 +163,7 @@ std::string packageNameFault(const std::string& name) {
     if (bad != name.end()) {
         return std::string("contains '") + *bad + "'; expected letters, digits, '_', '.' and '-'";
     }
-    // The package's name becomes a namespace and a target.
+    // The package's name becomes a namespace and a build target.
     if (model::isKeyword(name)) return "is a C++ keyword";
     static const std::set<std::string> targets = {"all", "clean", "help", "install", "package", "test", "uninstall"};
     if (targets.count(name) != 0) return "is a target of every build";

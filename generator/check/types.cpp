@@ -11,10 +11,10 @@ namespace oroforge::check {
 
 namespace {
 
-/// Where a type stands decides what it may be.
+/// The use of a type decides which types are allowed.
 enum class Use { Value, Argument, Result };
 
-/// Why `type` cannot be a C++ type name; empty if it can.
+/// Returns why `type` cannot be a C++ type name; empty if it can.
 std::string spellingFault(const std::string& type) {
     int depth = 0;
     for (std::size_t i = 0; i < type.size(); ++i) {

@@ -31,7 +31,7 @@ bool fitsInteger(const std::string& text, TypeClass kind, unsigned bits) {
     return value >= -limit && value < limit;
 }
 
-/// Why `text` cannot be a value of `type`; empty if it can.
+/// Returns why `text` cannot be a value of `type`; empty if it can.
 std::string valueFault(const std::string& text, const std::string& type) {
     const TypeClass kind = model::classify(type);
     switch (kind) {
@@ -73,7 +73,7 @@ bool checkLimit(const char* what, const std::optional<model::Number>& limit, con
     return fault.empty();
 }
 
-/// Of a property or an attribute, which `what` says.
+/// `what` says whether it is a property or an attribute.
 template <class Value>
 void checkRange(const std::string& what, const Value& property, diag::Sink& sink) {
     const bool hasMinimum = checkLimit("min", property.minimum, property.type, sink);
@@ -86,7 +86,7 @@ void checkRange(const std::string& what, const Value& property, diag::Sink& sink
     }
     if (!hasMinimum && !hasMaximum) return;
     if (property.defaultValue.given() && !valueFault(property.defaultValue.value, property.type.value).empty()) return;
-    // Without a default the property starts as zero, and that must be in the range as well.
+    // Without a default the property starts as zero, which must be in the range as well.
     const bool given = property.defaultValue.given();
     const std::string shown =
         given ? "default '" + property.defaultValue.value + "'" : "the " + what + " has no default, and 0";

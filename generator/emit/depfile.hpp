@@ -12,10 +12,10 @@
 
 namespace oroforge::emit {
 
-/// "out1 out2: in1 \" with the characters special to make escaped.
+/// Returns "out1 out2: in1 \" with the characters special to make escaped.
 std::string depfileText(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-/// False and an error EMIT001 if it cannot be written.
+/// Returns false and reports an error EMIT001 if the file cannot be written.
 bool writeDepfile(const std::filesystem::path& file, const std::vector<std::string>& outputs,
                   const std::vector<std::string>& inputs, diag::Sink& sink);
 

@@ -35,14 +35,14 @@ namespace {
 
 bool hasText(const fs::path& file, const std::string& text) { return isFile(file) && textOf(file) == text; }
 
-/// Something stands there that nobody generated. An empty file is nothing that could be lost.
+/// True if a file exists that was not generated. An empty file has nothing to lose.
 bool isForeign(const fs::path& file) {
     if (!isFile(file)) return false;
     const std::string text = textOf(file);
     return !text.empty() && !hasBanner(text);
 }
 
-/// What processes left beside these files when they died.
+/// Removes what other processes left beside these files when they died.
 void removeAbandoned(const Outputs& outputs, const fs::path& directory) {
     std::map<fs::path, std::set<std::string>> folders;
     for (const auto& [name, text] : outputs) {
@@ -52,7 +52,7 @@ void removeAbandoned(const Outputs& outputs, const fs::path& directory) {
     for (const auto& [folder, names] : folders) files::removeAbandoned(folder, names);
 }
 
-/// The first line that differs, and what it is to be.
+/// Finds the first line that differs, and the expected line.
 Difference differenceOf(const std::string& found, const std::string& expected, const std::string& tool) {
     std::istringstream one(found), other(expected);
     std::string line, wanted;

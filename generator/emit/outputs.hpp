@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Files a generator wants to exist.
+/// The files that a generator writes.
 #ifndef OROFORGE_GENERATOR_EMIT_OUTPUTS_HPP
 #define OROFORGE_GENERATOR_EMIT_OUTPUTS_HPP
 
@@ -22,34 +22,34 @@ struct Written {
     std::vector<std::string> unchanged;  ///< left alone: their time stamps stay, so nothing is rebuilt
 };
 
-/// Writes all files below `directory`, or none: every text is first written beside its place and only then renamed.
-/// False, with an error EMIT001 in the sink, if something could not be written; then all is as before.
+/// Writes all files below `directory`, or none: every text is first written beside its place and only then renamed. If
+/// a file cannot be written, returns false with an error EMIT001, and all files are as before.
 bool write(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
            Written* written = nullptr);
 
-/// The same for files that begin with a banner (see banner.hpp): one that stands there without a banner is somebody's
-/// own, an error EMIT002, and nothing is written.
+/// Does the same for files that begin with a banner (see banner.hpp): an existing file without a banner belongs to the
+/// user, so it is an error EMIT002, and nothing is written.
 bool writeGenerated(const Outputs& outputs, const std::filesystem::path& directory, diag::Sink& sink,
                     Written* written = nullptr);
 
-/// What cannot be looked at (a name that is too long, a folder that is closed) counts as missing: writing there says why.
+/// A path that cannot be examined (name too long, folder not readable) counts as missing: writing it reports why.
 bool exists(const std::filesystem::path& path);
 bool isFile(const std::filesystem::path& path);
 
-/// The bytes of a file; nothing if there is none.
+/// Returns the bytes of a file; nothing if it does not exist.
 std::string textOf(const std::filesystem::path& file);
 
 struct Difference {
     std::string name;
-    unsigned line = 0;    ///< the first one that differs; 0 if the file is missing or too long
+    unsigned line = 0;    ///< first line that differs; 0 if the file is missing or too long
     std::string message;  ///< "stale: typegen now writes 'x' here"
 };
 
-/// What write() would change, without doing it; `tool` is who would write.
+/// Returns what write() would change; `tool` is the program's name in the messages.
 std::vector<Difference> compare(const Outputs& outputs, const std::filesystem::path& directory,
                                 const std::string& tool);
 
-/// One path per line, `directory` in front.
+/// Prints one path per line, with `directory` in front.
 void listOutputs(std::ostream& out, const Outputs& outputs, const std::filesystem::path& directory);
 void listOutputs(std::ostream& out, const std::vector<std::string>& outputs, const std::filesystem::path& directory);
 

@@ -14,7 +14,7 @@ namespace oroforge::emit {
 
 namespace {
 
-/// What stands below /dev belongs to the system, even where it leads to a file.
+/// Files below /dev belong to the system, even a link to a regular file: they are written to, not replaced.
 bool isWrittenTo(const fs::path& target, const struct stat& is) {
     return !S_ISREG(is.st_mode) || target.parent_path() == "/dev";
 }
@@ -38,7 +38,7 @@ bool Transaction::makeDirectories(const fs::path& directory) {
         directories_.push_back(directory);
         return true;
     }
-    // Another process may have been quicker.
+    // Another process may have made it first.
     return fs::is_directory(directory, other) || fail(directory, "cannot make the directory", error);
 }
 
@@ -63,7 +63,7 @@ bool Transaction::stage(const fs::path& target, const std::string& text) {
 
 bool Transaction::replace(Staged& file) {
     std::error_code error;
-    // A second name for the old file: the target itself never disappears, even for a moment.
+    // The old file gets a second name, so that the target never disappears, even for a moment.
     if (stands(file.target)) error = files::keepBackup(file.target.string(), file.backup);
     if (error) return fail(file.target, "cannot replace the file", error);
     fs::rename(file.draft, file.target, error);
@@ -95,7 +95,7 @@ bool Transaction::fail(const fs::path& path, const std::string& what, const std:
 void Transaction::rollBack() {
     std::error_code ignored;
     for (const Staged& file : staged_) {
-        // A draft that is still there stands beside a target that was not touched.
+        // A remaining draft means that the target was not touched.
         if (file.draft.empty()) {
             if (file.backup.empty())
                 fs::remove(file.target, ignored);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Many files that are replaced together.
+/// Replaces many files together.
 #ifndef OROFORGE_GENERATOR_EMIT_TRANSACTION_HPP
 #define OROFORGE_GENERATOR_EMIT_TRANSACTION_HPP
 
@@ -13,7 +13,7 @@
 
 namespace oroforge::emit {
 
-/// Undoes what was done so far unless it is committed: drafts, new directories, renamed files. A target that is a
+/// Unless committed, the destructor undoes everything: drafts, new directories, renamed files. A target that is a
 /// symbolic link is replaced, not followed; devices and pipes are written to.
 class Transaction {
 public:
@@ -22,10 +22,10 @@ public:
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
-    /// Writes `text` beside `target`. False with an error EMIT001 if that fails.
+    /// Writes `text` beside `target`. Returns false after an error EMIT001 if that fails.
     bool stage(const std::filesystem::path& target, const std::string& text);
 
-    /// Puts everything into its place, or nothing.
+    /// Puts all files into their places, or none.
     bool commit();
 
 private:

@@ -7,7 +7,7 @@
 
 namespace oroforge::explain {
 
-/// What the codes of the generators mean: the texts of generator/explain/.
+/// The explanations of the generators' codes, from generator/explain/.
 const diag::Explanations& explanations();
 
 }  // namespace oroforge::explain

@@ -22,7 +22,7 @@ std::string below(const std::string& directory, const std::string& path) {
     return (fs::path(directory) / path).lexically_normal().string();
 }
 
-/// The words of response files take their place. `open`: those that are being read, which may name each other.
+/// Replaces response files by their words. `open` has the files being read, because they may include each other.
 void expand(const std::vector<std::string>& words, const std::string& directory, std::vector<std::string>& open,
             std::vector<std::string>& result) {
     for (const std::string& word : words) {
@@ -30,7 +30,7 @@ void expand(const std::vector<std::string>& words, const std::string& directory,
         std::error_code ignored;
         const std::string file = word.size() > 1 && word[0] == '@' ? below(directory, word.substr(1)) : "";
         const bool isNew = !file.empty() && std::find(open.begin(), open.end(), file) == open.end();
-        // Opening a folder succeeds, and reading it fails.
+        // Opening a folder succeeds, but reading it fails.
         if (isNew && !fs::is_directory(file, ignored)) in.open(file);
         if (in.is_open()) {
             open.push_back(file);
@@ -42,7 +42,7 @@ void expand(const std::vector<std::string>& words, const std::string& directory,
     }
 }
 
-/// A file that -include does not find below the folder is looked for in the include folders.
+/// -include searches the working folder first, then the include folders.
 std::string included(const std::string& directory, const std::string& name) {
     std::error_code ignored;
     const std::string file = below(directory, name);
@@ -56,7 +56,7 @@ public:
     std::vector<std::string> pick(const std::vector<std::string>& words) {
         for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
             if (words[i] == "-Xclang" || words[i] == "-Xpreprocessor" || words[i] == "-o") {
-                ++i;  // its value may look like one of ours
+                ++i;  // its value may look like an option
             } else if (beginsWith(words[i], "-std=") || beginsWith(words[i], "--std=")) {
                 standard(words[i].substr(words[i].find('=') + 1));
             } else {
@@ -76,7 +76,7 @@ private:
     void valued(const std::vector<std::string>& words, std::size_t& i) {
         for (const std::string option : {"-isystem", "-include", "-I", "-D", "-U"}) {
             const std::string& word = words[i];
-            // "-include-pch" is another option, "-includeFILE" none.
+            // "-include-pch" is another option, and "-includeFILE" does not exist.
             if (!beginsWith(word, option) || (option == "-include" && word != option)) continue;
             std::string value = word.substr(option.size());
             if (value.empty() && i + 1 < words.size()) value = words[++i];

@@ -31,7 +31,7 @@ struct Entry {
 
 fs::path absoluteOf(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
-/// Whether the last parts of a path are those of another: "src/a.cpp" of "/x/src/a.cpp".
+/// True if a path ends with the parts of another: "src/a.cpp" ends "/x/src/a.cpp".
 bool endsWith(const fs::path& path, const fs::path& end) {
     auto part = path.end();
     for (auto wanted = end.end(); wanted != end.begin();) {
@@ -52,7 +52,7 @@ std::string headerNamed(const std::string& line) {
     return end == std::string::npos ? std::string() : line.substr(at + 1, end - at - 1);
 }
 
-/// "../x/y.hpp" is x/y.hpp somewhere.
+/// Removes "..": "../x/y.hpp" may be x/y.hpp in any folder.
 fs::path withoutDots(const std::string& name) {
     fs::path result;
     for (const fs::path& part : fs::path(name).lexically_normal()) {
@@ -78,14 +78,14 @@ std::size_t commonParts(const fs::path& one, const fs::path& other) {
     return static_cast<std::size_t>(std::distance(one.begin(), end));
 }
 
-constexpr std::size_t kNear = 2;  // parts that paths have in common: more than the root
+constexpr std::size_t kNear = 2;  // common parts of near paths: more than the root
 
 bool isCxx(const fs::path& source) {
     static const std::set<std::string> known = {".cc", ".cpp", ".cxx", ".c++", ".C"};
     return known.count(source.extension().string()) != 0;
 }
 
-/// The name of a CMake target whose object file this is, or nothing.
+/// Returns the name of the CMake target of an object file, or nothing.
 std::string targetOf(const std::string& output) {
     for (const fs::path& part : fs::path(output)) {
         if (part.extension() == ".dir") return part.stem().string();
@@ -224,7 +224,7 @@ private:
         } else {
             return "(" + text("file") + ") has neither 'command' nor 'arguments'";
         }
-        // Relative folders are below that of the database, so that a database can be moved.
+        // Relative folders are below the database's folder, so that a database can be moved.
         const fs::path directory = absoluteOf(file_).parent_path() / text("directory");
         entry.directory = directory.lexically_normal().string();
         entry.file = (directory / text("file")).lexically_normal().string();

@@ -19,7 +19,7 @@ model::Text text(const Element& element, const char* name) {
     return found == nullptr ? model::Text{} : model::Text{found->value, found->valueWhere};
 }
 
-/// Nothing if it is absent or malformed; the latter is already reported.
+/// Returns nothing if the number is absent or malformed; the structure check has reported the latter.
 std::optional<model::Number> number(const Element& element, const char* name) {
     const xml::Attribute* found = element.attribute(name);
     if (found == nullptr || !model::isNumberText(found->value)) return std::nullopt;
@@ -41,11 +41,11 @@ std::optional<model::Policy> readPolicy(const Element& port) {
     model::Policy policy;
     policy.type = element->attributeOr("type", "data");
     policy.size = number(*element, "size");
-    // What the structure check has refused must not be judged a second time.
+    // The structure check has reported these values already.
     const bool knownType = policy.type == "data" || policy.type == "buffer" || policy.type == "circular_buffer";
     if (!knownType || (element->hasAttribute("size") && !policy.size)) return std::nullopt;
     policy.lock = element->attributeOr("lock", "");
-    // As RTT::ConnPolicy does: only data connections start with the last value of the output.
+    // As in RTT::ConnPolicy, only data connections start with the last value of the output.
     policy.init = flag(*element, "init", policy.type == "data");
     policy.pull = flag(*element, "pull", false);
     policy.where = element->where;
@@ -167,7 +167,7 @@ std::optional<model::Activity> readActivity(const Element& element) {
     return activity;
 }
 
-/// Without <hooks> the five usual ones; with it exactly those that are asked for.
+/// Without <hooks>, a component has the five usual ones; with it, exactly those listed.
 model::Hooks readHooks(const Element& component) {
     const Element* element = component.child("hooks");
     if (element == nullptr) return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which elements and attributes a manifest may have, and what their values look like.
+/// The elements and attributes that a manifest may have, and the form of their values.
 #ifndef OROFORGE_GENERATOR_MANIFEST_SCHEMA_HPP
 #define OROFORGE_GENERATOR_MANIFEST_SCHEMA_HPP
 
@@ -32,20 +32,20 @@ struct ElementRule {
     bool hasText = false;
 };
 
-/// The rules of all elements, that of the root first.
+/// Returns the rules of all elements, the root's first.
 const std::vector<ElementRule>& allRules();
 
-/// The same as XML Schema (XSD 1.0), less what that cannot say.
+/// Returns the same as XML Schema (XSD 1.0), without the rules that it cannot express.
 std::string schemaText();
 
-/// Null for an unknown element.
+/// Returns null for an unknown element.
 const ElementRule* ruleFor(const std::string& element);
 
-/// Reports everything in `element` and below that the rules do not allow: unknown elements and attributes with the
-/// nearest known name, missing attributes, malformed values, text where none belongs (codes OM001 to OM008).
+/// Reports whatever the rules do not allow in `element` and below: unknown elements and attributes with the nearest
+/// known name, missing attributes, malformed values, misplaced text (codes OM001 to OM008).
 void checkStructure(const xml::Element& element, diag::Sink& sink);
 
-/// True if `value` is written as `kind` wants it; texts always are.
+/// True if `value` has the form of `kind`; any text is a Text.
 bool isWellFormed(ValueKind kind, const std::string& value);
 
 }  // namespace oroforge::manifest

@@ -12,7 +12,7 @@ namespace oroforge::manifest {
 
 namespace {
 
-/// An element under construction; its children follow its attributes.
+/// An element under construction.
 class Node {
 public:
     explicit Node(std::string name) : name_(std::move(name)) {}
@@ -50,7 +50,7 @@ public:
             into += text_.empty() ? "/>\n" : ">" + xml::escapeExactly(text_) + "</" + name_ + ">\n";
             return;
         }
-        // A port with its documentation is one line.
+        // An element whose only child is text, such as a port with its documentation, takes one line.
         if (children_.size() == 1 && children_[0].children_.empty() && !children_[0].text_.empty() &&
             name_ != "component") {
             std::string only;

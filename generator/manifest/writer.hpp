@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// A model as a component manifest: what the reader reads.
+/// Writes a model as a component manifest, which the reader reads.
 #ifndef OROFORGE_GENERATOR_MANIFEST_WRITER_HPP
 #define OROFORGE_GENERATOR_MANIFEST_WRITER_HPP
 
@@ -10,8 +10,7 @@
 
 namespace oroforge::manifest {
 
-/// The same text for the same model. Reading it gives the model again, places aside; what is as it would be if it were not
-/// written is left out.
+/// Returns the same text for the same model. Reading it gives an equal model, apart from places; defaults are left out.
 std::string write(const model::Package& package);
 
 }  // namespace oroforge::manifest

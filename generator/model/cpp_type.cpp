@@ -98,7 +98,7 @@ bool isIdentifier(const std::string& name) {
 }
 
 bool isKeyword(const std::string& name) {
-    // C++20's included, so that what is generated today compiles tomorrow.
+    // C++20's keywords are included, so that a later standard compiles what is generated today.
     static const std::set<std::string> keywords = {
         "alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
         "bitor",       "bool",      "break",      "case",      "catch",    "char",         "char8_t",

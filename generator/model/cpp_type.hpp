@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What can be told about a C++ type and about names from their spelling alone.
+/// Reads what the spelling of C++ types and names reveals, without a compiler.
 #ifndef OROFORGE_GENERATOR_MODEL_CPP_TYPE_HPP
 #define OROFORGE_GENERATOR_MODEL_CPP_TYPE_HPP
 
@@ -20,17 +20,17 @@ enum class TypeClass {
     Other       ///< only the compiler knows
 };
 
-/// "unsigned int" → Unsigned, "std::uint8_t" → Unsigned, "tank::Mode" → Other. Blanks do not matter.
+/// "unsigned int" → Unsigned, "std::uint8_t" → Unsigned, "tank::Mode" → Other. Blanks make no difference.
 TypeClass classify(const std::string& type);
 
-/// Bits of the integer types classify() knows (as on 64-bit Linux); 0 for all others.
+/// Returns the bits of the integer types that classify() knows (as on 64-bit Linux); 0 for all others.
 unsigned integerBits(const std::string& type);
 
 bool isInteger(TypeClass type);
-/// Integers, float and double: what can have a range.
+/// True for integers, float and double: these types can have a range.
 bool isNumber(TypeClass type);
 
-/// One blank between words, none elsewhere: "std::vector< double >" → "std::vector<double>".
+/// Leaves one blank between words and none elsewhere: "std::vector< double >" → "std::vector<double>".
 std::string normalised(const std::string& type);
 
 bool isIdentifier(const std::string& name);

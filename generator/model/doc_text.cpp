@@ -22,9 +22,9 @@ std::vector<std::string> commentLines(const std::string& text) {
     std::istringstream in(trimmed(text));
     for (std::string line; std::getline(in, line);) {
         line = trimmed(line);
-        // Compilers take it as the end of a line, and so of a comment.
+        // Compilers treat a CR as the end of a line, so it would end the comment.
         line.erase(std::remove(line.begin(), line.end(), '\r'), line.end());
-        // A backslash at the end would draw the next line of code into the comment.
+        // A backslash at the end would continue the comment on the next line of code.
         if (!line.empty() && line.back() == '\\') line += " .";
         lines.push_back(line);
     }

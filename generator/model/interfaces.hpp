@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Walks through what a package offers: components, their services, the services of those.
+/// Walks through everything that a package offers: components, their services, and nested services.
 #ifndef OROFORGE_GENERATOR_MODEL_INTERFACES_HPP
 #define OROFORGE_GENERATOR_MODEL_INTERFACES_HPP
 
@@ -25,7 +25,7 @@ void eachInterface(const Interface& top, const Visit& visit, const ServicePath& 
     }
 }
 
-/// The same for all components and services of a package.
+/// Does the same for all components and services of a package.
 template <class Visit>
 void eachInterface(const Package& package, const Visit& visit) {
     for (const Component& component : package.components) eachInterface(component, visit);

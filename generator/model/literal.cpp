@@ -21,7 +21,7 @@ std::size_t countDigits(const std::string& text, std::size_t& at) {
 }
 
 std::string withSuffix(const std::string& number, TypeClass kind) {
-    // C++ has no literals with a plus sign in every context; it adds nothing.
+    // A plus sign adds nothing, and C++ does not accept it in every place.
     std::string text = number.front() == '+' ? number.substr(1) : number;
     if (kind == TypeClass::Unsigned) return text + "U";
     if (kind == TypeClass::Signed) return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What a package consists of: plain data with the places it came from. No XML, no text of generated files.
+/// The contents of a package: plain data with its places in the manifest. No XML, no generated text.
 #ifndef OROFORGE_GENERATOR_MODEL_PACKAGE_HPP
 #define OROFORGE_GENERATOR_MODEL_PACKAGE_HPP
 
@@ -12,7 +12,7 @@
 
 namespace oroforge::model {
 
-/// A text of the user and where it stands. Empty and without line if it was not given.
+/// A text of the user with its place. Empty and without line if it was not given.
 struct Text {
     std::string value;
     diag::Location where;
@@ -20,7 +20,7 @@ struct Text {
     bool given() const { return where.line != 0; }
 };
 
-/// A number of the user: as it was written, and what it is worth.
+/// A number of the user: as it was written, and its value.
 struct Number {
     std::string text;
     double value = 0;
@@ -32,7 +32,7 @@ enum class Thread { Client, Own };
 enum class ActivityKind { Periodic, NonPeriodic, Sequential, Slave };
 enum class InitialState { PreOperational, Stopped };
 
-/// Connection policy that a port proposes to those who connect it.
+/// The connection policy that a port proposes.
 struct Policy {
     std::string type;  ///< "data", "buffer" or "circular_buffer"
     std::optional<Number> size;
@@ -64,7 +64,7 @@ struct Property {
     diag::Location where;
 };
 
-/// A value without description in the runtime. A constant is set once, by its default.
+/// A value without description in the runtime. A constant has its default for ever.
 struct Attribute {
     Text name;
     Text type;
@@ -105,7 +105,7 @@ struct Interface {
     std::vector<Service> services;
 };
 
-/// A part of the interface of a component under a name of its own; services can have services.
+/// A named part of a component's interface; services can have services.
 struct Service : Interface {
     Text name;
     std::string doc;
@@ -128,7 +128,7 @@ struct Activity {
     diag::Location where;
 };
 
-/// Which hooks the user's class overrides.
+/// The hooks that the user's class overrides.
 struct Hooks {
     bool configure = true;
     bool start = true;
@@ -140,12 +140,12 @@ struct Hooks {
 };
 
 struct Hook {
-    const char* name;  ///< in the manifest; the method is startHook()
+    const char* name;  ///< in the manifest; the method is NAMEHook()
     bool Hooks::*wanted;
     const char* returns;
 };
 
-/// In the order in which classes have them.
+/// In the order in which classes declare them.
 inline constexpr Hook kHooks[] = {{"configure", &Hooks::configure, "bool"}, {"start", &Hooks::start, "bool"},
                                   {"update", &Hooks::update, "void"},       {"error", &Hooks::error, "void"},
                                   {"exception", &Hooks::exception, "void"}, {"stop", &Hooks::stop, "void"},
@@ -158,11 +158,11 @@ struct Component : Interface {
     std::string doc;
     std::vector<Requirement> required;
     Hooks hooks;
-    bool dynamic = false;  ///< adds ports or properties besides, at run time
+    bool dynamic = false;  ///< adds more ports or properties at run time
     diag::Location where;
 };
 
-/// A service in a library of its own, which components load by name.
+/// A service in its own library, which components load by name.
 struct ServicePlugin : Interface {
     Text name;
     Text className;  ///< qualified: "tank::Recorder"
@@ -170,7 +170,7 @@ struct ServicePlugin : Interface {
     diag::Location where;
 };
 
-/// Code in a library of its own that runs when it is loaded, into a component or into the process.
+/// Code in its own library that runs when it is loaded, into a component or into the process.
 struct Plugin {
     Text name;
     std::string doc;
@@ -184,11 +184,11 @@ struct Person {
 
 enum class SkeletonKind { Component, Plugin, Service, Support, Application };
 
-/// A part of a package that is written once from a template and described by no manifest.
+/// A part of a package that is written once from a template; no manifest describes it.
 struct Skeleton {
     SkeletonKind kind = SkeletonKind::Component;
-    std::string name;       ///< of its library or program, and in the names of its files
-    std::string className;  ///< qualified; of components and services
+    std::string name;       ///< of its library or program, and part of its file names
+    std::string className;  ///< qualified; for components and services
 };
 
 struct Package {
@@ -207,7 +207,7 @@ struct Package {
     diag::Location where;
 };
 
-/// The model as JSON text, for --dump=model and goldens. With the lines and columns of what has a name.
+/// Returns the model as JSON text, for --dump=model and goldens; named items have their lines and columns.
 std::string dump(const Package& package);
 
 }  // namespace oroforge::model

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// How C++ declares a part of an interface and makes it known.
+/// The C++ that declares a part of an interface and registers it.
 #ifndef OROFORGE_GENERATOR_MODEL_REGISTRATION_HPP
 #define OROFORGE_GENERATOR_MODEL_REGISTRATION_HPP
 
@@ -17,7 +17,7 @@ inline std::string returnsOf(const Operation& operation) {
     return operation.returns.given() ? operation.returns.value : "void";
 }
 
-/// What a method returns that does nothing yet; nothing for void.
+/// Returns the result of a new method that does nothing yet; nothing for void.
 inline const char* firstResult(const Operation& operation) {
     const std::string returns = returnsOf(operation);
     return returns == "void" ? "" : returns == "bool" ? "true" : "{}";

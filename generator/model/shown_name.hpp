@@ -7,7 +7,7 @@
 
 namespace oroforge::model {
 
-/// The name of a type without the leading "::" of the names in it: "Box<demo::Point>" of "::Box<::demo::Point>".
+/// Returns the type without the leading "::" of its names: "Box<demo::Point>" for "::Box<::demo::Point>".
 std::string cppShown(const std::string& type);
 
 }  // namespace oroforge::model

@@ -143,7 +143,7 @@ std::string dump(const TypeModel& model) {
                  {"arrays", listOf(model.arrays)}};
     if (!model.adapted.empty()) json["adapted"] = listOf(model.adapted);
     if (!model.aliases.empty()) json["aliases"] = listOf(model.aliases);
-    // Comments may hold bytes that are not UTF-8; they must not stop a dump.
+    // Comments may contain bytes that are not UTF-8; these must not stop a dump.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What typegen knows about the types of a package: plain data, no clang types, no generated text.
+/// What typegen knows of a package's types: plain data, no clang types, no generated text.
 #ifndef OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
 #define OROFORGE_GENERATOR_MODEL_TYPE_MODEL_HPP
 
@@ -14,8 +14,8 @@
 
 namespace oroforge::model {
 
-/// Of what a type needs to be seen: for each part of it the listed headers, by their numbers, any of which brings it along.
-/// Empty: not known.
+/// For each part that a type needs: the listed headers, by their numbers, each of which alone provides that part. Empty
+/// if not known.
 using Homes = std::vector<std::vector<std::size_t>>;
 
 enum class TypeKind {
@@ -42,11 +42,10 @@ enum class TypeKind {
 /// The type of a field, of a sequence's elements or of an array's elements.
 struct TypeUse {
     TypeKind kind = TypeKind::Scalar;
-    std::string cpp;   ///< valid anywhere in C++: "double", "::demo::Point", "std::vector<::demo::Point>"
-    std::string name;  ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
-    std::vector<TypeUse>
-        element;       ///< what a type of the standard library is made of: elements, alternatives, the number
-    std::string unit;  ///< of a Count: "ns"
+    std::string cpp;               ///< valid anywhere in C++: "double", "::demo::Point", "std::vector<::demo::Point>"
+    std::string name;              ///< in the type registry: "/double", "/demo/Point", "/std/vector</demo/Point>"
+    std::vector<TypeUse> element;  ///< parts of a library type: elements, alternatives, the number
+    std::string unit;              ///< "ns" of a Count
 };
 
 struct Field {
@@ -55,24 +54,24 @@ struct Field {
     std::string declared;      ///< the field's C++ type, with its array bounds
     std::uint64_t count = 0;   ///< elements of `E m[N]` and `std::array<E,N> m`; 0 = not an array
     std::uint64_t offset = 0;  ///< bytes from the start of the outermost struct
-    std::uint64_t place = 0;   ///< the same in bits, also of bit-fields and of what accessors hide
+    std::uint64_t place = 0;   ///< the same in bits; bit-fields and hidden members have it, too
     std::uint64_t width = 0;   ///< bits of a bit-field
     FieldAccess access;        ///< how it is read and written
-    std::string doc;           ///< comment above or behind the field, without its marks
+    std::string doc;           ///< comment above or after the field, without comment marks
     std::string unit;          ///< from "@unit m/s" in the comment
     std::string range;         ///< from "@range 0..5" in the comment
-    std::string capacity;      ///< from "@capacity 20": for how many elements there is room
-    std::string initial;       ///< default member initialiser, as it is written
-    std::string also;          ///< another name of it, from an adapter
-    std::string base;          ///< C++ name of the base class it comes from; empty = own field
+    std::string capacity;      ///< from "@capacity 20": number of elements to reserve
+    std::string initial;       ///< default member initialiser, as written
+    std::string also;          ///< another name, from an adapter
+    std::string base;          ///< C++ name of the base class that declares it; empty = own field
     diag::Location where;
 };
 
-/// What scripts may call to make a value, besides what every type has.
+/// A constructor that scripts may call, besides those that every type has.
 struct Constructor {
     std::vector<TypeUse> arguments;
-    std::string parameters;  ///< as a C++ function declares them: "double x, const ::KDL::Vector& p"
-    std::string value;       ///< C++ of the parameters' names
+    std::string parameters;  ///< declarations of C++ parameters: "double x, const ::KDL::Vector& p"
+    std::string value;       ///< C++ that makes the value from the parameters
 };
 
 struct Struct {
@@ -80,9 +79,9 @@ struct Struct {
     std::string name;
     std::uint64_t size = 0;
     std::uint64_t align = 0;
-    bool assignable = true;  ///< false: a member is constant; values are read only, and no samples
-    std::string make;        ///< C++ of a first value, where there is no default constructor; such are no samples
-    std::string space;       ///< "::demo": the namespace in which that is to be read; empty = the global one
+    bool assignable = true;  ///< false: a member is constant; values are read-only, and cannot be samples
+    std::string make;        ///< C++ of a first value, if there is no default constructor: then no samples
+    std::string space;       ///< "::demo": the namespace in which `make` is looked up; empty = the global one
     std::string initial;     ///< C++ of a first value, from an adapter; empty: `T()`
     std::vector<Constructor> constructors;
     std::string doc;
@@ -91,7 +90,7 @@ struct Struct {
     diag::Location where;
 };
 
-/// A class whose elements an adapter says how to reach. Texts are what the adapter writes behind the object.
+/// A class whose elements are reached as an adapter says. Its texts are C++ that follows the object.
 struct Adapted {
     std::string cpp;
     std::string name;
@@ -99,11 +98,11 @@ struct Adapted {
     std::uint64_t align = 0;
     std::string doc;
     TypeUse element;
-    TypeUse row;          ///< of a matrix: what its rows are seen as
-    std::string count;    ///< how many elements, in digits or what says it; of a matrix, rows
-    std::string columns;  ///< of a matrix, the same
-    std::string resize;   ///< to `size`, or `rows` and `columns`; empty: the size is fixed
-    FieldAccess access;   ///< to the element of `index`, or `row` and `column`
+    TypeUse row;          ///< of a matrix: the type that shows a row
+    std::string count;    ///< number of elements, as digits or as C++ that returns it; rows of a matrix
+    std::string columns;  ///< the same for columns of a matrix
+    std::string resize;   ///< to `size`, or `rows` and `columns`; empty: fixed size
+    FieldAccess access;   ///< to the element at `index`, or at `row` and `column`
     std::string initial;  ///< C++ of a first value; empty: `T()`
     std::vector<Constructor> constructors;
     Homes homes;
@@ -129,19 +128,18 @@ struct Enum {
     diag::Location where;
 };
 
-/// Another name of a type.
 struct Alias {
     std::string name;  ///< in the type registry
-    std::string of;    ///< the type's first name there
+    std::string of;    ///< the first name of the type
     diag::Location where;
 };
 
-/// A header to describe: its name as the user gave it and as generated code includes it.
+/// A listed header: its path as the user gave it, and its name in #include lines of generated code.
 struct Header {
     std::string path;
     std::string include;
-    std::vector<std::size_t> before = {};  ///< those listed before it that have to be included first, by their numbers
-    std::size_t pieces = 1;                ///< how many source files its types are dealt out to
+    std::vector<std::size_t> before = {};  ///< numbers of listed headers that must be included first
+    std::size_t pieces = 1;                ///< number of source files for its types
 };
 
 struct TypeModel {
@@ -150,13 +148,13 @@ struct TypeModel {
     std::vector<Enum> enums;
     std::vector<Adapted> adapted;
     std::vector<Alias> aliases;
-    std::vector<TypeUse> library;    ///< each type of the standard library that a field reaches, inner ones included
+    std::vector<TypeUse> library;    ///< each type of the standard library in a field, and its parts
     std::vector<TypeUse> arrays;     ///< the element type of each array
-    std::vector<diag::Note> notes;   ///< for those who want to know more
-    std::vector<std::string> files;  ///< every file that was read, for dependency files
+    std::vector<diag::Note> notes;   ///< details for --verbose
+    std::vector<std::string> files;  ///< every file that was read, for depfiles
 };
 
-/// The model as JSON text (`--dump=model`); `files` is left out, for it depends on the machine.
+/// Returns the model as JSON text (`--dump=model`), without `files`, which depend on the machine.
 std::string dump(const TypeModel& model);
 
 }  // namespace oroforge::model

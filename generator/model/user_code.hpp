@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Classes of the user as they stand in their files: which bytes are what. Plain data, filled in by generator/clang/update.
+/// The user's classes: the bytes of each part in their files. Plain data, filled in by generator/clang/update.
 #ifndef OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
 #define OROFORGE_GENERATOR_MODEL_USER_CODE_HPP
 
@@ -13,7 +13,7 @@
 
 namespace oroforge::model {
 
-/// Bytes [begin, end) of a file. Empty (0, 0) if there is nothing of the kind.
+/// Bytes [begin, end) of a file. Empty (0, 0) if there is no such part.
 struct Span {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -26,7 +26,7 @@ struct Span {
 inline bool operator==(const Span& a, const Span& b) { return a.begin == b.begin && a.end == b.end; }
 inline bool operator<(const Span& a, const Span& b) { return a.begin != b.begin ? a.begin < b.begin : a.end < b.end; }
 
-/// A type and a name, as they are written.
+/// A type and a name, as written.
 struct TypedName {
     std::string type;
     std::string name;
@@ -34,7 +34,7 @@ struct TypedName {
 
 inline bool operator==(const TypedName& a, const TypedName& b) { return a.type == b.type && a.name == b.name; }
 
-/// What a method looks like from outside.
+/// The signature of a method, as written.
 struct Signature {
     std::string returns = "void";
     std::vector<TypedName> arguments;
@@ -44,7 +44,7 @@ inline bool operator==(const Signature& a, const Signature& b) {
     return a.returns == b.returns && a.arguments == b.arguments;
 }
 
-/// The types of a signature as the compiler sees them, aliases and namespaces resolved; all empty where it could not.
+/// The types of a signature after the compiler resolved aliases and namespaces; all empty if it could not.
 struct CanonicalSignature {
     std::string returns;
     std::vector<std::string> arguments;
@@ -58,9 +58,9 @@ inline bool operator==(const CanonicalSignature& a, const CanonicalSignature& b)
 
 struct UserParameter {
     std::string name;      ///< empty if it has none
-    Span whole;            ///< from the type to the end of the name or of the default value
+    Span whole;            ///< from the type to the end of the name or default value
     Span type;             ///< empty if type and name are intertwined, as in "int a[3]", or come from a macro
-    bool isMacro = false;  ///< some of it comes out of a macro
+    bool isMacro = false;  ///< a macro supplies some of it
 };
 
 enum class FunctionKind { Method, Constructor, Destructor };
@@ -72,23 +72,23 @@ struct UserFunction {
     FunctionKind kind = FunctionKind::Method;
     Access access = Access::Public;
     bool isTemplate = false;
-    bool isMacro = false;  ///< declared by a macro: nothing of it can be edited
-    bool isOther = false;  ///< const, static, with & or volatile: no operation or hook of the manifest is
+    bool isMacro = false;  ///< declared by a macro, so no part of it can be edited
+    bool isOther = false;  ///< const, static, volatile or with &: it cannot be an operation or hook of the manifest
     bool saysVirtual = false;
     bool saysOverride = false;  ///< or final
-    bool inClass = false;       ///< stands in the body of the class
+    bool inClass = false;       ///< in the body of the class
     bool isDefinition = false;
 
     std::string file;
     diag::Location where;  ///< of the name
-    Span whole;            ///< from the first word up to and with the ';' or '}'
-    Span returns;          ///< empty if the type cannot be told apart from other words
-    Span qualifier;        ///< "tank::Plant::" of a definition outside
+    Span whole;            ///< from the first word to the ';' or '}', which is included
+    Span returns;          ///< empty if the type cannot be told from other words
+    Span qualifier;        ///< "tank::Plant::" of a definition outside the class
     Span nameSpan;
-    Span brackets;  ///< what stands between '(' and ')'
+    Span brackets;  ///< text between '(' and ')'
     std::vector<UserParameter> parameters;
     Span body;          ///< with its braces
-    Span scope;         ///< what stands between the braces of the namespace around; the whole file if there is none
+    Span scope;         ///< text between the braces of the enclosing namespace; the whole file if there is none
     std::string space;  ///< that namespace, "" if there is none
     CanonicalSignature types;
 };
@@ -98,20 +98,20 @@ struct UserField {
     std::string name;
     std::string file;
     diag::Location where;
-    Span whole;             ///< up to and with the ';'
+    Span whole;             ///< with the ';'
     Span type;              ///< empty if it cannot be replaced: several names, a macro, "int a[3]"
     Span portWord;          ///< "InputPort" in its type; empty if it cannot be replaced
-    std::string canonical;  ///< type as the compiler sees it
-    std::string portClass;  ///< "InputPort" or "OutputPort"; empty if it is no port
+    std::string canonical;  ///< type after the compiler resolved it
+    std::string portClass;  ///< "InputPort" or "OutputPort"; empty if it is not a port
     std::string literal;    ///< first string in its initialiser, in the class or in a constructor
 };
 
-/// .doc("The level") or .arg("hard", "All of it") behind a registration.
+/// .doc("The level") or .arg("hard", "All of it") after a registration.
 struct UserText {
     std::string argument;  ///< "hard"; empty for .doc()
     std::string words;     ///< "All of it"
     Span call;             ///< from the '.' to the ')'
-    Span literal;          ///< with its quotes; empty if it is no plain text
+    Span literal;          ///< with its quotes; empty if it is not a plain string
 };
 
 /// A call such as this->addPort("level", level_) in a method.
@@ -120,22 +120,22 @@ struct UserRegistration {
     std::string literal;  ///< first argument, if it is a string
     std::string member;   ///< the data member among the arguments
     std::string service;  ///< "gripper.motion" of provides("gripper")->provides("motion")
-    std::string thread;   ///< "OwnThread" of an operation that says so
+    std::string thread;   ///< "OwnThread" of an operation, if given
     std::string file;
     diag::Location where;
-    Span statement;  ///< up to and with the ';'
-    Span receiver;   ///< what stands before the verb: "this->", "ports()->" or nothing
+    Span statement;  ///< with the ';'
+    Span receiver;   ///< text before the verb: "this->", "ports()->" or nothing
     Span verbSpan;
     Span threadSpan;
-    std::size_t arguments = 0;    ///< how many there are
-    std::size_t callEnd = 0;      ///< behind the ')' of the call itself
-    std::vector<UserText> texts;  ///< as they follow each other
-    bool textsKnown = false;      ///< there is nothing but calls of doc() and arg() behind it
-    bool knowsService = true;     ///< false if it may be any, as of a variable
-    bool isNested = false;        ///< not directly in a constructor: runs under a condition, or several times
+    std::size_t arguments = 0;
+    std::size_t callEnd = 0;      ///< after the ')' of the call itself
+    std::vector<UserText> texts;  ///< in their order
+    bool textsKnown = false;      ///< nothing but calls of doc() and arg() follows
+    bool knowsService = true;     ///< false if it may be any service, as of a variable
+    bool isNested = false;        ///< not directly in a constructor: runs conditionally or several times
 };
 
-/// "public:" and its like.
+/// "public:" and the like.
 struct AccessLabel {
     Access access = Access::Public;
     Span span;
@@ -146,7 +146,7 @@ struct UserClass {
     std::string file;
     diag::Location where;
     bool isMacro = false;
-    bool hasGeneratedBase = false;  ///< derives from the class that its manifest generates
+    bool hasGeneratedBase = false;  ///< derives from the class generated from its manifest
     bool isStruct = false;
     Span whole;  ///< from "class" to its '}'
     Span body;   ///< between the braces
@@ -156,7 +156,7 @@ struct UserClass {
     std::vector<UserRegistration> registrations;
 };
 
-/// What is between #if and #endif, and what of it the compiler skipped.
+/// The lines between #if and #endif, and the lines of them that the compiler skipped.
 struct Conditionals {
     std::vector<Span> blocks;   ///< whole lines
     std::vector<Span> skipped;  ///< whole lines
@@ -165,7 +165,7 @@ struct Conditionals {
 struct UserCode {
     std::vector<UserClass> classes;
     std::map<std::string, Conditionals> conditionals;  ///< by file
-    std::map<std::string, std::string> texts;          ///< of the files that were read
+    std::map<std::string, std::string> texts;          ///< contents of the files that were read
 };
 
 }  // namespace oroforge::model

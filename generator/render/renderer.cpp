@@ -15,12 +15,12 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// The engine asks for keys of {{x}} and {{#x}} in the same words; the mark tells them apart, so that only
-/// the first kind may be refused. No view key begins with it.
+/// The engine looks up {{x}} and {{#x}} alike. The mark tells them apart, because only a missing {{x}} is an error. No
+/// view key begins with it.
 constexpr char kVariableMark = '$';
 
-/// Stands in a line that holds nothing but a section, partial or comment tag; such lines leave no trace in the output.
-/// (The engine forgets them only where the section is entered.)
+/// Marks a line with nothing but a section, partial or comment tag; such lines leave no trace in the output. (The
+/// engine drops them only if it enters the section.)
 constexpr char kTagLine = '\x01';
 
 bool isPresent(const nlohmann::json& value) {
@@ -36,7 +36,7 @@ mustache::data toData(const nlohmann::json& value) {
     }
     if (value.is_array()) {
         mustache::data list(mustache::data::type::list);
-        // Its own push_back() copies all that is below, at each level.
+        // The engine's own push_back() copies everything below at each level.
         auto& items = const_cast<mustache::list&>(list.list_value());
         for (const auto& item : value) items.push_back(toData(item));
         return list;
@@ -52,7 +52,7 @@ std::string trimmed(const std::string& text) {
     return begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(" \t\n") - begin + 1);
 }
 
-/// {{x}} and {{{x}}} become {{&$x}}: never escaped, and recognisable as variables.
+/// Turns {{x}} and {{{x}}} into {{&$x}}: never escaped, and recognisable as variables.
 std::string markVariables(const std::string& text) {
     std::string result;
     std::size_t at = 0;
@@ -92,7 +92,7 @@ std::string markTagLines(const std::string& text) {
 
 constexpr int kDeepest = 20;
 
-/// With the texts of partials put in: the engine would parse them again each time.
+/// Inserts the texts of partials, because the engine would parse them again each time.
 std::string withPartials(const std::string& text, const Templates& templates, const std::string& name, int depth = 0) {
     if (depth == kDeepest) throw RenderError(name + ": partials include each other without end");
     std::string result;

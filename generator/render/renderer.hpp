@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 /// Fills in Mustache templates from JSON. Knows nothing of models.
 ///
-/// Nothing is escaped: templates make source code, and what must be quoted is quoted in the view.
-///   {{name}}            a string or number that must exist: a misspelt key is a RenderError, never silence
+/// Nothing is escaped: templates make source code, and views quote what needs quotes.
+///   {{name}}            string or number that must exist: a misspelt key is a RenderError
 ///   {{#name}}…{{/name}} list, or "if present": absent, null, false, "" and [] are all "not present"
 ///   {{^name}}…{{/name}} if not present
 ///   {{> dir/partial}}   another template of the set, in the same context
@@ -20,7 +20,7 @@
 
 namespace oroforge::render {
 
-/// A template that does not fit its data: "component/base.hpp: no key 'nmae'".
+/// A template does not fit its data: "component/base.hpp: no key 'nmae'".
 class RenderError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

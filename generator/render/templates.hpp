@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The set of templates a generator fills in.
+/// The templates of a generator.
 #ifndef OROFORGE_GENERATOR_RENDER_TEMPLATES_HPP
 #define OROFORGE_GENERATOR_RENDER_TEMPLATES_HPP
 
@@ -22,10 +22,10 @@ public:
     void add(const std::string& name, const std::string& text);
     void add(const diag::EmbeddedFiles& files);
 
-    /// Every *.mustache below `directory` replaces or joins the embedded ones; false and an error if unreadable.
+    /// Every *.mustache below `directory` replaces an embedded one or is added; false after an error.
     bool overrideFrom(const std::string& directory, diag::Sink& sink);
 
-    /// Null if there is none of that name.
+    /// Returns null if there is no such template.
     const std::string* find(const std::string& name) const;
     std::vector<std::string> names() const;
 

@@ -18,7 +18,7 @@ using nlohmann::json;
 const char* const kTool = "orocreate-pkg";
 
 json activityView(const model::Activity& activity) {
-    // As the constructors of RTT::Activity have it: who asks for a priority asks for the scheduler that has some.
+    // As in RTT::Activity's constructors, a priority above 0 implies the scheduler that has priorities.
     const char* usual = activity.priority && activity.priority->value > 0 ? "ORO_SCHED_RT" : "ORO_SCHED_OTHER";
     const std::string scheduler = activity.scheduler.given() ? activity.scheduler.value : usual;
     const std::string priority = activity.priority ? activity.priority->text : "RTT::os::LowestPriority";
@@ -48,7 +48,7 @@ json hooksOf(const model::Hooks& hooks) {
     return view;
 }
 
-/// What the classes of components and of services have in common.
+/// Keys that the classes of components and of services have in common.
 json classView(const model::Package& package, const model::Text& className, const std::string& doc,
                const std::string& manifest) {
     const std::string qualified = className.value;
@@ -68,7 +68,7 @@ json classView(const model::Package& package, const model::Text& className, cons
     return view;
 }
 
-/// How a component is registered, and the constants that describe it.
+/// The registration of a component, and the constants that describe it.
 json describedView(const model::Component& component) {
     const std::string qualified = component.className.value;
     const std::string space = model::namespaceOf(qualified);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Headers, and identifiers made of names of packages.
+/// Names of headers, and identifiers made from package names.
 #ifndef OROFORGE_GENERATOR_VIEW_CPP_TEXT_HPP
 #define OROFORGE_GENERATOR_VIEW_CPP_TEXT_HPP
 
@@ -9,18 +9,18 @@
 
 namespace oroforge::view {
 
-/// How sources include a header of the package: "tank/t.hpp" for "include/tank/t.hpp", "tank/models/t.hpp" for
-/// "src/models/t.hpp" of package tank. The same rule as in cmake/OrocosGenerate.cmake.
+/// Returns the path by which sources include a header of the package: "tank/t.hpp" for "include/tank/t.hpp",
+/// "tank/models/t.hpp" for "src/models/t.hpp" of package tank. cmake/OrocosGenerate.cmake has the same rule.
 std::string includeName(const std::string& header, const std::string& package);
 
-/// Standard headers that declare the standard names in these types, sorted: "cstdint", "string", "vector".
+/// Returns the standard headers that declare standard names in these types, sorted: "cstdint", "string", "vector".
 std::vector<std::string> standardHeaders(const std::vector<std::string>& types);
 
 /// "my-pkg.x" → "my_pkg_x"
 std::string identifier(const std::string& packageName);
-/// First letter upper-cased: "mypkg" → "Mypkg"
+/// Makes the first letter a capital: "mypkg" → "Mypkg".
 std::string className(const std::string& packageName);
-/// Letters, digits and '_' in upper case: for include guards.
+/// Returns the text as letters, digits and '_' in upper case, for include guards.
 std::string guardName(const std::string& text);
 
 }  // namespace oroforge::view

@@ -28,7 +28,7 @@ json policyView(const model::Policy& policy) {
     return view;
 }
 
-/// What all that stands in an interface has: its name there, where that is from the component, and its name in C++.
+/// Keys of everything in an interface: its name, its service as seen from the component, and its name in C++.
 json placed(const model::Text& name, const model::ServicePath& path) {
     const std::string access = model::accessTo(path);
     const std::string method = model::methodName(path, name.value);
@@ -52,7 +52,7 @@ json portView(const model::Port& port, const model::ServicePath& path) {
     return view;
 }
 
-/// One condition per limit. Nothing that is always true: compilers warn about it.
+/// Makes a condition per limit, but none that is always true: compilers warn about those.
 template <class Value>
 json limitsOf(const Value& property, const std::string& member) {
     const model::TypeClass kind = model::classify(property.type.value);
@@ -68,7 +68,7 @@ json limitsOf(const Value& property, const std::string& member) {
     return list;
 }
 
-/// Of a property or an attribute.
+/// For a property or an attribute.
 template <class Value>
 json valueView(const Value& value, const model::ServicePath& path) {
     json view = placed(value.name, path);

@@ -35,12 +35,12 @@ json people(const std::vector<model::Person>& persons) {
 
 json maintainersOf(const model::Package& package) {
     json list = people(package.maintainers);
-    // The format of package.xml demands one.
+    // package.xml must have at least one maintainer.
     if (list.empty()) list.push_back({{"name", "Unknown"}, {"email", "unknown@example.org"}});
     return list;
 }
 
-/// CPF's word for a type; empty for those that are not simple values.
+/// Returns the CPF word for a type; empty for types that CPF has no word for.
 std::string cpfType(const std::string& type) {
     switch (model::classify(type)) {
         case model::TypeClass::Boolean: return "boolean";
@@ -74,12 +74,12 @@ json deployedProperties(const model::Component& component) {
 struct Connection {
     std::string type;
     const model::Port* input = nullptr;
-    std::vector<std::string> inputs;   ///< instances that have such a port
-    std::vector<std::string> outputs;  ///< the same
+    std::vector<std::string> inputs;   ///< instances with such an input
+    std::vector<std::string> outputs;  ///< instances with such an output
     bool isConnectable() const { return input != nullptr && !outputs.empty(); }
 };
 
-/// Ports of one name and type, at least one output and one input, make a connection of that name.
+/// Ports of one name and type, at least one output and one input, make a connection with that name.
 std::map<std::string, Connection> connectionsOf(const model::Package& package) {
     std::map<std::string, Connection> connections;
     for (const auto& component : package.components) {
@@ -158,7 +158,7 @@ std::vector<std::string> typekitHeaders(const model::Package& package) {
     return headers;
 }
 
-/// Everything other packages may include.
+/// Returns all headers that other packages may include.
 std::vector<std::string> installedHeaders(const model::Package& package) {
     std::vector<std::string> headers = typekitHeaders(package);
     for (const auto& component : package.components)
@@ -235,7 +235,7 @@ json packageView(const model::Package& package, const std::string& manifest) {
     view["hasTypekit"] = !package.typekitHeaders.empty();
     view["components"] = componentEntries(package);
     view["hasComponents"] = !package.components.empty();
-    // A precompiled header costs as much as three sources gain.
+    // A precompiled header costs as much as it saves for three sources.
     view["manyComponents"] = package.components.size() > 2;
     view["services"] = serviceEntries(package);
     view["plugins"] = pluginEntries(package);

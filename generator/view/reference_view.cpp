@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Text in a cell of a table: one line, and no bar that would end the cell.
+/// Makes text fit a table cell: one line, and no bar that would end the cell.
 std::string cell(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -29,7 +29,7 @@ std::string cell(const std::string& text) {
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + cell(text) + "`"; }
 
-/// Text outside of tables: its lines without their indentation.
+/// Returns text outside of tables: lines without their indentation.
 std::string paragraph(const std::string& text) {
     std::string result;
     bool lineBegins = true;
@@ -103,7 +103,7 @@ void put(json& view, const char* key, const Items& items, MakeEntry makeEntry) {
     view[std::string("has_") + key] = !view[key].empty();
 }
 
-/// One section for the interface itself, one for each service in it.
+/// Makes a section for the interface itself, and for each service in it.
 json sections(const model::Interface& top, const std::string& title, const std::string& doc) {
     json list = json::array();
     const auto add = [&](const model::Interface& interface, const std::string& heading, const std::string& text) {

@@ -51,7 +51,7 @@ json skeletonView(const model::Package& package, const model::Skeleton& skeleton
     view["class"] = model::lastName(skeleton.className);
     view["qualified"] = skeleton.className;
     view["namespace"] = orNull(space);
-    // Functions of a library need a namespace, so that two packages can be in one process.
+    // Functions of a library need a namespace, so that one process can load two packages.
     view["space"] = space.empty() ? identifier(package.name.value) : space;
     view["guard"] = guardName(skeleton.name);
     view["instance"] = instanceName(model::lastName(skeleton.className));

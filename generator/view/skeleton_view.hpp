@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Views of what is written once from a template: sources to begin with, and their targets.
+/// Views of files that are written once from a template: sources to begin with, and their targets.
 #ifndef OROFORGE_GENERATOR_VIEW_SKELETON_VIEW_HPP
 #define OROFORGE_GENERATOR_VIEW_SKELETON_VIEW_HPP
 
@@ -12,16 +12,16 @@
 
 namespace oroforge::view {
 
-/// For the sources of one skeleton.
+/// Returns the view for the sources of one skeleton.
 nlohmann::json skeletonView(const model::Package& package, const model::Skeleton& skeleton);
 
-/// For the targets of all skeletons of the package.
+/// Returns the view for the targets of all skeletons of the package.
 nlohmann::json skeletonsView(const model::Package& package);
 
-/// "components", "plugins" …: the list of packageView that skeletons of a kind are in.
+/// Returns "components", "plugins" …: the key of packageView() that lists skeletons of this kind.
 std::string listOfKind(model::SkeletonKind kind);
 
-/// "Controller" → "controller": the usual name of an instance.
+/// Returns the usual name of an instance: "controller" for "Controller".
 std::string instanceName(const std::string& className);
 
 }  // namespace oroforge::view

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Model → JSON, the only input of templates. All decisions about the text to make are taken here: templates only say
-/// "for each" and "if present". A key that is null is a feature that is absent.
+/// Turns the model into JSON, the only input of templates. All decisions about generated text are taken here: templates
+/// only say "for each" and "if present". A null key is an absent feature.
 #ifndef OROFORGE_GENERATOR_VIEW_VIEW_HPP
 #define OROFORGE_GENERATOR_VIEW_VIEW_HPP
 
@@ -17,20 +17,20 @@ namespace oroforge::view {
 nlohmann::json componentView(const model::Package& package, const model::Component& component,
                              const std::string& manifest);
 
-/// The classes of a service that components load.
+/// Returns the view of a service class that components load.
 nlohmann::json serviceView(const model::Package& package, const model::ServicePlugin& service,
                            const std::string& manifest);
 
-/// The registration of all components of the package.
+/// Returns the view of the registration of all components.
 nlohmann::json registrationView(const model::Package& package, const std::string& manifest);
 
-/// What the files around the components need: CMakeLists.txt, package.xml, README, deployment.
+/// Returns the view of the files around the components: CMakeLists.txt, package.xml, README, deployment.
 nlohmann::json packageView(const model::Package& package, const std::string& manifest);
 
-/// The reference documentation, as Markdown.
+/// Returns the view of the reference documentation, in Markdown.
 nlohmann::json referenceView(const model::Package& package, const std::string& manifest);
 
-/// A typekit header that declares a struct for every type of the package's own namespaces that its components use.
+/// Returns the view of a typekit header: structs for the types of the package's own namespaces that components use.
 nlohmann::json typekitView(const model::Package& package, const std::string& header);
 
 }  // namespace oroforge::view
