@@ -25,7 +25,7 @@ namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
 
-/// What is written: files that must not be there yet, and the build file.
+/// Files that must not exist yet, and additions to the build file.
 struct Additions {
     emit::Outputs files;
     std::string targets;  ///< for CMakeLists.txt
@@ -50,7 +50,7 @@ std::string withTargets(const std::string& cmake, const Additions& additions, di
             .hint("these lines are to be added by hand:" + targets);
         return cmake;
     }
-    // What it makes begins with an empty line; the one in front of the command goes behind it.
+    // The block begins with an empty line; that line goes after it, before the command.
     std::string block = targets.substr(targets.find_first_not_of('\n')) + "\n";
     block = std::regex_replace(block, std::regex("\n"), merge::lineEndOf(text));
     text.insert(last->begin, block);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// --add KIND NAME: one more part in the package of the current directory.
+/// --add KIND NAME adds a part to the package in the current directory.
 #ifndef OROFORGE_GENERATOR_DRIVER_ADD_HPP
 #define OROFORGE_GENERATOR_DRIVER_ADD_HPP
 
@@ -12,9 +12,8 @@
 
 namespace oroforge::driver {
 
-/// Writes new sources and puts their targets in front of orocos_generate_package() in CMakeLists.txt; every other byte
-/// of that file, and all other files, stay. Errors: OC009 no package here, OC010 a file is there already, OC011 no place
-/// in CMakeLists.txt.
+/// Writes new sources and puts their targets before orocos_generate_package() in CMakeLists.txt; nothing else changes.
+/// Errors: OC009 no package here, OC010 a file exists already, OC011 no place in CMakeLists.txt.
 void addPart(const Options& options, const render::Renderer& renderer, std::ostream& out, diag::Sink& sink);
 
 }  // namespace oroforge::driver

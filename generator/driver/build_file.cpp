@@ -8,7 +8,7 @@ namespace oroforge::driver {
 
 namespace {
 
-/// The text with each comment and quoted text blanked out, so that what is found in it is a command.
+/// Blanks out comments and quoted text, so that only commands are found.
 std::string withoutComments(const std::string& cmake) {
     std::string text = cmake;
     char inside = 0;  // '#' in a comment, '"' in a quoted text

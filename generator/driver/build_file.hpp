@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Finds places in a CMakeLists.txt that users write: what stands in comments and quotes is none of it.
+/// Finds places in the user's CMakeLists.txt, outside comments and quotes.
 #ifndef OROFORGE_GENERATOR_DRIVER_BUILD_FILE_HPP
 #define OROFORGE_GENERATOR_DRIVER_BUILD_FILE_HPP
 
@@ -20,11 +20,11 @@ struct Command {
 
 std::optional<Command> findCommand(const std::string& cmake, const std::string& name);
 
-/// Where names of files end among the arguments: before the first of the words that have a meaning of their own, as DEPENDS.
+/// Returns where file names end among the arguments: before the first keyword, such as DEPENDS.
 std::size_t endOfNames(const std::string& cmake, const Command& call);
 
-/// Puts `fresh` behind the argument `known` of some command: in a line of its own, or beside it, as that stands. False if
-/// there is no such argument.
+/// Inserts `fresh` after the argument `known` of some command: in a line of its own if `known` has one, else beside it.
+/// Returns false if there is no such argument.
 bool addBehind(std::string& cmake, const std::string& known, const std::string& fresh);
 
 }  // namespace oroforge::driver

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Options of a compiler on our command line: written as compilers have them, which no option parser understands.
+/// Takes compiler options from the command line: no option parser understands how compilers write them.
 #ifndef OROFORGE_GENERATOR_DRIVER_COMPILER_WORDS_HPP
 #define OROFORGE_GENERATOR_DRIVER_COMPILER_WORDS_HPP
 
@@ -9,8 +9,8 @@
 
 namespace oroforge::driver {
 
-/// Takes -I -isystem -D -U -include (each followed by its value, or with it) and -std= out of the words. An option without a
-/// value stays, to be refused.
+/// Removes -I -isystem -D -U -include (with their values) and -std= from the words, and returns them. An option without
+/// a value stays, and is then refused.
 std::vector<std::string> takeCompilerWords(std::vector<std::string>& words);
 
 }  // namespace oroforge::driver

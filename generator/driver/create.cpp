@@ -25,7 +25,7 @@ const diag::Location kHere{"orocreate-pkg", 0, 0};
 
 bool isOnly(const Options& options, const char* kind) { return options.words.size() == 2 && options.words[1] == kind; }
 
-/// Headers that stand beside the manifest are taken along; if there is none, one is made with a struct per type.
+/// Uses headers beside the manifest; if there are none, makes one with a struct per type.
 void addTypekitHeaders(const model::Package& package, const fs::path& manifest, Scaffold& files, diag::Sink& sink) {
     const fs::path directory = manifest.parent_path();
     const auto stands = [&](const model::Text& header) { return emit::isFile(directory / header.value); };
@@ -43,15 +43,15 @@ void addTypekitHeaders(const model::Package& package, const fs::path& manifest, 
     }
 }
 
-/// "CMakeLists.txt.old", or with a number if that is taken: no version of a file gets lost.
+/// Returns "CMakeLists.txt.old", or with a number if that exists: no version of a file is lost.
 std::string backupName(const fs::path& directory, const std::string& name) {
     std::string backup = name + ".old";
     for (int i = 2; emit::exists(directory / backup); ++i) backup = name + ".old" + std::to_string(i);
     return backup;
 }
 
-/// What is to be written into `directory`; existing user files are left out and listed in `kept`, other files that
-/// differ are written a second time, as they are.
+/// Returns what to write into `directory`. Existing user files are left out and listed in `kept`; other files that
+/// differ are also written under a backup name, as they are.
 emit::Outputs writable(const Scaffold& files, const fs::path& directory, std::vector<std::string>& kept) {
     emit::Outputs outputs = files.shared;
     for (const auto& [name, text] : files.shared) {
@@ -96,7 +96,7 @@ void createFromManifest(const Options& options, const render::Renderer& renderer
     Scaffold files = scaffold(*package, manifest, options.catkin, renderer);
     addTypekitHeaders(*package, options.from, files, sink);
     files.shared[manifest] = emit::textOf(options.from);
-    // Sources that are there already were not written from this manifest.
+    // Existing sources were not written from this manifest.
     const std::string record = emit::exists(name) ? std::string() : firstRecord(*package, renderer);
     if (!record.empty()) files.shared[merge::kRecordFile] = record;
     writePackage(files, name, options, out, sink);

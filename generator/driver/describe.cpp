@@ -20,7 +20,7 @@ namespace oroforge::driver {
 
 namespace {
 
-/// The folder of the package: that of the file, without what packages call the folders within.
+/// Returns the package's folder: the file's folder, without the inner folders that packages usually have.
 fs::path packageFolder(const std::string& file) {
     fs::path folder = fs::absolute(file).lexically_normal().parent_path();
     for (fs::path above = folder; above.has_relative_path(); above = above.parent_path()) {
@@ -41,7 +41,7 @@ std::string packageName(const Options& options, diag::Sink& sink) {
     return name;
 }
 
-/// "of the fingers [m/s]": as generated code documents a unit, and as people do.
+/// Takes the unit from "of the fingers [m/s]", the form that generated code and people use.
 void takeUnit(std::string& doc, std::string& unit) {
     const std::size_t open = doc.rfind('[');
     if (open == std::string::npos || doc.back() != ']' || (open != 0 && doc[open - 1] != ' ')) return;
@@ -59,7 +59,7 @@ void takeUnits(model::Interface& interface) {
     for (auto& service : interface.services) takeUnits(service);
 }
 
-/// What the reader of manifests would refuse is what the class has: a remark, with the code that explains it.
+/// The class does have what the manifest reader would refuse: each fault is a warning, with the code that explains it.
 void checkAsRemarks(const model::Package& package, diag::Sink& sink) {
     diag::Sink faults;
     check::run(package, faults);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// From classes to a manifest (--describe).
+/// Describes classes as a manifest (--describe).
 #ifndef OROFORGE_GENERATOR_DRIVER_DESCRIBE_HPP
 #define OROFORGE_GENERATOR_DRIVER_DESCRIBE_HPP
 
@@ -10,8 +10,8 @@
 
 namespace oroforge::driver {
 
-/// The manifest of the component classes in the headers and sources that the command line names, on `out` or in a file.
-/// Nothing is written if one of them does not compile; what cannot be told from the source is a warning.
+/// Writes the manifest of the component classes in the given headers and sources to `out` or into a file. Writes
+/// nothing if one of them does not compile; what the source does not reveal is a warning.
 void describeComponents(const Options& options, std::ostream& out, diag::Sink& sink);
 
 }  // namespace oroforge::driver

@@ -31,7 +31,7 @@ void dumpViews(const model::Package& package, const std::string& manifest, std::
     out << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
-/// Reports OC012 for each file that is not as it would be written.
+/// Reports OC012 for each file that differs from what would be written.
 void checkFiles(const emit::Outputs& files, const std::string& directory, diag::Sink& sink) {
     for (const emit::Difference& one : emit::compare(files, directory, "orocreate-pkg")) {
         sink.error({(fs::path(directory) / one.name).string(), one.line, 0}, "OC012", one.message)

@@ -27,7 +27,7 @@ struct Kind {
     const char* word;
     const char* makes;
     std::optional<SkeletonKind> skeleton;
-    const char* source;  ///< a file that shows that a package has it, "NAME" in it
+    const char* source;  ///< a file that shows that a package has this kind; it contains "NAME"
     bool inAll;
 };
 
@@ -77,7 +77,7 @@ bool areIdentifiers(const std::string& qualified) {
     });
 }
 
-/// "Ann Other <ann@example.org>", or the name alone.
+/// Parses "Ann Other <ann@example.org>", or the name alone.
 model::Person personOf(const std::string& author, diag::Sink& sink) {
     const diag::Location given{kHere.file, 1, 1};
     const auto open = author.find('<');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The kinds of parts that a package can be made of, by the words of the command line.
+/// The kinds of parts of a package, as the command line names them.
 #ifndef OROFORGE_GENERATOR_DRIVER_KINDS_HPP
 #define OROFORGE_GENERATOR_DRIVER_KINDS_HPP
 
@@ -16,23 +16,23 @@
 
 namespace oroforge::driver {
 
-/// The package that the words ask for. Parts that a forced package already has stay in its build. What is wrong with the
-/// words is reported: OC002 name, OC003 kind, OC008 class, namespace or author.
+/// Returns the package that the words ask for. With --force, parts that it already has stay in its build. Reports OC002
+/// for the name, OC003 for a kind, OC008 for a class, namespace or author.
 model::Package packageOfKinds(const Options& options, diag::Sink& sink);
 
-/// The part that --add asks for; a typekit is no skeleton.
+/// Returns the part that --add asks for; a typekit has no skeleton.
 std::optional<model::Skeleton> skeletonOf(const std::string& kind, const std::string& name, const Options& options);
 
-/// Reports OC003 and is false if `kind` is none of `known`.
+/// Reports OC003 and returns false if `kind` is not one of `known`.
 bool checkKind(const std::string& kind, const std::vector<std::string>& known, diag::Sink& sink);
 
-/// Reports OC008 for names given by options that are none.
+/// Reports OC008 for malformed names in options.
 void checkNames(const Options& options, diag::Sink& sink);
 
 /// "include/PKG/NAME-types.hpp"
 std::string typekitHeader(const std::string& package, const std::string& name);
 
-/// --list: the kinds with what each makes, then the templates that --template-dir can replace.
+/// --list: prints the kinds with what each makes, then the templates that --template-dir can replace.
 void listKinds(const render::Templates& templates, std::ostream& out);
 
 }  // namespace oroforge::driver

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     diag::Sink sink;
     int status = 0;
     const auto options = driver::parseOptions(argc, argv, sink, status);
-    // A document for programs stands alone on standard output.
+    // A document for programs has standard output to itself.
     if (options) work(*options, format == report::Format::Text ? std::cout : std::cerr, sink);
     const bool toldOnly = !options && status == 0;  // --help, --version
     const bool written =

@@ -28,11 +28,11 @@ const std::vector<std::string> kStandard = {"string", "vector", "array", "map", 
                                             "set",    "list",   "deque", "optional", "complex"};
 constexpr std::size_t kMostEnumerators = 8;
 
-/// A type of the manifest, and where.
+/// A type in the manifest, with its place.
 struct Use {
     std::string what;  ///< "port"
     const model::Text* type;
-    const model::Text* value;  ///< its default, or nothing
+    const model::Text* value;  ///< its default, or null
     std::string space;
 };
 
@@ -54,7 +54,7 @@ public:
 private:
     void add(const std::string& what, const model::Text& type, const model::Text* value = nullptr) {
         if (!type.given()) return;
-        // Nothing to look up: const double& is one, too.
+        // Types such as const double& need no lookup either.
         std::string bare = model::normalised(type.value);
         if (bare.compare(0, 6, "const ") == 0) bare.erase(0, 6);
         if (!bare.empty() && bare.back() == '&') bare.pop_back();
@@ -104,7 +104,7 @@ std::string outermost(const std::string& name) {
 
 class TypeCheck {
 public:
-    /// `isWhole`: what is not in the headers is nowhere.
+    /// `isWhole`: the headers are complete, so a name that is not in them does not exist.
     TypeCheck(const cxx::TypeLookup& found, bool isWhole, diag::Sink& sink)
         : found_(found), isWhole_(isWhole), names_(found.names.begin(), found.names.end()), sink_(sink) {}
 
@@ -156,7 +156,7 @@ private:
         return std::find(kBuiltin.begin(), kBuiltin.end(), name) != kBuiltin.end() || outermost(name) == "std";
     }
 
-    /// As C++ looks for it, from the namespace outwards.
+    /// Looks for a name as C++ does, from the namespace outwards.
     bool isKnown(const std::string& name, std::string space) const {
         if (std::find(kBuiltin.begin(), kBuiltin.end(), name) != kBuiltin.end()) return true;
         for (;; space = model::namespaceOf(space)) {
@@ -180,7 +180,7 @@ private:
             for (const std::string& builtin : kBuiltin) offer(builtin, builtin);
             for (const std::string& standard : kStandard) offer(standard, "std::" + standard);
         }
-        // Those of the same namespace first.
+        // Names of the same namespace come first.
         for (const bool own : {true, false})
             for (const std::string& known : found_.names)
                 if ((model::namespaceOf(known) == space) == own) offer(model::lastName(known), known);
@@ -213,7 +213,7 @@ private:
     diag::Sink& sink_;
 };
 
-/// Which classes adapters describe only the build knows.
+/// Only the build knows which classes adapters describe.
 bool hasAdapters(const fs::path& folder) {
     return emit::textOf(folder / "CMakeLists.txt").find("ADAPTERS") != std::string::npos;
 }

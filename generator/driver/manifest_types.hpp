@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Checks the types and defaults of a manifest against the headers of its typekit: what C++ would say of generated files is
-/// told of the manifest.
+/// Checks the types and defaults of a manifest against the headers of its typekit: errors that C++ would find in
+/// generated files are reported in the manifest.
 #ifndef OROFORGE_GENERATOR_DRIVER_MANIFEST_TYPES_HPP
 #define OROFORGE_GENERATOR_DRIVER_MANIFEST_TYPES_HPP
 
@@ -14,9 +14,9 @@
 
 namespace oroforge::driver {
 
-/// Reports OM024, OM025 and OM036. `folder`: where the headers of the manifest lie. Where one is missing or makes no sense
-/// only slips in the names of C++'s own types are reported, as all others may be defined in it. Gives the headers that
-/// were read.
+/// Reports OM024, OM025 and OM036. `folder` has the headers of the manifest. If one is missing or malformed, only
+/// misspelt names of C++'s own types are reported, because it may define all others. Returns the headers that were
+/// read.
 std::vector<std::string> checkTypes(const model::Package& package, const std::filesystem::path& folder,
                                     const std::vector<std::string>& flags, diag::Sink& sink);
 

@@ -20,7 +20,7 @@ bool isFound(const model::UserCode& code, const std::string& name) {
 
 bool isSource(const std::string& file) { return file.compare(0, 4, "src/") == 0; }
 
-/// Adds file number `i` of a class behind that of another one.
+/// Adds file number `i` of a class after the same file of another class.
 bool addFile(std::string& cmake, std::size_t i, const NewClasses& input, const merge::WantedClass& wanted) {
     const auto others = [&](const merge::WantedClass& other) {
         return other.isComponent && other.name != wanted.name &&

@@ -23,8 +23,8 @@ struct NewClasses {
     const model::UserCode& code;
 };
 
-/// Classes that the manifest has and the package does not: their files, and their lines in CMakeLists.txt. An error OC030 if
-/// such a file is there already. A class that is only gone is a warning OC034.
+/// Adds classes that only the manifest has: their files, and their lines in CMakeLists.txt. A file that exists already
+/// is error OC030. A class that was removed from the code is warning OC034.
 void addNewClasses(const NewClasses& input, const render::Renderer& renderer, emit::Outputs& outputs, merge::Plan& plan,
                    diag::Sink& sink);
 

@@ -106,7 +106,7 @@ std::vector<std::string> optionNames(const CLI::App& app) {
     return names;
 }
 
-/// What is wrong with the command line, one text each.
+/// Returns the faults of the command line, one text each.
 std::vector<std::string> wordings(const CLI::App& app, const CLI::ParseError& error) {
     std::vector<std::string> texts;
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
@@ -122,7 +122,7 @@ std::vector<std::string> wordings(const CLI::App& app, const CLI::ParseError& er
     return texts;
 }
 
-/// What the program can be asked to do; without any of the options it makes a package.
+/// Returns the jobs that were asked for; without such an option the program makes a package.
 std::vector<std::string> modesOf(const Options& options) {
     std::vector<std::string> modes;
     const auto add = [&](bool given, const char* name) {
@@ -139,7 +139,7 @@ std::vector<std::string> modesOf(const Options& options) {
     return modes;
 }
 
-/// An option, whether it was given, and what it belongs to.
+/// An option, whether it was given, and the jobs that take it.
 struct Use {
     const char* option;
     bool given;
@@ -172,7 +172,7 @@ std::vector<Use> usesOf(const Options& options) {
     };
 }
 
-/// Options that make no sense together.
+/// Reports options that exclude each other.
 void checkCombination(const Options& options, diag::Sink& sink) {
     const diag::Location here{"orocreate-pkg", 0, 0};
     const auto complain = [&](bool wrong, const std::string& text) {
@@ -227,7 +227,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, diag::Sin
     app.set_help_flag("-h,--help", "Print this and stop");
     declare(app, options);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    // Other modes have no use for them, and complain.
+    // Other modes do not take compiler options, and report them.
     const bool compiles = std::any_of(
         words.begin(), words.end(), [](const std::string& word) { return word == "--describe" || word == "--update"; });
     if (compiles) options.flags = takeCompilerWords(words);

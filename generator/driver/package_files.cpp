@@ -20,7 +20,7 @@ using nlohmann::json;
 using render::Owner;
 using render::Subject;
 
-/// Every file of a package: what it is about, who writes it, where it is and what makes it.
+/// The files of a package: their subject, owner, path and template.
 const render::OutputTable kOutputs = {
     {"component", Owner::Generated, "{package}/{class}Base.hpp", "component/base.hpp"},
     {"component", Owner::Generated, "{package}/{class}Base.cpp", "component/base.cpp"},
@@ -29,7 +29,7 @@ const render::OutputTable kOutputs = {
     {"component", Owner::User, "tests/{class}_test.cpp", "component/test.cpp"},
     {"registration", Owner::Generated, "{package}/registration.cpp", "component/registration.cpp"},
     {"reference", Owner::Generated, "{package}/reference.md", "package/reference.md"},
-    // The build takes the name of a service's library from the folder.
+    // The build names a service's library after the folder.
     {"service", Owner::Generated, "{package}/{class}Base.hpp", "service/base.hpp"},
     {"service", Owner::Generated, "{package}/services/{name}/{class}Base.cpp", "service/base.cpp"},
     {"service", Owner::Generated, "{package}/services/{name}/registration.cpp", "service/registration.cpp"},
@@ -64,7 +64,7 @@ Subject aboutClass(const char* kind, const std::string& package, const std::stri
     return {kind, {{"package", package}, {"name", name}, {"class", last}}, std::move(view)};
 }
 
-/// What the manifest describes.
+/// The subjects that the manifest describes.
 std::vector<Subject> describedSubjects(const model::Package& package, const std::string& manifest) {
     const std::string& name = package.name.value;
     std::vector<Subject> all;
@@ -80,7 +80,7 @@ std::vector<Subject> describedSubjects(const model::Package& package, const std:
     return all;
 }
 
-/// What stands around the classes.
+/// The files around the classes.
 std::vector<Subject> packageSubjects(const model::Package& package, const std::string& manifest, bool catkin) {
     json view = view::packageView(package, manifest);
     view["buildTool"] = catkin ? "catkin" : "cmake";

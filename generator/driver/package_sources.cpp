@@ -16,7 +16,7 @@ namespace {
 
 bool isWordLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// The word before `at`, behind nothing but blanks, names, "::" and what attributes are made of.
+/// True if "class" or "struct" precedes `at`, with only blanks, names, "::" and attributes between.
 bool followsClassKey(const std::string& text, std::size_t at) {
     std::size_t begin = at;
     while (begin > 0 && at - begin < 300 && std::string(";{}#").find(text[begin - 1]) == std::string::npos) --begin;
@@ -32,7 +32,7 @@ bool followsClassKey(const std::string& text, std::size_t at) {
     return false;
 }
 
-/// "~Plant(" and "finish (", but not "Stopped)": what is defined outside of a class has brackets.
+/// True for "~Plant(" and "finish (", but not "Stopped)": a definition outside a class has brackets.
 bool isCallable(const std::string& text, std::size_t at) {
     while (at < text.size() && (isWordLetter(text[at]) || std::string(" \t\r\n~").find(text[at]) != std::string::npos))
         ++at;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which files of a package may hold a class of the user.
+/// Finds the files of a package that may contain a class of the user.
 #ifndef OROFORGE_GENERATOR_DRIVER_PACKAGE_SOURCES_HPP
 #define OROFORGE_GENERATOR_DRIVER_PACKAGE_SOURCES_HPP
 
@@ -15,11 +15,11 @@ struct PackageSources {
     std::vector<std::string> headers;
 };
 
-/// C++ files that define one of the classes, given by their names without namespaces, or members of one. Hidden folders
-/// and build trees are left out.
+/// Returns C++ files that define one of the classes, given without namespaces, or a member of one. Skips hidden folders
+/// and build trees.
 PackageSources findSources(const std::filesystem::path& root, const std::vector<std::string>& classNames);
 
-/// Whether a text has "class NAME", "struct NAME" or "NAME::member(".
+/// True if a text has "class NAME", "struct NAME" or "NAME::member(".
 bool definesClass(const std::string& text, const std::string& name);
 
 }  // namespace oroforge::driver

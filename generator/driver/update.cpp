@@ -31,7 +31,7 @@ namespace {
 
 const diag::Location kHere{"orocreate-pkg", 0, 0};
 
-/// The one file of the current directory that describes components.
+/// Finds the only file in the current directory that describes components.
 std::optional<std::string> findManifest(diag::Sink& sink) {
     std::vector<std::string> found;
     for (const fs::directory_entry& entry : fs::directory_iterator(".")) {
@@ -49,11 +49,11 @@ std::optional<std::string> findManifest(diag::Sink& sink) {
     return std::nullopt;
 }
 
-/// Everything about the package that is to be updated.
+/// The package to update.
 struct Package {
     std::string manifest;  ///< as it was given
     fs::path root;         ///< absolute
-    std::string shown;     ///< "" or "tank/": put before names of files
+    std::string shown;     ///< "" or "tank/": goes before names of files
     model::Package model;
     std::vector<merge::WantedClass> wanted;
     merge::Record record;
@@ -87,7 +87,7 @@ std::optional<Package> readPackage(const Options& options, const render::Rendere
     return package;
 }
 
-/// Headers that the build makes, where the compiler is to find them: no build is needed for this.
+/// Returns the headers that the build makes, where the compiler finds them: --update needs no build.
 std::map<std::string, std::string> generatedHeaders(const Package& package, const render::Renderer& renderer) {
     const fs::path folder = package.root / ".orocreate-pkg";
     std::map<std::string, std::string> headers;
@@ -96,7 +96,7 @@ std::map<std::string, std::string> generatedHeaders(const Package& package, cons
         if (fs::path(file).extension() == ".hpp") headers[(folder / file).string()] = text;
     for (const model::Text& header : package.model.typekitHeaders) {
         const std::string included = view::includeName(header.value, package.model.name.value);
-        // The build offers them by that name, wherever they lie.
+        // The build offers them under that name, wherever they are.
         if (!emit::exists(package.root / "include" / included))
             headers[(folder / included).string()] = "#include \"" + (package.root / header.value).string() + "\"\n";
     }
@@ -108,7 +108,7 @@ std::vector<std::string> flagsFor(const Package& package, const Options& options
     for (const char* folder : {".orocreate-pkg", "include", "src", ""})
         flags.push_back("-I" + (package.root / folder).string());
     flags.insert(flags.end(), options.flags.begin(), options.flags.end());
-    // What the manifest no longer names the generated headers no longer include; the code may still use it.
+    // Generated headers no longer include what the manifest dropped, but the code may still use it.
     std::vector<std::string> types;
     for (const auto& [name, recorded] : package.record) {
         for (const auto& [method, what] : recorded.methods) types.push_back(merge::toText(what.signature, method));
@@ -164,7 +164,7 @@ Code readCode(const Package& package, const Options& options, const render::Rend
     return code;
 }
 
-/// Choices for things that are not there help nobody.
+/// Reports choices for names that do not exist.
 void checkChoices(const Package& package, const Options& options, diag::Sink& sink) {
     std::vector<std::string> known;
     for (const merge::WantedClass& wanted : package.wanted) {
@@ -200,7 +200,7 @@ void tellDifferences(const emit::Outputs& outputs, const Package& package, const
             .hint("orocreate-pkg --update brings it up to date");
 }
 
-/// Hands on what was found, at places as they are once the files are written.
+/// Passes diagnostics on, with places as they are after the files are written.
 void passOn(const diag::Sink& found, const merge::Edits& edits, const std::string& shown, const model::UserCode& code,
             diag::Sink& sink) {
     const auto now = [&](const diag::Location& where) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// --update: the user's classes follow a change of the manifest.
+/// --update makes the user's classes follow a change of the manifest.
 ///
 ///     manifest ─► model ─► checks ─► wanted classes ─┐
 ///     sources, with generated bases in memory ─► user code ├─► merge::plan ─► all files or none

@@ -26,7 +26,7 @@ std::vector<fs::path> manifestsBelow(const fs::path& folder) {
     return found;
 }
 
-/// Everything else stays as it is, comments and blanks included.
+/// Changes only the names of elements and attributes; comments and blanks stay.
 std::string upgraded(const std::string& manifest) {
     static const std::regex depend(
         "<depend(\\s+)package(\\s*=\\s*[\"'](rtt|ocl|orogen|utilrb|utilmm|typelib|rtt_typelib|log4cpp)[\"'])");

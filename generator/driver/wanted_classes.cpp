@@ -14,7 +14,7 @@ std::vector<merge::WantedClass> wantedClasses(const model::Package& package, con
     return merge::wantedClasses(package, [&](const std::string& hook) {
         std::istringstream text(renderer.render("partials/hooks/" + hook, nlohmann::json::object()));
         std::vector<std::string> lines;
-        // The template stands within a function.
+        // The template is indented as in a function.
         for (std::string line; std::getline(text, line);)
             lines.push_back(line.compare(0, 4, "    ") == 0 ? line.substr(4) : line);
         return lines;

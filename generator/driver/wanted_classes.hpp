@@ -13,10 +13,10 @@
 
 namespace oroforge::driver {
 
-/// What a manifest wants in the classes of the user, bodies of hooks as the templates have them.
+/// Returns what a manifest wants in the user's classes; bodies of hooks come from the templates.
 std::vector<merge::WantedClass> wantedClasses(const model::Package& package, const render::Renderer& renderer);
 
-/// The record of a package that was just made; empty for one without classes.
+/// Returns the record of a new package; empty if it has no classes.
 std::string firstRecord(const model::Package& package, const render::Renderer& renderer);
 
 }  // namespace oroforge::driver

@@ -12,14 +12,14 @@ namespace oroforge::merge {
 
 namespace {
 
-/// An argument as it stands: its own words, and what is around them up to the commas.
+/// An argument in the source: its own words, and the text around it up to the commas.
 struct Piece {
     std::string before;
     std::string words;
     std::string behind;
 };
 
-/// Behind "/*level*/", if that is what comes next. Beside a name that is written out, other words are the user's.
+/// Returns the place after "/*level*/" if it comes next. Beside a written name, any other comment is the user's.
 std::size_t behindNameComment(const std::string& text, std::size_t at, std::size_t end, bool named,
                               const std::string& usual) {
     const std::size_t begin = text.find_first_not_of(" \t", at);
@@ -31,7 +31,7 @@ std::size_t behindNameComment(const std::string& text, std::size_t at, std::size
     return isName ? close + 2 : at;
 }
 
-/// The ',' between two arguments, outside of comments.
+/// Finds the ',' between two arguments, outside comments.
 std::size_t commaIn(const std::string& text, std::size_t at, std::size_t end) {
     while (at < end) {
         if (text[at] == ',') return at;
@@ -77,7 +77,7 @@ private:
         std::string list;
         for (const model::TypedName& argument : to_) list += (list.empty() ? "" : ", ") + fresh(argument);
         const bool nothing = isBlank(inside) || withoutLayout(inside) == "void";
-        // "f(void /*nothing*/)"
+        // The list is "f(void /*nothing*/)".
         if (!nothing && mentions(inside, "void")) return {"", "there is a comment in its argument list"};
         if (nothing) return {list, ""};
         const bool lineComment = inside.find("//") != std::string::npos && inside.find('\n') == std::string::npos;
@@ -117,7 +117,7 @@ private:
         }
     }
 
-    /// The words of an argument that stays, with its new type.
+    /// Returns the words of a kept argument, with its new type.
     std::string changed(std::size_t i, const model::TypedName& to) {
         if (model::normalised(from_[i].type) == model::normalised(to.type)) return pieces_[i].words;
         const model::UserParameter& parameter = function_.parameters[i];
@@ -132,7 +132,7 @@ private:
         return to.type + (touches ? " " : "") + rest;
     }
 
-    /// What stands between a comma and a new argument.
+    /// Returns the text between a comma and a new argument.
     std::string usualGap() const {
         for (std::size_t i = 1; i < pieces_.size(); ++i)
             if (isBlank(pieces_[i].before)) return pieces_[i].before;
@@ -158,7 +158,7 @@ private:
             return;
         }
         const bool comment = hasComment(behind);
-        // A comment in front of a comma stays there; behind the last argument, its line ends first.
+        // A comment before a comma stays there; after the last argument, its line ends first.
         const bool hadComma = previous + 1 < static_cast<int>(pieces_.size());
         if (comment && hadComma) result_ += behind;
         result_ += ",";
@@ -201,7 +201,7 @@ std::vector<int> matchArguments(const std::vector<model::TypedName>& from, const
         return (from[i].name == to[j].name ? 2 : 0) +
                (model::normalised(from[i].type) == model::normalised(to[j].type) ? 1 : 0);
     };
-    // best[i][j]: the most likeness that from[i…] and to[j…] can have together, in order.
+    // best[i][j] is the highest total likeness of from[i…] and to[j…], matched in order.
     std::vector<std::vector<int>> best(n + 1, std::vector<int>(m + 1, 0));
     for (std::size_t i = n; i-- > 0;) {
         for (std::size_t j = m; j-- > 0;) {

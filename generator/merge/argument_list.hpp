@@ -11,18 +11,18 @@
 namespace oroforge::merge {
 
 struct NewArguments {
-    std::string text;   ///< of what stands between the brackets
-    std::string fault;  ///< why it cannot be done; empty if it can
+    std::string text;   ///< new text between the brackets
+    std::string fault;  ///< why the list cannot be changed; empty if it can
 };
 
-/// The argument list of `function` after a change from `from` to `to`. Arguments that stay keep the user's name, comments,
-/// default value and line breaks; what the user wrote beside an argument that goes is a fault. Names of new arguments
-/// are commented out where the body does not use them yet.
+/// Returns the argument list of `function` after a change from `from` to `to`. Kept arguments keep the user's name,
+/// comments, default value and line breaks; a comment beside a removed argument is a fault. Names of new arguments are
+/// commented out where the body does not use them yet.
 NewArguments changedArguments(const std::string& text, const model::UserFunction& function,
                               const std::vector<model::TypedName>& from, const std::vector<model::TypedName>& to,
                               bool commentNames);
 
-/// For each of `to` the one of `from` that it goes on from, or -1.
+/// Returns, for each of `to`, the index in `from` of the argument that it continues, or -1.
 std::vector<int> matchArguments(const std::vector<model::TypedName>& from, const std::vector<model::TypedName>& to);
 
 }  // namespace oroforge::merge

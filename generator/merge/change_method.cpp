@@ -64,7 +64,7 @@ private:
             .hint("change it by hand; then there is nothing left to do");
     }
 
-    /// Only what differs at both ends is touched.
+    /// Leaves out equal text at both ends, so that the edit is small.
     void replace(const std::string& file, const std::string& text, model::Span span, std::string with) {
         std::size_t front = 0;
         while (front < with.size() && span.begin < span.end && text[span.begin] == with[front]) {
@@ -86,7 +86,7 @@ private:
     diag::Sink& sink_;
 };
 
-/// Out of the class, with the same types.
+/// Returns the definitions outside the class that have the same types.
 std::vector<const UserFunction*> definitionsOf(const UserFunction& declaration, const model::UserClass& type) {
     std::vector<const UserFunction*> same, all;
     for (const UserFunction& function : type.functions) {
@@ -98,7 +98,7 @@ std::vector<const UserFunction*> definitionsOf(const UserFunction& declaration, 
     return all.front()->parameters.size() == declaration.parameters.size() ? all : same;
 }
 
-/// "Plant::finish" in lines that the compiler skips.
+/// True if lines that the compiler skips contain "Plant::finish".
 bool definedInSkippedLines(const model::UserCode& code, const model::UserClass& type, const std::string& method) {
     const std::string name = type.name.substr(type.name.rfind(':') == std::string::npos ? 0 : type.name.rfind(':') + 1);
     for (const auto& [file, conditionals] : code.conditionals) {

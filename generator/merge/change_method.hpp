@@ -7,8 +7,8 @@
 
 namespace oroforge::merge {
 
-/// Gives a declaration in the class, and the definitions that go with it, another signature. False, with an error, and
-/// without any change, if a part of it stands where it cannot be edited.
+/// Gives another signature to a declaration in the class and to its definitions. If a part cannot be edited, reports an
+/// error, changes nothing and returns false.
 bool changeMethod(const model::UserFunction& declaration, const model::Signature& from, const WantedMethod& method,
                   const model::UserClass& type, const Input& input, Plan& into, diag::Sink& sink);
 

@@ -9,7 +9,7 @@ namespace oroforge::merge {
 
 void Edits::replace(const std::string& file, model::Span span, const std::string& text) {
     std::vector<Edit>& edits = byFile_[file];
-    // Behind all that begin at the same place: the order of insertions is that of the calls.
+    // Goes after all edits at the same place: the order of insertions is the order of the calls.
     const auto at = std::upper_bound(edits.begin(), edits.end(), span.begin,
                                      [](std::size_t begin, const Edit& edit) { return begin < edit.span.begin; });
     edits.insert(at, Edit{span, text});

@@ -26,7 +26,7 @@ bool holdsAllDefinitions(const model::Span& block, const model::UserClass& type,
     return count > 1;
 }
 
-/// The outermost #if … #endif around it that does not hold everything else as well.
+/// Finds the outermost #if … #endif around the item that does not hold everything else as well.
 const model::Span* blockAround(const Neighbour& item, const model::UserClass& type, const model::UserCode& code) {
     const model::Span* outermost = nullptr;
     for (const model::Span& block : conditionalsOf(code, item.file).blocks) {
@@ -58,7 +58,7 @@ void insertLines(Edits& edits, const std::string& text, const std::string& file,
                  const std::string& lines, const std::string& lineEnd, bool blankAboveIt) {
     std::string chunk = (blankAboveIt ? lineEnd : "") + lines;
     if (at > 0 && text[at - 1] != '\n') {
-        // Inside of a line: what stands behind it goes on behind what is new.
+        // The place is inside a line: the rest of the line follows the new text.
         chunk = lineEnd + chunk;
         chunk.resize(chunk.size() - lineEnd.size());
     }

@@ -23,7 +23,7 @@ bool isPlain(const UserFunction& function) {
            function.returns.end <= function.nameSpan.begin;
 }
 
-/// The blanks of it with the line ends that all lines have here; nothing if there is more than blanks.
+/// Returns the text if it is blank, else `usual`.
 std::string gapOr(const std::string& text, std::size_t begin, std::size_t end, const std::string& usual) {
     if (begin > end) return usual;
     const std::string gap = text.substr(begin, end - begin);
@@ -33,7 +33,7 @@ std::string gapOr(const std::string& text, std::size_t begin, std::size_t end, c
 void takeSpaces(const std::string& text, const UserFunction& sample, MethodStyle& style) {
     const std::size_t name = std::min(sample.qualifier.begin, sample.nameSpan.begin);
     style.behindReturn = gapOr(text, sample.returns.end, name, " ");
-    // Where the type has a line of its own, the name begins where the method does.
+    // If the type has a line of its own, the name begins in the column of the method.
     if (style.behindReturn.find('\n') != std::string::npos) style.behindReturn = style.lineEnd + style.indent;
     if (style.behindReturn.empty()) style.behindReturn = " ";
     style.beforeBracket = gapOr(text, sample.nameSpan.end, sample.brackets.begin - 1, "");
@@ -47,7 +47,7 @@ void takeSpaces(const std::string& text, const UserFunction& sample, MethodStyle
         style.comma = between;
 }
 
-/// The one nearby if it is a good example, else the first that is.
+/// Returns the function nearby if it is a good example, else the first good one.
 template <class Test>
 const UserFunction* sampleOf(const model::UserClass& type, const UserFunction* near, Test test) {
     if (near != nullptr && test(*near)) return near;
@@ -61,7 +61,7 @@ void takeBrace(const std::string& text, const model::UserClass& type, const std:
     std::string gap = " ";
     for (const UserFunction& function : type.functions) {
         if (function.file != file || function.body.empty() || text[function.body.begin] != '{') continue;
-        // "{}" and "{ return 1; }" tell little about longer ones.
+        // "{}" and "{ return 1; }" say little about longer bodies.
         const bool isLong = cut(text, function.body).find('\n') != std::string::npos;
         std::size_t begin = function.body.begin;
         while (begin > 0 && std::isspace(static_cast<unsigned char>(text[begin - 1])) != 0) --begin;
@@ -76,7 +76,7 @@ void takeBrace(const std::string& text, const model::UserClass& type, const std:
     style.beforeBrace = ownLine > sameLine ? style.lineEnd + style.indent : gap;
 }
 
-/// "/**" where the class has such comments and no "///".
+/// Returns "/**" if the class has such comments and no "///".
 std::string docMark(const std::string& text, const model::UserClass& type) {
     const std::string body = cut(text, type.whole);
     if (body.find("/// ") != std::string::npos) return "///";
@@ -126,7 +126,7 @@ std::string indentUnit(const std::string& text, const model::UserClass& type) {
 
 namespace {
 
-/// How far the first line of a body is moved in; nothing if none of those in question has lines.
+/// Returns the indentation of the first line of a body; nothing if no suitable function has a body with lines.
 template <class Test>
 std::string bodyUnit(const std::string& text, const model::UserClass& type, const UserFunction* near, Test test) {
     const auto hasLines = [&](const UserFunction& function) {

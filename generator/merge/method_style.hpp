@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// How the user writes methods: taken from those that are there.
+/// Finds out how the user writes methods from those that exist.
 #ifndef OROFORGE_GENERATOR_MERGE_METHOD_STYLE_HPP
 #define OROFORGE_GENERATOR_MERGE_METHOD_STYLE_HPP
 
@@ -15,42 +15,42 @@ namespace oroforge::merge {
 struct MethodStyle {
     std::string lineEnd = "\n";
     std::string indent;              ///< of the method
-    std::string unit = "    ";       ///< of what stands in it
+    std::string unit = "    ";       ///< of the lines in the method
     std::string behindReturn = " ";  ///< between type and name
     std::string beforeBracket;       ///< between name and '('
-    std::string padding;             ///< inside of the brackets
+    std::string padding;             ///< inside the brackets
     std::string comma = ", ";
-    std::string beforeBrace = " ";  ///< what stands between ')' and '{'
+    std::string beforeBrace = " ";  ///< between ')' and '{'
     std::string docMark = "///";    ///< "/**" for block comments
     bool saysVirtual = false;
     bool saysOverride = true;
     bool blankLine = true;  ///< between methods
 };
 
-/// Of declarations in the class; `near` is the one it will stand beside, or nothing.
+/// Returns the style of declarations in the class; `near` is the one beside the new one, or null.
 MethodStyle declarationStyle(const std::string& text, const model::UserClass& type, const model::UserFunction* near);
 
-/// Of definitions in `file`.
+/// Returns the style of definitions in `file`.
 MethodStyle definitionStyle(const std::string& text, const model::UserClass& type, const std::string& file,
                             const model::UserFunction* near);
 
-/// Indentation of one level, as the class has it.
+/// Returns the indentation of one level in the class.
 std::string indentUnit(const std::string& text, const model::UserClass& type);
 
-/// "virtual bool finish(int sent) override" with its comment lines above, each line with its end.
+/// Returns "virtual bool finish(int sent) override" with its comment lines above, each with its line end.
 std::string declarationText(const MethodStyle& style, const WantedMethod& method, bool overrides);
 
-/// The whole definition. `qualifier` stands before its name, as "Plant::".
+/// Returns the whole definition. `qualifier`, such as "Plant::", goes before its name.
 std::string definitionText(const MethodStyle& style, const WantedMethod& method, const std::string& qualifier,
                            bool trailingReturn);
 
-/// The definition inside of the class.
+/// Returns the definition inside the class.
 std::string inlineText(const MethodStyle& style, const WantedMethod& method, bool overrides);
 
-/// Whether a type has names in it that are only known in the class's namespace `home`.
+/// True if a type contains names that are known only in the class's namespace `home`.
 bool needsNamespace(const std::string& type, const std::string& home);
 
-/// The line without what would end a comment of /* and */.
+/// Returns the line without anything that would end a block comment.
 std::string inBlockComment(std::string line);
 
 std::vector<std::string> commentText(const MethodStyle& style, const std::vector<std::string>& lines);

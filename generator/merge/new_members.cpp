@@ -16,7 +16,7 @@ namespace {
 using model::UserField;
 using model::UserRegistration;
 
-/// The last call of the kind that runs in any case.
+/// Finds the last call of the kind that runs unconditionally.
 const UserRegistration* lastCall(const model::UserClass& type, const std::string& kind, const std::string& file) {
     const UserRegistration* last = nullptr;
     for (const UserRegistration& one : type.registrations) {
@@ -70,7 +70,7 @@ const UserField* NewMembers::lastField(const std::string& kind) const {
 }
 
 std::string NewMembers::memberName(const WantedMember& member) const {
-    // As the last one of its kind, or any other, is named: level_, m_level, _level or level.
+    // Follows the name of the last member of its kind, or of any other kind: level_, m_level, _level or level.
     for (const std::string& kind :
          {member.kind, std::string("port"), std::string("property"), std::string("attribute")}) {
         for (auto one = type_.registrations.rbegin(); one != type_.registrations.rend(); ++one) {
@@ -83,7 +83,7 @@ std::string NewMembers::memberName(const WantedMember& member) const {
     return model::memberName(member.method);
 }
 
-/// "RTT::", or nothing where the class has "InputPort<double>".
+/// Returns "RTT::", or nothing if the class writes "InputPort<double>".
 std::string NewMembers::portPrefix() const {
     const UserField* last = lastField("port");
     if (last == nullptr) return "RTT::";
@@ -110,7 +110,7 @@ std::string NewMembers::declare(const WantedMember& member) {
     }
     const Place place =
         last == nullptr ? Place{} : placeBehind({{last->file, last->whole, type_.body, nullptr}}, type_, input_.code);
-    // What stands behind it in the same line must not become a part of its comment.
+    // Code after it in the same line must not become a part of its comment.
     const bool inLine = place.known && place.at < text.size() && place.at > 0 && text[place.at - 1] != '\n';
     const std::string comment = member.comment.empty() ? ""
                                 : inLine               ? "  /**< " + inBlockComment(member.comment) + " */"
@@ -175,7 +175,7 @@ void NewMembers::finish() {
     for (const auto& [at, lines] : calls_) {
         const std::string& text = input_.code.texts.at(constructor_->file);
         const std::string lineEnd = lineEndOf(text);
-        // "{}" and "{ run(); }" are broken up.
+        // "{}" and "{ run(); }" are broken into lines.
         const bool atBrace = at == constructor_->body.end - 1 && !isFirstInLine(text, at);
         const std::string outer = indentAt(text, constructor_->whole.begin);
         if (atBrace) {

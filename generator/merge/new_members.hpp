@@ -11,19 +11,19 @@
 
 namespace oroforge::merge {
 
-/// Whether a call registers that kind: "addEventPort" a "port".
+/// True if a call registers that kind: "addEventPort" registers a "port".
 bool registers(const std::string& verb, const std::string& kind);
 
-/// Puts data members into a class, and the calls that make them known into its constructor: each behind the last of its
-/// kind, in the words of that.
+/// Adds data members to a class, and the calls that register them to its constructor: each after the last of its kind,
+/// and written like that one.
 class NewMembers {
 public:
     NewMembers(const model::UserClass& type, const Input& input, Plan& into);
 
-    /// The constructor that has a body to register things in; null if there is none.
+    /// Returns the constructor whose body registers the interface; null if there is none.
     const model::UserFunction* constructor() const { return constructor_; }
 
-    /// Declares it; returns the name of the data member.
+    /// Declares the member; returns the name of the data member.
     std::string declare(const WantedMember& member);
     /// Adds "this->" + call + ".doc(…);" to the constructor.
     void registerBy(const std::string& kind, const std::string& path, const std::string& call,

@@ -26,7 +26,7 @@ const char* labelText(Access access) {
 
 }  // namespace
 
-/// What it may stand behind, the best first.
+/// Returns the functions that it may follow, the best first.
 std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, bool inClass) const {
     std::vector<const UserFunction*> result;
     const auto usable = [&](const UserFunction& function) {
@@ -34,7 +34,7 @@ std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, 
                function.whole.end > function.whole.begin;
     };
     const auto addLast = [&](const auto& test) {
-        // The definition that stands last in the last file: order of place, which is that of the list.
+        // Finds the last definition in the last file: the list is sorted by place.
         for (auto it = type_.functions.rbegin(); it != type_.functions.rend(); ++it)
             if (usable(*it) && test(*it)) result.push_back(&*it);
     };
@@ -57,7 +57,7 @@ std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, 
 
 Place NewMethods::placeOf(const WantedMethod& method, bool inClass) {
     const std::map<std::string, Place>& added = inClass ? declared_ : defined_;
-    // The nearest one before it may just have been added.
+    // The nearest one before it may have just been added.
     const auto self = std::find_if(wanted_.methods.begin(), wanted_.methods.end(),
                                    [&](const WantedMethod& one) { return one.name == method.name; });
     for (auto before = self; before != wanted_.methods.begin();) {
@@ -91,7 +91,7 @@ void NewMethods::addAtEnd(const WantedMethod& method, bool overrides, bool isInl
     const std::size_t at = closesAlone ? lineBegin(text, type_.body.end) : type_.body.end;
     const bool isEmpty = isBlank(cut(text, type_.body));
     const bool blankLine = !isEmpty && (!label.empty() || isInline) && !blankAbove(text, at);
-    // A class in one line gets lines of its own, and its brace the next one.
+    // If the class is in one line, the new lines and its brace get lines of their own.
     into_.edits.insert(type_.file, at,
                        (closesAlone ? "" : style.lineEnd) + std::string(blankLine ? style.lineEnd : "") + lines);
     declared_[method.name] = {type_.file, at, nullptr, true};

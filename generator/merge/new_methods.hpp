@@ -12,8 +12,8 @@
 
 namespace oroforge::merge {
 
-/// Puts declarations into a class, and definitions where the others stand: behind the operation or hook that comes before
-/// it in the manifest, else behind constructor and destructor, else at the end of the class.
+/// Adds declarations to a class, and definitions beside the others: after the operation or hook before it in the
+/// manifest, else after constructor and destructor, else at the end of the class.
 class NewMethods {
 public:
     NewMethods(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into)
@@ -33,9 +33,9 @@ private:
     const model::UserClass& type_;
     const Input& input_;
     Plan& into_;
-    std::map<std::string, Place> declared_;  ///< what was added, by name
+    std::map<std::string, Place> declared_;  ///< added declarations, by name
     std::map<std::string, Place> defined_;
-    std::optional<model::Access> endAccess_;  ///< at the end of the class, once something was added there
+    std::optional<model::Access> endAccess_;  ///< access at the end of the class, once something was added there
 };
 
 }  // namespace oroforge::merge

@@ -18,7 +18,7 @@ const model::UserClass* classNamed(const model::UserCode& code, const std::strin
     return nullptr;
 }
 
-/// What is only in the record: told, and left alone.
+/// Reports methods that only the record has, and leaves them alone.
 void tellRemoved(const std::string& name, const RecordedClass& recorded, const WantedClass* wanted,
                  const model::UserClass& type, Plan& into, diag::Sink& sink) {
     const auto isWanted = [&](const std::string& method) {

@@ -6,9 +6,9 @@
 ///     sources ─► user code ├─► plan: edits, a new record, what to tell
 ///     record of last time ─┘
 ///
-/// Three signatures meet: what the manifest wants, what was last written, what stands in the code. Code that is as it was
-/// written follows the manifest. Code that the user changed stays, and if the manifest wants something else, that is an
-/// error: who of the two is right, nobody can guess.
+/// Three signatures meet: the one in the manifest, the one that was last written, and the one in the code. Code that is
+/// as it was written follows the manifest. Code that the user changed stays; if the manifest changed as well, that is
+/// an error, because nobody can guess which one is right.
 #ifndef OROFORGE_GENERATOR_MERGE_PLAN_HPP
 #define OROFORGE_GENERATOR_MERGE_PLAN_HPP
 
@@ -25,7 +25,7 @@
 
 namespace oroforge::merge {
 
-/// Conflicts that the user decided: names as in the manifest, with or without the class in front, "finish" or "Plant.finish".
+/// Conflicts that the user decided, by names in the manifest, with or without the class: "finish" or "Plant.finish".
 struct Choices {
     std::set<std::string> manifest;
     std::set<std::string> code;
@@ -33,12 +33,12 @@ struct Choices {
 
 bool isChosen(const std::set<std::string>& names, const std::string& className, const std::string& name);
 
-/// What the compiler makes of a signature in the namespace of a class; key as of question().
+/// The compiler's view of signatures in the namespace of a class; the key is question().
 using Answers = std::map<std::string, model::CanonicalSignature>;
 
 std::string question(const model::Signature& signature);
 
-/// Signatures that plan() will want to compare with those in the code.
+/// Returns the signatures that plan() compares with those in the code.
 std::vector<model::Signature> questionsOf(const WantedClass& wanted, const RecordedClass* recorded);
 
 struct Input {
@@ -54,13 +54,13 @@ struct Plan {
     std::vector<std::string> changes;  ///< "src/Plant.hpp: bool finish(int sent)"
 };
 
-/// Of the wanted classes that the code has. With errors in the sink the plan is not to be carried out.
+/// Plans the wanted classes that the code has. A plan with errors in the sink must not be carried out.
 Plan plan(const std::vector<WantedClass>& wanted, const Input& input, diag::Sink& sink);
 
-/// What stands in files that were just made.
+/// Returns the record of files that were just made.
 RecordedClass recordOf(const WantedClass& wanted);
 
-/// How members are made known, and declared, in a class that has no generated base.
+/// Plans declarations and registrations of members in a class without a generated base.
 void planMembers(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
                  diag::Sink& sink);
 

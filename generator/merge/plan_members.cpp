@@ -40,14 +40,14 @@ private:
         return nullptr;
     }
 
-    /// One that no call has taken for something else.
+    /// Finds a field that no call registers as something else.
     const UserField* freeField(const std::string& name) const {
         const bool taken = std::any_of(type_.registrations.begin(), type_.registrations.end(),
                                        [&](const UserRegistration& one) { return one.member == name; });
         return taken ? nullptr : fieldNamed(name);
     }
 
-    /// The call that registers "gripper.force": it has the name as a text, or the data member it takes was given it.
+    /// Finds the call that registers "gripper.force": its text, or the initialiser of its data member, has the name.
     const UserRegistration* callFor(const std::string& kind, const std::string& name, const std::string& shown) const {
         const std::string service = shown.size() > name.size() ? shown.substr(0, shown.size() - name.size() - 1) : "";
         const UserRegistration* ofAnyService = nullptr;
@@ -62,7 +62,7 @@ private:
         return ofAnyService;
     }
 
-    /// A call of that kind of which nobody knows what it registers.
+    /// Finds a call of that kind whose name is not known.
     const UserRegistration* unclear(const std::string& kind) const {
         for (const UserRegistration& one : type_.registrations) {
             if (!registers(one.verb, kind) || !one.literal.empty()) continue;
@@ -91,7 +91,7 @@ private:
             member.kind, name, member.type, kept, member.portClass, recordOf(member.registration)};
     }
 
-    /// What of the kind stands in the code under another one: a property that became an attribute.
+    /// Finds a registration under another kind: a property that became an attribute.
     const UserRegistration* callOfOtherKind(const WantedMember& member) const {
         for (const char* kind : {"port", "property", "attribute"}) {
             const bool isWanted =
@@ -133,7 +133,7 @@ private:
                                          member.kind, member.shown, member.where))
             return;
         if (field != nullptr) return planDeclared(member, *field, call, last, unchanged, takeManifest);
-        // What the call takes is nothing that a class declares: a variable of another, say.
+        // The call takes something that no class declares, such as a variable of another class.
         if (call != nullptr) return keepRecord(member, "", false);
         if (last != nullptr && unchanged && !takeManifest) return warnRemoved(member, last->member);
         if (!canAdd(member.kind, member.shown, member.where)) return;
@@ -251,7 +251,7 @@ private:
             return;
         }
         keep();
-        // Known from before: who took the call out did so on purpose.
+        // A known operation without a call: the user removed the call on purpose.
         if (last != recorded_.methods.end() && !chosen(input_.choices.manifest, method.shown)) return;
         if (!canAdd("operation", method.shown, method.where)) return;
         fresh_.registerBy("operation", method.path, method.registrationText, method.registration.texts);

@@ -78,7 +78,7 @@ private:
 
     void planAbsent(const WantedMethod& method, const RecordedMethod* last, bool unchanged, bool takeManifest) {
         if (last != nullptr && unchanged && !takeManifest) {
-            // The user removed it; whoever does not want it back says so in the manifest.
+            // The user removed it. If it is not wanted back, the manifest must drop it.
             keepRecord(method, false);
             sink_
                 .warning(type_.where, "OC034",

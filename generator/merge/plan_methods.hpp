@@ -7,15 +7,15 @@
 
 namespace oroforge::merge {
 
-/// Operations and hooks of one class.
+/// Plans operations and hooks of one class.
 void planMethods(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,
                  diag::Sink& sink);
 
-/// Whether what stands in the code has this signature, as the compiler sees it; where it could not see, as it is written.
+/// True if the function in the code has this signature, as the compiler sees it; if it could not see it, as written.
 bool hasSignature(const model::UserFunction& function, const model::Signature& signature, const std::string& className,
                   const Input& input);
 
-/// How the user wrote it: "bool finish(double sent)"
+/// Returns the signature as the user wrote it: "bool finish(double sent)".
 std::string asWritten(const model::UserFunction& function, const model::UserCode& code);
 
 }  // namespace oroforge::merge

@@ -15,11 +15,11 @@ using model::UserText;
 
 enum class Verdict { Leave, Change, Conflict };
 
-/// Of three words: in the code, last written, wanted.
+/// Compares the words in the code with the last written and the wanted ones.
 Verdict verdict(const std::string& code, const std::string* last, const std::string& wanted, bool takeManifest) {
     if (code == wanted) return Verdict::Leave;
     if (takeManifest) return Verdict::Change;
-    // Nobody knows who wrote it, or the user alone changed it.
+    // The writer is unknown, or only the user changed it.
     if (last == nullptr || *last == wanted) return Verdict::Leave;
     return code == *last ? Verdict::Change : Verdict::Conflict;
 }
@@ -31,7 +31,7 @@ auto textOf(const Texts& texts, const std::string& argument) -> decltype(&texts.
     return nullptr;
 }
 
-/// Names of arguments as one text, to be compared.
+/// Joins the names of arguments into a text that can be compared.
 template <class Texts>
 std::string namesIn(const Texts& texts) {
     std::string names;
@@ -106,7 +106,7 @@ private:
         replace({call_.callEnd - 1, call_.callEnd - 1}, ", RTT::" + wanted_.how);
     }
 
-    /// Whether the words of a doc() or arg() are to be replaced.
+    /// True if the words of a doc() or arg() must be replaced.
     bool changes(const UserText& code, const WantedText& wanted) {
         const auto* last = last_ == nullptr ? nullptr : textOf(last_->texts, wanted.argument);
         const std::string part =
@@ -127,13 +127,13 @@ private:
         const WantedText* wanted = textOf(wanted_.texts, "");
         if (wanted == nullptr) return;
         if (const UserText* code = textOf(call_.texts, "")) return planWords(*code, *wanted);
-        // What was there, and is not any more, the user took out.
+        // A text that was recorded but is missing was removed by the user.
         const bool isNew = last_ != nullptr && textOf(last_->texts, "") == nullptr;
         if (!isNew && !names_.takeManifest) return;
         replace({call_.callEnd, call_.callEnd}, gap() + ".doc(" + model::stringLiteral(wanted->words) + ")");
     }
 
-    /// What the user puts before ".doc" or ".arg": nothing, or a new line.
+    /// Returns what the user puts before ".doc" or ".arg": nothing, or a new line.
     std::string gap() const {
         if (call_.texts.empty()) return {};
         const std::string found = cut(text_, {call_.callEnd, call_.texts.front().call.begin});

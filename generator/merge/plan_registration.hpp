@@ -9,7 +9,7 @@
 
 namespace oroforge::merge {
 
-/// What is registered, as messages call it.
+/// A registered item, as messages name it.
 struct Registered {
     std::string what;  ///< "port 'level'"
     std::string shown;
@@ -17,9 +17,9 @@ struct Registered {
     bool takeManifest = false;
 };
 
-/// A call such as addPort("level", level_).doc("The level") follows the manifest: its name, thread, doc() and arg(). What the
-/// user wrote otherwise stays; if the manifest changed as well, that is an error. What is not in the code is not put there
-/// unless it is new in the manifest. False if there was an error.
+/// Lets a call such as addPort("level", level_).doc("The level") follow the manifest: name, thread, doc() and arg().
+/// Text that the user changed stays; if the manifest changed as well, that is an error. Missing parts are added only if
+/// they are new in the manifest. Returns false after an error.
 bool planRegistration(const WantedRegistration& wanted, const RecordedRegistration* last,
                       const model::UserRegistration& call, const Registered& names, const Input& input, Plan& into,
                       diag::Sink& sink);

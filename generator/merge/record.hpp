@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What was last written into the classes of the user. Tells who changed what since: the manifest, or the user.
+/// Records what was last written into the user's classes. It shows what has changed since: the manifest, or the code.
 #ifndef OROFORGE_GENERATOR_MERGE_RECORD_HPP
 #define OROFORGE_GENERATOR_MERGE_RECORD_HPP
 
@@ -14,7 +14,7 @@
 
 namespace oroforge::merge {
 
-/// Its name in a package; it belongs under version control.
+/// The name of the record in a package; it belongs under version control.
 inline constexpr const char* kRecordFile = ".orocreate-pkg.json";
 
 struct RecordedText {
@@ -26,16 +26,16 @@ inline bool operator==(const RecordedText& a, const RecordedText& b) {
     return a.argument == b.argument && a.words == b.words;
 }
 
-/// Of classes that have no generated base.
+/// Only for classes without a generated base.
 struct RecordedRegistration {
-    std::string how;  ///< "addEventPort"; of an operation "OwnThread"
+    std::string how;  ///< "addEventPort"; "OwnThread" of an operation
     std::vector<RecordedText> texts;
 };
 
 struct RecordedMethod {
     model::Signature signature;
     bool isHook = false;
-    bool kept = false;  ///< the user decided for what stands in the code, whatever this signature is
+    bool kept = false;  ///< the user decided for the code, whatever this signature is
     std::optional<RecordedRegistration> registration = std::nullopt;
 };
 
@@ -50,16 +50,16 @@ struct RecordedMember {
 
 struct RecordedClass {
     std::map<std::string, RecordedMethod> methods;
-    std::map<std::string, RecordedMember> members;  ///< by their name in the manifest
+    std::map<std::string, RecordedMember> members;  ///< by name in the manifest
 };
 
 /// By qualified name.
 using Record = std::map<std::string, RecordedClass>;
 
-/// Sorted, without times or paths: equal records are equal texts.
+/// Sorted, without times or paths: equal records have equal texts.
 std::string toText(const Record& record);
 
-/// An error OC039 if it is no such text.
+/// Reports an error OC039 if the text is not a record.
 std::optional<Record> parseRecord(const std::string& text, const std::string& file, diag::Sink& sink);
 
 }  // namespace oroforge::merge

@@ -20,7 +20,7 @@ std::size_t lineEnd(const std::string& text, std::size_t at) {
     return newline == std::string::npos ? text.size() : newline + 1;
 }
 
-/// Behind the '\n' of a line comment; one that ends with a backslash goes on in the next line.
+/// Returns the place after the '\n' of a line comment; a backslash at the end continues it in the next line.
 std::size_t behindLineComment(const std::string& text, std::size_t at) {
     for (;;) {
         const std::size_t end = lineEnd(text, at);
@@ -37,7 +37,7 @@ std::string trimmed(const std::string& text) {
     return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// A line that goes on with the comment behind a member.
+/// True if a line continues the comment after a member.
 bool continuesComment(const std::string& line, std::size_t indent) {
     const std::string text = trimmed(line);
     if (text.compare(0, 4, "///<") == 0 || text.compare(0, 4, "//!<") == 0) return true;
@@ -88,7 +88,7 @@ std::size_t behindItem(const std::string& text, std::size_t at) {
             here = behindLineComment(text, here);
             break;
         }
-        // A backslash in front of the line's end only joins two lines.
+        // A backslash before the line's end only joins two lines.
         if (text[here] == '\\' && lineEnd(text, here) - here <= 3) {
             here = lineEnd(text, here);
             break;
@@ -111,7 +111,7 @@ std::size_t withComment(const std::string& text, std::size_t at) {
         const bool opens = line.compare(0, 2, "/*") == 0;
         const bool closes = line.size() >= 2 && line.compare(line.size() - 2, 2, "*/") == 0;
         if (!inBlock && line.compare(0, 2, "//") != 0 && !closes) break;
-        // "int a; /* … */" is no comment of what stands below.
+        // "int a; /* … */" does not comment the item below.
         if (!inBlock && closes && !opens && line.find("/*") != std::string::npos) break;
         inBlock = inBlock ? !opens : closes && !opens;
         begin = above;

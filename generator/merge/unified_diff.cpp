@@ -29,7 +29,7 @@ struct Step {
     const std::string* line;
 };
 
-/// A shortest way from one to the other between what they have in common at both ends.
+/// Returns the fewest steps from one text to the other; common lines at both ends are skipped.
 std::vector<Step> stepsBetween(const Lines& before, const Lines& after) {
     std::size_t front = 0, back = 0;
     const std::size_t least = std::min(before.size(), after.size());
@@ -58,7 +58,7 @@ std::vector<Step> stepsBetween(const Lines& before, const Lines& after) {
 }
 
 std::string rangeText(std::size_t first, std::size_t count) {
-    // Of no lines the place is named that they would stand behind.
+    // An empty range is numbered by the line before it.
     return std::to_string(count == 0 ? first - 1 : first) + (count == 1 ? "" : "," + std::to_string(count));
 }
 

@@ -7,7 +7,7 @@
 
 namespace oroforge::merge {
 
-/// As `diff -u` prints it and `patch` takes it; nothing if both are equal. An empty text stands for no file.
+/// Returns the output of `diff -u`, for `patch`; nothing if both are equal. An empty text means that there is no file.
 std::string unifiedDiff(const std::string& before, const std::string& after, const std::string& file);
 
 }  // namespace oroforge::merge

@@ -10,7 +10,7 @@ namespace oroforge::merge {
 
 namespace {
 
-/// Of a doc(), which is left out if it says nothing.
+/// Returns the text of doc(), which is left out if it is empty.
 std::vector<WantedText> textsOf(const std::string& doc) {
     if (doc.empty()) return {};
     return {{"", doc}};
@@ -75,7 +75,7 @@ WantedMember wantedMember(const model::Attribute& attribute, const model::Servic
     return member;
 }
 
-/// All of one kind, those of services behind the others.
+/// Adds all members of one kind, those of services last.
 template <class Part>
 void addMembers(const model::Interface& top, std::vector<Part> model::Interface::*parts, WantedClass& into) {
     model::eachInterface(top, [&](const model::Interface& interface, const model::ServicePath& path) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What the manifest wants in the classes of the user.
+/// What the manifest wants in the user's classes.
 #ifndef OROFORGE_GENERATOR_MERGE_WANTED_HPP
 #define OROFORGE_GENERATOR_MERGE_WANTED_HPP
 
@@ -14,15 +14,15 @@
 
 namespace oroforge::merge {
 
-/// .doc("The level"), or .arg("hard", "All of it").
+/// .doc("The level") or .arg("hard", "All of it").
 struct WantedText {
     std::string argument;  ///< empty for doc()
     std::string words;
 };
 
-/// How something is made known by a class that has no generated base.
+/// A registration in a class without a generated base.
 struct WantedRegistration {
-    std::string how;  ///< "addEventPort"; of an operation "OwnThread"
+    std::string how;  ///< "addEventPort"; "OwnThread" of an operation
     std::vector<WantedText> texts;
 };
 
@@ -33,20 +33,20 @@ struct WantedMethod {
     bool isHook = false;
     std::vector<std::string> comment;  ///< lines of documentation
     std::vector<std::string> body;     ///< lines of a first definition, not indented
-    std::string path;                  ///< provides("gripper")-> for those of a service
+    std::string path;                  ///< provides("gripper")-> if it belongs to a service
     std::string operation;             ///< its name in the interface
     WantedRegistration registration;
     std::string registrationText;  ///< addOperation("finish", …).doc("…")
     diag::Location where;
 };
 
-/// For classes without a generated base.
+/// A data member of a class without a generated base.
 struct WantedMember {
     std::string kind;         ///< "port", "property" or "attribute"
     std::string name;         ///< "level"
     std::string shown;        ///< in the manifest: "level", "gripper.force"
-    std::string path;         ///< provides("gripper")-> for those of a service
-    std::string method;       ///< name of the data member without what the user puts before or behind names
+    std::string path;         ///< provides("gripper")-> if it belongs to a service
+    std::string method;       ///< name of the data member without the user's prefix or suffix
     std::string type;         ///< in the manifest
     std::string portClass;    ///< "InputPort" or "OutputPort" of a port
     std::string declared;     ///< the type in C++ with its qualifier: "const double"
@@ -65,10 +65,10 @@ struct WantedClass {
     diag::Location where;
 };
 
-/// Lines of a first definition, not indented, of "configure", "start" …
+/// Returns the lines of a first definition of "configure", "start" …, not indented.
 using BodyOfHook = std::function<std::vector<std::string>(const std::string& hook)>;
 
-/// Components, then services.
+/// Returns components first, then services.
 std::vector<WantedClass> wantedClasses(const model::Package& package, const BodyOfHook& bodyOf);
 
 }  // namespace oroforge::merge
