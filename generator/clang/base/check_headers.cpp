@@ -10,7 +10,7 @@ namespace oroforge::cxx {
 void HeaderCheck::checkRead(const model::Header& header) {
     const auto entry = preprocessor_.getFileManager().getOptionalFileRef(header.path);
     if (!entry) return;
-    // The compiler itself remembers a guard only if it did not skip the header because of it.
+    // The compiler forgets a guard if it skipped the header because of it.
     const auto text = preprocessor_.getFileManager().getBufferForFile(*entry);
     const std::string guard = text ? guardOf((*text)->getBuffer().str()) : "";
     const clang::MacroInfo* macro =
@@ -18,7 +18,7 @@ void HeaderCheck::checkRead(const model::Header& header) {
     if (macro == nullptr) return;
     const clang::SourceManager& sources = preprocessor_.getSourceManager();
     const auto definer = sources.getFileEntryRefForID(sources.getFileID(macro->getDefinitionLoc()));
-    // By an option of the command line a header is left out on purpose.
+    // An option of the command line (-D) leaves a header out on purpose.
     if (!definer || definer->getUniqueID() == entry->getUniqueID()) return;
     sink_
         .error({plainPath(header.path)}, "TK063",

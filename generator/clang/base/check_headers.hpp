@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What can be wrong with a listed header as a whole: its include guard.
+/// Checks the include guard of a listed header.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_CHECK_HEADERS_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_CHECK_HEADERS_HPP
 
@@ -17,11 +17,11 @@ public:
     HeaderCheck(clang::Preprocessor& preprocessor, const SourcePlaces& places, diag::Sink& sink)
         : preprocessor_(preprocessor), places_(places), sink_(sink) {}
 
-    /// A guard that was copied from another header makes the compiler skip all that this one defines: an error TK063.
+    /// A guard copied from another header makes the compiler skip everything in this one: reports error TK063.
     void checkRead(const model::Header& header);
 
-    /// A warning TK062, once for each header, if the header of the type has no guard. Generated code includes the header
-    /// once, but whoever uses the typekit may do so again.
+    /// Reports warning TK062, once for each header, if the header of the type has no guard. Generated code includes it
+    /// once, but code that uses the typekit may include it again.
     void checkGuard(const clang::TagDecl& type);
 
 private:

@@ -12,7 +12,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// Behind the last character that is no blank; only the file if it cannot be read.
+/// Returns the place after the last non-blank character; only the file if it cannot be read.
 diag::Location endOf(const diag::FileName& file) {
     std::ifstream in(file.str(), std::ios::binary);
     std::string line;
@@ -58,17 +58,17 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     }
     if (level == clang::DiagnosticsEngine::Note) {
         if (last_ == nullptr) return;
-        // The end of our own main file is no place of the user's; the note says in which header it begins.
+        // The end of the generated main file means nothing to the user; the note names a header.
         if (isAtEnd_ && last_->notes.empty() && where.line != 0) last_->where = endOf(where.file);
         last_->note(where, text.str().str());
         last_->notes.back().fixes = std::move(fixes);
         if (info.getID() == clang::diag::note_use_ifdef_guards) fixGuard(info);
         return;
     }
-    // Warnings about user headers are for the user's compiler to give.
+    // The user's compiler gives warnings about user headers.
     last_ = nullptr;
     if (level < clang::DiagnosticsEngine::Error || isFollowUp(info)) return;
-    // At the end of our own main file, which is the end of what it includes.
+    // The end of the generated main file is the end of the header that it includes last.
     isAtEnd_ = !where.file.empty() && where.line == 0;
     if (isAtEnd_) where = endOf(lastHeader_);
     if (where.file.empty()) where.file = places_.program();
@@ -78,7 +78,7 @@ void DiagnosticBridge::HandleDiagnostic(clang::DiagnosticsEngine::Level level, c
     if (what == clang::diag::err_pp_file_not_found) hintAtMissing(info);
     if (const std::string include = missingInclude(info, text); !include.empty()) {
         last_->hint(include);
-        // A name that looks alike is not what was meant.
+        // The compiler proposes a similar name, which is not meant.
         last_->fixes.clear();
     }
     if (what == clang::diag::err_header_import_not_header_unit || what == clang::diag::err_module_not_found)
@@ -99,7 +99,7 @@ bool DiagnosticBridge::isFollowUp(const clang::Diagnostic& info) {
     const bool endless = info.getID() == clang::diag::err_template_recursion_depth_exceeded;
     if (!noFile && !endless) return halted_.count(header) != 0;
     halted_.insert(header);
-    // Where each instance needs two more only a truly fatal error, the next one, makes an end.
+    // If each instance needs two more, only a truly fatal error, which the next one is, stops the compiler.
     if (endless && engine_ != nullptr) engine_->setFatalsAsError(false);
     return false;
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 
-/// A line "# keyword rest", blanks around its parts taken away; no keyword if it is another line.
+/// A line "# keyword rest" without blanks around its parts; other lines have no keyword.
 struct Directive {
     std::string keyword;
     std::string rest;
@@ -33,7 +33,7 @@ std::string firstWord(const std::string& text) { return text.substr(0, text.find
 
 class GuardReader {
 public:
-    /// Offset `next` is that of the line after this one.
+    /// `next` is the offset of the line after this one.
     void take(const Directive& line, std::size_t start, std::size_t next) {
         if (closed_ && !line.keyword.empty()) guard_.clear();
         if (line.keyword.compare(0, 2, "if") == 0) {
@@ -66,7 +66,7 @@ private:
     std::string guard_;
 };
 
-/// Calls take(directive, start of its line, start of the next).
+/// Calls take(directive, start of its line, start of the next line).
 template <class Take>
 void forEachLine(const std::string& header, Take&& take) {
     for (std::size_t start = placeForPragmaOnce(header); start < header.size();) {

@@ -56,7 +56,7 @@ std::vector<std::size_t> HeaderNeeds::before(std::size_t header) const {
     return found;
 }
 
-/// The one that is such a file itself, else the first that brings one in; `header` if there is none.
+/// Prefers a header that is one of the files, then the first that includes one; `header` if there is none.
 std::size_t HeaderNeeds::bestBefore(std::size_t header, const Files& files) const {
     for (std::size_t other = 0; other != header; ++other)
         if (std::find(files.begin(), files.end(), listed_[other]) != files.end()) return other;
@@ -69,7 +69,7 @@ std::vector<std::size_t> HeaderNeeds::headersThatBring(std::size_t file) const {
     std::vector<std::size_t> found;
     for (std::size_t header = 0; header != listed_.size(); ++header)
         if (file != IncludeWatch::kNone && reach_[header][file]) found.push_back(header);
-    // The header that it stands in comes before those that include that one.
+    // The header that defines it comes before those that include that header.
     const auto own =
         std::find_if(found.begin(), found.end(), [&](std::size_t header) { return listed_[header] == file; });
     if (own != found.end()) std::rotate(found.begin(), own, own + 1);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which of the listed headers a type comes with, and which of them another one needs to be included before it.
+/// Finds which listed headers provide a type, and which of them another header needs to be included before it.
 ///
 ///     words, includes, macros (IncludeWatch) ─┐
 ///     declarations of the whole text ─────────┴─► per file: what it needs of others ─► per header: which ones before it
 ///
-/// Bodies of functions are not parsed, so what a header needs is told from its words: whatever is declared under that name
-/// outside of what it includes itself. That may be too much, and then a header is included that need not be.
+/// Bodies of functions are not parsed, so a header's needs come from its words: every declaration with such a name
+/// outside of its own includes. That may be too much, and then an unneeded header is included.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_HEADER_NEEDS_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_HEADER_NEEDS_HPP
 
@@ -20,17 +20,17 @@ namespace oroforge::cxx {
 
 class HeaderNeeds {
 public:
-    /// Without headers, or with one, there is nothing to find out: all answers are empty.
+    /// With fewer than two headers all answers are empty.
     HeaderNeeds(const std::vector<model::Header>& headers, const IncludeWatch& read, const clang::ASTContext& context);
 
-    /// Those of the headers before it that it does not compile without, by their numbers.
+    /// Returns the numbers of the headers before it that it does not compile without.
     std::vector<std::size_t> before(std::size_t header) const;
 
-    /// What the type is made of, itself and the arguments of a template: for each, the headers that bring it along.
+    /// Returns the headers that provide the type itself, and those for each of its template arguments.
     model::Homes homesOf(const clang::TagDecl& type) const;
 
 private:
-    using Files = std::vector<std::size_t>;  // any of which will do
+    using Files = std::vector<std::size_t>;  // any one of them is enough
     std::size_t bestBefore(std::size_t header, const Files& files) const;
     bool reachesAny(std::size_t header, const Files& files) const;
     std::vector<std::size_t> headersThatBring(std::size_t file) const;
@@ -42,7 +42,7 @@ private:
     std::vector<std::size_t> listed_;         // the files of the headers
     std::vector<std::vector<bool>> reach_;    // per header, per file
     std::vector<std::vector<Files>> needed_;  // per file
-    std::vector<std::size_t> needy_;          // the files of which that is not empty
+    std::vector<std::size_t> needy_;          // files whose entry there is not empty
 };
 
 }  // namespace oroforge::cxx

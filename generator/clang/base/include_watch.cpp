@@ -74,7 +74,7 @@ void IncludeWatch::addWords(const std::string& text, clang::SourceLocation at) {
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
         while (end < text.size() && isLetter(text[end])) ++end;
-        // No place: it is no declaration's own name.
+        // It has no place, because it is not the name of a declaration.
         if (end != i) files_[file].words.push_back({preprocessor_->getIdentifierInfo(text.substr(i, end - i)), {}});
         i = end + 1;
     }
@@ -93,7 +93,7 @@ void IncludeWatch::noteMacro(const clang::Token& name, const clang::MacroDefinit
     const std::size_t user = number(sources.getFileID(sources.getExpansionLoc(name.getLocation())));
     const std::size_t maker = fileOf(macro->getDefinitionLoc());
     if (user == kNone || maker == kNone || user == maker) return;
-    // Headers of the system do not depend on each other's order, but on what the user defined before.
+    // System headers do not depend on each other's order, but on what the user defined before.
     if (files_[user].isUser || files_[maker].isUser) files_[user].macros.insert(maker);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which files include which, and which words stand in those of the user.
+/// Records which files include which, and the words in those of the user.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_INCLUDE_WATCH_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_INCLUDE_WATCH_HPP
 
@@ -17,27 +17,27 @@ struct Word {
     clang::SourceLocation at;
 };
 
-/// A file that was read, however often.
+/// A file that was read, once or several times.
 struct ReadFile {
-    bool isUser = false;             ///< no header of the system
+    bool isUser = false;             ///< not a system header
     std::set<std::size_t> includes;  ///< directly
-    std::set<std::size_t> macros;    ///< where macros that it uses, or asks for, are defined
-    std::vector<Word> words;         ///< of the user's: all that may name something; not what follows "." or "->"
+    std::set<std::size_t> macros;    ///< files that define the macros that it uses or tests
+    std::vector<Word> words;         ///< in user files, all that may name something; not after "." or "->"
 };
 
-/// Files are known by a number, in the order in which they were first seen. To be told of each token by the caller.
+/// Numbers files in the order in which they are first seen. The caller passes each token on.
 class IncludeWatch {
 public:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    /// To be called before anything is read; this has to live as long.
+    /// Call it before anything is read; this object must outlive the preprocessor.
     void watch(clang::Preprocessor& preprocessor);
     void take(const clang::Token& token);
-    /// C++ that stands in a text, as in [[oro::make("…")]].
+    /// Adds C++ in a string, as in [[oro::make("…")]].
     void addWords(const std::string& text, clang::SourceLocation at);
 
     const std::vector<ReadFile>& files() const { return files_; }
-    /// kNone for what is in no file.
+    /// Returns kNone for a place that is in no file.
     std::size_t fileOf(clang::SourceLocation at) const;
     std::size_t fileCalled(const std::string& path) const;
 

@@ -41,7 +41,7 @@ bool runInThread(Job& job, std::size_t stack) {
 void runOnLargeStack(const std::function<void()>& work) {
     Job job{work, nullptr};
     bool ran = false;
-    // Less where the address space is limited (ulimit -v).
+    // A smaller stack may work where the address space is limited (ulimit -v).
     for (const std::size_t stack : {std::size_t{512} << 20U, std::size_t{64} << 20U})
         ran = ran || runInThread(job, stack);
     if (!ran) return work();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Stack for the compiler, which calls itself for every level of what it reads.
+/// Provides stack for the compiler, which recurses for every level of nesting.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_LARGE_STACK_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_LARGE_STACK_HPP
 
@@ -8,8 +8,8 @@
 
 namespace oroforge::cxx {
 
-/// Calls `work` and waits for its end, in a thread with as much stack as the system gives, 512 MB at most, of which only what
-/// is used takes memory; in this one if there can be no other. Passes exceptions on.
+/// Calls `work` in a thread with a stack of up to 512 MB and waits for its end; only used stack takes memory. Calls it
+/// in this thread if there can be no other. Passes exceptions on.
 void runOnLargeStack(const std::function<void()>& work);
 
 }  // namespace oroforge::cxx

@@ -7,9 +7,9 @@
 
 namespace oroforge::cxx {
 
-/// Takes the comparisons out of std::allocator and its base, which libstdc++ declares as friends. Each vector of another
-/// class declares them once more, and the compiler compares each with all those before: 1,000 vectors take a third longer.
-/// To be called with each class that is complete.
+/// Removes the comparisons that libstdc++ declares as friends of std::allocator and its base. Each vector of another
+/// class declares them again, and the compiler compares each with all earlier ones: 1,000 vectors take a third longer.
+/// Call it with each class that is complete.
 void dropComparisons(clang::TagDecl& type);
 
 }  // namespace oroforge::cxx

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The one place where clang and llvm headers come in. Another LLVM version is adapted to here, and here only.
+/// Only this file includes clang and llvm headers: adapt to another LLVM version here.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_LLVM_COMPAT_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_LLVM_COMPAT_HPP
 
-// Their headers do not hold our warning level.
+// Their headers do not meet our warning level.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wextra"

@@ -17,7 +17,7 @@ bool isFileAt(const fs::path& path) {
     return fs::is_regular_file(path, ignored);
 }
 
-/// The nearest folder above that is built or installed as one; that of the file if none is.
+/// Returns the nearest folder above that is a package; the file's folder if there is none.
 fs::path packageOf(const fs::path& file) {
     for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
         for (const char* sign : {"package.xml", "manifest.xml", "CMakeLists.txt"})
@@ -26,7 +26,7 @@ fs::path packageOf(const fs::path& file) {
     return file.parent_path();
 }
 
-/// In a fixed order, whatever that of the file system.
+/// Sorts folders, because file systems have no fixed order.
 std::vector<fs::path> foldersIn(const fs::path& folder) {
     std::vector<fs::path> found;
     std::error_code error, ignored;
@@ -55,7 +55,7 @@ std::vector<fs::path> likelyFolders(const fs::path& includer) {
     return folders;
 }
 
-/// As short as a user would write it.
+/// Shortens a path as a user would write it.
 std::string shown(const fs::path& folder) {
     std::error_code ignored;
     const fs::path relative = folder.lexically_relative(fs::current_path(ignored));

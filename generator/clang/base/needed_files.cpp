@@ -11,11 +11,11 @@ namespace {
 
 using Files = std::vector<std::size_t>;
 
-/// A declaration outside of classes.
+/// A declaration outside classes.
 struct Declared {
-    const clang::Decl* what;  // the same for all declarations of it
+    const clang::Decl* what;  // the canonical declaration
     std::size_t file;
-    bool isWhole;  // a class is of use where it is defined
+    bool isWhole;  // a class is needed where it is defined
 };
 
 bool isWhole(const clang::NamedDecl& declaration) {
@@ -44,7 +44,7 @@ public:
     }
 
     std::map<const clang::IdentifierInfo*, std::vector<Declared>> declared;  // looked up only
-    llvm::DenseSet<clang::SourceLocation> own;                               // where the user's declarations have names
+    llvm::DenseSet<clang::SourceLocation> own;                               // places of names that the user declares
     Files directives;                                                        // files with "using namespace"
 
 private:
@@ -61,14 +61,14 @@ private:
         if (isUser) noteNames(declaration);
     }
 
-    /// Most declarations are the system's, and nobody speaks of them.
+    /// Most declarations are in system headers, and no user file names them.
     std::size_t fileIfWanted(const clang::Decl& declaration, const clang::NamedDecl* named, bool isDirective) {
         const clang::IdentifierInfo* name = named != nullptr ? named->getDeclName().getAsIdentifierInfo() : nullptr;
         if (!isDirective && name != nullptr && wanted_.count(name) == 0) return IncludeWatch::kNone;
         return read_.fileOf(declaration.getLocation());
     }
 
-    /// A name that is declared here is no word for something else.
+    /// The name of a declaration does not refer to another one.
     void noteNames(const clang::Decl& declaration) {
         const clang::SourceManager& sources = declaration.getASTContext().getSourceManager();
         own.insert(sources.getExpansionLoc(declaration.getLocation()));
@@ -91,7 +91,7 @@ void addOnce(std::vector<Files>& to, Files files) {
     if (!files.empty() && std::find(to.begin(), to.end(), files) == to.end()) to.push_back(std::move(files));
 }
 
-/// What is called so by users is needed each; of what the system calls so, any will do: it repeats names in many places.
+/// Each user declaration of the name is needed; of system ones any is enough, because the system repeats names.
 std::vector<Files> needsOf(const std::vector<Declared>& all, const std::vector<ReadFile>& files) {
     std::vector<Files> needs;
     Files ofSystem;
@@ -137,7 +137,7 @@ std::vector<std::vector<Files>> neededFiles(const IncludeWatch& read, const clan
                 if (std::find(need.begin(), need.end(), file) == need.end()) addOnce(needs, need);
         }
         for (const std::size_t macro : files[file].macros) addOnce(needs, {macro});
-        // Whatever is read after "using namespace" may mean something else by it.
+        // "using namespace" may change the meaning of everything that is read after it.
         for (const std::size_t directive : all.directives)
             if (files[file].isUser && directive != file) addOnce(needs, {directive});
     }

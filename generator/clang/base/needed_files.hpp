@@ -9,7 +9,7 @@
 
 namespace oroforge::cxx {
 
-/// For each file what its words and macros need that it does not have itself: one of those files, for each need.
+/// Returns, for each file and each need of its words and macros, the other files any of which meets that need.
 std::vector<std::vector<std::vector<std::size_t>>> neededFiles(const IncludeWatch& read,
                                                                const clang::ASTContext& context);
 

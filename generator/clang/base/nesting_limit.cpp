@@ -8,7 +8,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-// A level of template arguments takes some 6 KB of stack, one of operators 2 KB; parseFiles() gives a multiple of what these need.
+// A level of template arguments takes about 6 KB of stack, an operator 2 KB; parseFiles() has a multiple of that.
 constexpr unsigned kMostAngles = 4000;
 constexpr unsigned kMostWords = 20000;
 
@@ -26,7 +26,7 @@ const char* NestingLimit::tooMuch(const clang::Token& token) {
         case clang::tok::greater: angles_ -= std::min(angles_, 1U); break;
         case clang::tok::greatergreater: angles_ -= std::min(angles_, 2U); break;
         default:
-            // Long texts are written as many literals.
+            // Long strings consist of many literals.
             if (clang::tok::isStringLiteral(token.getKind())) --words_;
     }
     if (angles_ > kMostAngles) return "template arguments are nested more than 4000 deep";
@@ -37,12 +37,12 @@ void NestingLimit::take(const clang::Token& token, clang::DiagnosticsEngine& eng
     const char* message = ended_ ? nullptr : tooMuch(token);
     if (message != nullptr) {
         ended_ = true;
-        engine.setFatalsAsError(false);  // what follows from the end is not worth saying
+        engine.setFatalsAsError(false);  // no errors follow from the early end
         engine.Report(token.getLocation(),
                       engine.getDiagnosticIDs()->getCustomDiagID(clang::DiagnosticIDs::Fatal, message));
     }
     if (!ended_) return;
-    // As clang's own parser does where it gives up: there is no other way to stop it.
+    // clang's own parser does the same where it gives up: there is no other way to stop it.
     auto& end = const_cast<clang::Token&>(token);
     end.setKind(clang::tok::eof);
     end.setEofData(nullptr);

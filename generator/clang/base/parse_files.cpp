@@ -64,9 +64,9 @@ std::shared_ptr<clang::CompilerInvocation> invocationOf(const Parse& parse, clan
     words.push_back(parse.mainFile.c_str());
     std::shared_ptr<clang::CompilerInvocation> invocation = clang::createInvocation(words, std::move(options));
     if (!invocation) return nullptr;
-    invocation->getFrontendOpts().SkipFunctionBodies = true;  // asks shouldSkipFunctionBody()
-    invocation->getFrontendOpts().DisableFree = false;        // one process may parse many times
-    invocation->getDiagnosticOpts().ShowCarets = false;       // else it counts errors on stderr by itself
+    invocation->getFrontendOpts().SkipFunctionBodies = true;  // clang then asks shouldSkipFunctionBody()
+    invocation->getFrontendOpts().DisableFree = false;        // one process may parse several times
+    invocation->getDiagnosticOpts().ShowCarets = false;       // otherwise clang prints the number of errors to stderr
     return invocation;
 }
 
@@ -81,7 +81,7 @@ bool parseHere(const Parse& parse) {
     clang::CompilerInstance compiler;
     compiler.setInvocation(invocation);
     compiler.createDiagnostics(parse.messages, /*ShouldOwnClient=*/false);
-    compiler.getDiagnostics().setFatalsAsError(true);  // a file that is not found must not hide what else is wrong
+    compiler.getDiagnostics().setFatalsAsError(true);  // a missing file must not hide other errors
     compiler.createFileManager(files);
     Action action(parse);
     return compiler.ExecuteAction(action);

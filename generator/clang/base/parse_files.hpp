@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Runs clang once over a text, with some function bodies read. What is seen, said and done with it is the caller's.
+/// Runs clang once over a text, and reads some function bodies. The caller decides what to do with the result.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_PARSE_FILES_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_PARSE_FILES_HPP
 
@@ -14,23 +14,23 @@
 namespace oroforge::cxx {
 
 struct Parse {
-    std::string mainFile;                      ///< its text is in `files`, or on disk
-    std::map<std::string, std::string> files;  ///< name → text; hides what is on disk
+    std::string mainFile;                      ///< its text is in `files` or on disk
+    std::map<std::string, std::string> files;  ///< name → text; takes precedence over files on disk
     std::vector<std::string> flags;            ///< -I -isystem -D …, each word one element
     std::string resourceDir;                   ///< clang's own headers
     clang::DiagnosticConsumer* messages = nullptr;
-    /// Bodies not to be read; those of constexpr functions and of 'auto' functions that are called always are.
+    /// True for bodies to skip; those of constexpr functions, and of called 'auto' functions, are always read.
     std::function<bool(clang::Decl&)> skipsBody;
-    std::function<void(clang::CompilerInstance&)> begin = nullptr;  ///< before the first word is read
-    std::function<void(const clang::Token&)> word = nullptr;        ///< each, as it is read
-    std::function<void(clang::Sema&)> end;                          ///< behind the last one
+    std::function<void(clang::CompilerInstance&)> begin = nullptr;  ///< called before the first word is read
+    std::function<void(const clang::Token&)> word = nullptr;        ///< called for each word as it is read
+    std::function<void(clang::Sema&)> end;                          ///< called after the last word
 };
 
-/// False if the compiler could not be started; `messages` may tell why. Runs, with all that it calls, in a thread with a large
-/// stack; texts that are nested too deeply for that are errors.
+/// Returns false if the compiler could not be started; `messages` may say why. Runs everything, callbacks included, in
+/// a thread with a large stack; text that is nested too deeply even for that is an error.
 bool parseFiles(const Parse& parse);
 
-/// A body that tells nothing about a user's class: of the standard library, boost, RTT, or a header of the system.
+/// True for code that says nothing about a user's class: the standard library, boost, RTT, or a system header.
 bool isLibrary(const clang::Decl& declaration);
 
 }  // namespace oroforge::cxx

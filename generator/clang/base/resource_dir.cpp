@@ -23,7 +23,7 @@ std::optional<std::string> findResourceDir(const std::string& wanted, diag::Sink
     const std::string choice = !wanted.empty() ? wanted : set != nullptr ? set : "";
     for (const std::string& dir : {choice, std::string(OROFORGE_CLANG_RESOURCE_DIR)}) {
         if (!dir.empty() && holdsBuiltinHeaders(dir)) return dir;
-        if (!choice.empty()) break;  // what was asked for is wrong: do not quietly take another
+        if (!choice.empty()) break;  // the user's choice is wrong: do not silently take another
     }
     const std::string missing = choice.empty() ? OROFORGE_CLANG_RESOURCE_DIR : choice;
     sink.error({"typegen"}, "TK005", "no compiler headers (include/stddef.h) in " + missing)

@@ -10,7 +10,7 @@
 
 namespace oroforge::cxx {
 
-/// Folder of clang's builtin headers (the parent of include/stddef.h), or nothing after reporting what is missing.
+/// Returns the folder of clang's builtin headers (the parent of include/stddef.h); nothing after an error TK005.
 std::optional<std::string> findResourceDir(const std::string& wanted, diag::Sink& sink);
 
 }  // namespace oroforge::cxx

@@ -29,7 +29,7 @@ std::string SourcePlaces::given(const clang::SourceManager& sources, clang::File
         const auto found = listed_.find(entry->getUniqueID());
         if (found != listed_.end()) return found->second;
     }
-    // clang puts "./" before what it finds beside the main file, and "dir/" before what dir/x.hpp includes as "../y.hpp".
+    // clang puts "./" before files beside the main file, and "dir/" before "../y.hpp" that dir/x.hpp includes.
     return plainPath(spelled);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// From clang's locations to those of the user: paths as given on the command line.
+/// Converts clang's locations to the user's: paths as given on the command line.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_SOURCE_PLACES_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_SOURCE_PLACES_HPP
 
@@ -15,27 +15,27 @@
 
 namespace oroforge::cxx {
 
-/// Name of the main file that includes the listed headers; it exists in memory only.
+/// The main file, which includes the listed headers; it exists only in memory.
 inline constexpr const char* kMainFile = "typegen_input.cpp";
 
-/// The same file without "a/../", "./" and "//", unless that would be another one, behind a link.
+/// Removes "a/../", "./" and "//" from a path, unless a link makes that another file.
 std::string plainPath(const std::string& path);
 
 class SourcePlaces {
 public:
-    /// `program` stands for the main file in messages.
+    /// `program` is the name of the main file in messages.
     explicit SourcePlaces(const std::vector<model::Header>& headers, std::string program = "typegen");
     const std::string& program() const { return program_; }
 
-    /// Where the user sees it: for macro expansions the place of the macro's use.
-    /// Of what a macro makes: where it stands in the macro, or in its arguments. Unknown if the macro glued it together.
+    /// For text from a macro: where it is written, in the macro or its arguments. Unknown if the macro pasted it together.
     diag::Location locateWritten(const clang::SourceManager& sources, clang::SourceLocation at) const;
+    /// For text from a macro: where the macro is used.
     diag::Location locate(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
-    /// Whether it stands in one of the listed headers.
+    /// True if the place is in one of the listed headers.
     bool isListed(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
-    /// The listed header that brought this place in, the first of a chain of #includes; empty if none did.
+    /// Returns the listed header through which this place was included, the first in the chain; empty if there is none.
     std::string listedAbove(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
 private:

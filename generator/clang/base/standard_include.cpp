@@ -66,7 +66,7 @@ llvm::StringRef wordAt(llvm::StringRef text) {
     return text.take_while([](char c) { return clang::isAsciiIdentifierContinue(c); });
 }
 
-/// "vector" where the text at the place is `std::vector`.
+/// Returns "vector" if the text at the place is `std::vector`.
 llvm::StringRef nameBehindStd(const clang::Diagnostic& info) {
     if (!info.hasSourceManager() || info.getLocation().isInvalid()) return "";
     const clang::SourceManager& sources = info.getSourceManager();
@@ -87,11 +87,11 @@ std::string missingInclude(const clang::Diagnostic& info, llvm::StringRef messag
     llvm::StringRef name = behind;
     const bool isStd = name.consume_front("std::") || message.contains("in namespace 'std'");
     name = wordAt(name);
-    // Not one header of the library was included before.
+    // No header of the library has been included before.
     if (name == "std" && before.contains("undeclared"))
         return missingInclude(info, ("'std::" + nameBehindStd(info)).str());
     const std::string header = headerOf(name);
-    // Without std:: only C's names are those of the library.
+    // Without std::, only names of C are meant to be the library's.
     const bool isMeant = isStd || (before.contains("unknown type name") && (header == "cstdint" || name == "size_t"));
     const bool isUnknown = isStd ? before.contains("no ") || before.contains("undefined") || before.empty() : true;
     return header.empty() || !isMeant || !isUnknown ? "" : "#include <" + header + ">";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which header is missing where the compiler does not know a name of the standard library.
+/// Finds the missing header if the compiler does not know a name of the standard library.
 #ifndef OROFORGE_GENERATOR_CLANG_BASE_STANDARD_INCLUDE_HPP
 #define OROFORGE_GENERATOR_CLANG_BASE_STANDARD_INCLUDE_HPP
 
@@ -10,7 +10,7 @@
 
 namespace oroforge::cxx {
 
-/// "#include <vector>" for an error about std::vector, `message` being its words; empty if it is about something else.
+/// Returns "#include <vector>" for an error about std::vector with this `message`; empty for other errors.
 std::string missingInclude(const clang::Diagnostic& info, llvm::StringRef message);
 
 }  // namespace oroforge::cxx

@@ -17,7 +17,7 @@ bool isThere(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-/// Where CMake took the sources of a build tree from, as its cache tells.
+/// Returns the source folder of a build tree, from its CMake cache.
 fs::path sourcesOf(const fs::path& buildTree) {
     const std::string key = "CMAKE_HOME_DIRECTORY:INTERNAL=";
     std::ifstream cache(buildTree / "CMakeCache.txt");
@@ -27,7 +27,7 @@ fs::path sourcesOf(const fs::path& buildTree) {
     return {};
 }
 
-/// Named once more, such a folder comes before the standard library, whose #include_next then finds nothing.
+/// If repeated, such a folder would come before the standard library, whose #include_next then finds nothing.
 bool isOfCompiler(const fs::path& folder) { return folder == "/usr/include" || folder == "/usr/local/include"; }
 
 bool names(const std::string& word, const fs::path& folder) {

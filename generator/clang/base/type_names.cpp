@@ -8,13 +8,13 @@ namespace {
 
 using clang::BuiltinType;
 
-/// The name of the declaration itself, or of the typedef that a C-style `typedef struct {…} T;` gives it.
+/// Returns the name of the declaration, or of its typedef in C style: `typedef struct {…} T;`.
 std::string ownName(const clang::TagDecl& type) {
     if (const clang::TypedefNameDecl* alias = type.getTypedefNameForAnonDecl()) return alias->getNameAsString();
     return type.getNameAsString();
 }
 
-/// The field for which an unnamed struct is there, as in `struct { int x; } place;`: the first, if there are several.
+/// Returns the field that an unnamed struct belongs to, as in `struct { int x; } place;`: the first of several.
 const clang::FieldDecl* fieldOfUnnamed(const clang::TagDecl& type) {
     const auto* record = llvm::dyn_cast<clang::RecordDecl>(&type);
     const auto* owner = llvm::dyn_cast<clang::RecordDecl>(type.getDeclContext());
@@ -28,7 +28,7 @@ const clang::FieldDecl* fieldOfUnnamed(const clang::TagDecl& type) {
     return nullptr;
 }
 
-/// What such a struct is called: by its field, as it has no other name.
+/// Names such a struct by its field, because it has no other name.
 std::optional<TypeName> nameByField(const clang::FieldDecl& field) {
     const clang::RecordDecl* owner = field.getParent();
     while (owner->isAnonymousStructOrUnion()) owner = llvm::cast<clang::RecordDecl>(owner->getParent());
@@ -41,7 +41,7 @@ std::optional<TypeName> nameByField(const clang::FieldDecl& field) {
     return TypeName{cpp, outer->registry + "/" + own};
 }
 
-/// An enumerator of that value; nothing if there is none, or if it has no name that others may use.
+/// Returns an enumerator with that value; nothing if there is none, or if other code cannot name it.
 std::optional<TypeName> nameOfEnumerator(const clang::EnumDecl& type, const llvm::APSInt& value) {
     const auto name = nameOf(type);
     const clang::EnumDecl* definition = type.getDefinition();
@@ -100,7 +100,7 @@ bool addScope(const clang::DeclContext* scope, TypeName& name) {
     scope = scope->getRedeclContext();
     if (scope->isTranslationUnit()) return true;
     if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(scope)) {
-        // std::__cxx11 and the like are a matter of the one library that this machine has.
+        // std::__cxx11 and the like belong to the particular library of this machine.
         if (space->isInline() && isStandard(*space) && space->getName().starts_with("_"))
             return addScope(space->getDeclContext(), name);
         return addPart(*space, space->getNameAsString(), name);
@@ -160,7 +160,7 @@ std::optional<TypeName> nameOf(const BuiltinType& type, const clang::ASTContext&
         case BuiltinType::UShort: return TypeName{"unsigned short", "/uint16_t"};
         case BuiltinType::Int: return TypeName{"int", "/int32_t"};
         case BuiltinType::UInt: return TypeName{"unsigned int", "/uint32_t"};
-        // Of the two 64-bit types one is std::int64_t; the other keeps RTT's name, for they are different C++ types.
+        // One of the two 64-bit types is std::int64_t; the other keeps RTT's name, because it is another C++ type.
         case BuiltinType::Long: return TypeName{"long", isWidth(type, 64, true, context) ? "/int64_t" : "/long"};
         case BuiltinType::ULong:
             return TypeName{"unsigned long", isWidth(type, 64, false, context) ? "/uint64_t" : "/ulong"};
@@ -187,7 +187,7 @@ std::string namespaceOf(const clang::TagDecl& type) {
 std::string unnamedArgument(const clang::TagDecl& type) {
     const clang::ASTContext& context = type.getASTContext();
     const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&type);
-    if (instance == nullptr) {  // it may be a member of an instance
+    if (instance == nullptr) {  // a member of an instance, perhaps
         const auto* outer = llvm::dyn_cast<clang::TagDecl>(type.getDeclContext());
         return outer != nullptr ? unnamedArgument(*outer) : "";
     }
@@ -213,7 +213,7 @@ std::string shownName(const clang::TagDecl& type) {
 
 std::string shownName(clang::QualType type, const clang::ASTContext& context) {
     clang::PrintingPolicy policy(context.getLangOpts());
-    policy.AnonymousTagLocations = false;  // they would hold paths of this machine
+    policy.AnonymousTagLocations = false;  // these would contain paths of this machine
     return type.getAsString(policy);
 }
 

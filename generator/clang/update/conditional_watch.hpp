@@ -12,7 +12,7 @@
 
 namespace oroforge::cxx {
 
-/// Notes each #if … #endif in files of the package, and which lines the compiler skips, while they are read.
+/// Records each #if … #endif in files of the package, and the lines that the compiler skips, while they are read.
 void watchConditionals(clang::Preprocessor& preprocessor, const SourceRun& run,
                        std::map<std::string, model::Conditionals>& into);
 

@@ -101,7 +101,7 @@ private:
     void findReturns(const clang::FunctionTypeLoc& type) {
         const auto* prototype = function_.getType()->getAs<clang::FunctionProtoType>();
         if (prototype != nullptr && prototype->hasTrailingReturn()) return findTrailing(type);
-        // With attributes before it, or specifiers behind it, the type is not told apart.
+        // With attributes before the type, or specifiers after it, its span is not known.
         Words words(context_, function_.getBeginLoc());
         clang::Token token;
         model::Span found;
@@ -163,7 +163,7 @@ private:
         if (one.name.empty()) one.type = one.whole;
         if (endsInName) one.type = {one.whole.begin, beforeLast};
         if (one.isMacro) one.type = {};
-        // A definition has the default value of its declaration, but not its text.
+        // A definition inherits the default value of its declaration, but not its text.
         const clang::SourceRange value =
             parameter.hasInheritedDefaultArg() ? clang::SourceRange() : parameter.getDefaultArgRange();
         if (value.isValid()) {
@@ -234,7 +234,7 @@ void fillSpans(const clang::CXXMethodDecl& function, const clang::Decl& outer, c
 }
 
 model::CanonicalSignature canonicalSignature(const clang::FunctionDecl& function) {
-    // An 'override' that overrides nothing any more makes no type unknown; int takes the place of those that are.
+    // An 'override' without a base function does not make types unknown, but clang puts int where a type is unknown.
     const bool isInt = function.getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Int);
     const bool onlyOverride = function.hasAttr<clang::OverrideAttr>() && !isInt;
     if ((function.isInvalidDecl() && !onlyOverride) || function.isVariadic()) return {};

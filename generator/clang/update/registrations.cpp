@@ -61,7 +61,7 @@ const clang::StringLiteral* literalOf(const clang::Expr* value) {
     return text != nullptr && text->isOrdinary() ? text : nullptr;
 }
 
-/// Adds "gripper" for provides("gripper"). False if what the call is made on may be any service.
+/// Adds "gripper" for provides("gripper"). Returns false if the object may be any service.
 bool readService(const clang::Expr* object, std::string& service) {
     object = plain(object);
     if (const auto* arrow = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(object))
@@ -133,7 +133,7 @@ private:
                            places_.offset(behindWord(context_, name->getLocation()))};
     }
 
-    /// The calls of doc() and arg() around `call`. False if there is anything else.
+    /// Reads the calls of doc() and arg() around `call`. Returns false if there is anything else.
     bool readTexts(const clang::Expr* whole, const clang::CallExpr* call, model::UserRegistration& into) const {
         whole = plain(whole);
         if (whole == call) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Calls in methods that make members known to the component: addPort("level", level_).
+/// Finds calls in methods that register members with the component: addPort("level", level_).
 #ifndef OROFORGE_GENERATOR_CLANG_UPDATE_REGISTRATIONS_HPP
 #define OROFORGE_GENERATOR_CLANG_UPDATE_REGISTRATIONS_HPP
 
@@ -15,7 +15,7 @@ namespace oroforge::cxx {
 
 std::vector<model::UserRegistration> registrationsIn(const clang::CXXMethodDecl& method, const PackagePlaces& places);
 
-/// The first string in an initialiser; empty if there is none.
+/// Returns the first string in an initialiser; empty if there is none.
 std::string firstString(const clang::Stmt* value);
 
 }  // namespace oroforge::cxx

@@ -31,7 +31,7 @@ public:
         message.kind = kindOf(info.getID());
         if (info.hasSourceManager() && info.getLocation().isValid()) {
             const PackagePlaces places(info.getSourceManager(), run_);
-            // What stands behind the source is ours; types that are gone make it fail, and that is answer enough.
+            // Text after the source is generated: a missing type makes a probe fail, and that is the answer.
             if (places.isBehind(info.getLocation())) return;
             message.where = places.locate(info.getLocation());
         }

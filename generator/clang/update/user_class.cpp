@@ -18,8 +18,8 @@ namespace {
 
 const char* const kProbe = "oroforge_probe_";
 
-/// Functions that have the signatures in question, in the namespace of the class: what the types mean there, the
-/// compiler knows best.
+/// Returns functions with the signatures in question, in the namespace of the class, where the compiler finds out what
+/// the types mean.
 std::string probes(const UserCodeRequest& request) {
     std::string marks, functions;
     for (std::size_t i = 0; i != request.classes.size(); ++i) {
@@ -27,7 +27,7 @@ std::string probes(const UserCodeRequest& request) {
         const std::size_t end = wanted.name.rfind("::");
         const std::string open = end == std::string::npos ? "" : "namespace " + wanted.name.substr(0, end) + " {\n";
         const std::string close = end == std::string::npos ? "" : "}\n";
-        // First of all, so that no type that is unknown here can hide it.
+        // The marks come first, so that an unknown type cannot hide one.
         marks += open + "struct " + (kProbe + std::to_string(i)) + " {};\n" + close;
         functions += open;
         for (std::size_t j = 0; j != wanted.signatures.size(); ++j) {
@@ -42,7 +42,7 @@ std::string probes(const UserCodeRequest& request) {
     return "\n\n" + marks + functions;
 }
 
-/// What the sources tell, put together.
+/// The findings of all sources.
 struct Found {
     model::UserCode code;
     std::vector<std::vector<model::CanonicalSignature>> canonical;
@@ -66,7 +66,7 @@ bool derivesFrom(const clang::CXXRecordDecl& type, const std::string& base) {
     return false;
 }
 
-/// "InputPort" and so on, and its argument, if the type is RTT's.
+/// Returns "InputPort" and so on, with its argument, if the type is RTT's.
 const clang::ClassTemplateSpecializationDecl* wrapperOf(clang::QualType type, std::string& name) {
     const auto* record =
         llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type.getCanonicalType()->getAsCXXRecordDecl());
@@ -97,7 +97,7 @@ public:
         places_ = nullptr;
     }
 
-    /// Whether what stands behind the source was where it belongs: all braces before it are closed.
+    /// True if the text after the source was read at the outermost level: all braces before it are closed.
     bool sawProbes() const { return probes_ == request_.classes.size(); }
     const std::set<std::string>& files() const { return files_; }
 
@@ -142,7 +142,7 @@ private:
         } else if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named)) {
             const std::size_t j = std::strtoul(rest + 1, nullptr, 10);
             model::CanonicalSignature& known = found_.canonical[i][j];
-            // Each source includes what it likes: the one that knows the types tells.
+            // Sources include different headers: the first one that knows the types answers.
             if (!known.known()) known = canonicalSignature(*function);
         }
     }
@@ -166,7 +166,7 @@ private:
         const WantedClass* wanted = wantedFor(type);
         if (wanted == nullptr) return;
         model::UserClass& into = classNamed(wanted->name);
-        if (!into.file.empty()) return readMembers(type, into);  // a header that several sources include
+        if (!into.file.empty()) return readMembers(type, into);  // several sources include this header
         const clang::SourceRange braces = type.getBraceRange();
         into.file = file;
         into.where = places_->locate(type.getLocation());
@@ -278,7 +278,7 @@ private:
         into.fields.push_back(std::move(one));
     }
 
-    /// Of a port what stands between its '<' and '>', and the word before them. Nothing where several names share a type.
+    /// For a port, returns the text between '<' and '>', and the word before it. Nothing if several names share a type.
     model::Span typeSpan(const clang::FieldDecl& field, const std::string& wrapper, model::Span& wrapperWord) const {
         clang::TypeLoc type = field.getTypeSourceInfo()->getTypeLoc();
         Words words(field.getASTContext(), field.getBeginLoc());
@@ -332,7 +332,7 @@ void tell(const SourceRun& run, const std::vector<CompileMessage>& messages, boo
         }
         if (message.kind != CompileMessage::Syntax) continue;
         syntax = true;
-        // One slip makes many words hard to read.
+        // One mistake makes many words hard to read.
         if (++told > 3) continue;
         sink.error(where, "OC037", message.text);
     }
@@ -371,7 +371,7 @@ model::UserCode readUserCode(const UserCodeRequest& request,
             sink.error({request.shown + file, 0, 0}, "OC037", "the compiler could not be started with these options");
             return;
         }
-        // A test that lacks the header of its test macros, say, is nobody's business here.
+        // A source without its headers, such as a test without its macros, counts only if it has such a class.
         const bool lacksHeaders = std::any_of(messages.begin(), messages.end(), [](const CompileMessage& one) {
             return one.kind == CompileMessage::MissingFile;
         });
