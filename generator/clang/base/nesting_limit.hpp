@@ -11,7 +11,7 @@ namespace oroforge::cxx {
 /// clang itself limits brackets and the depth of instances, but neither '<' nor operators without brackets.
 class NestingLimit {
 public:
-    /// Takes each word in turn. After the limit, reports a fatal error once and turns every word into the end of the text.
+    /// Takes each word in turn. After the limit it reports one fatal error, and makes every word the end of the text.
     void take(const clang::Token& token, clang::DiagnosticsEngine& engine);
 
 private:

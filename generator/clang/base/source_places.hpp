@@ -27,7 +27,7 @@ public:
     explicit SourcePlaces(const std::vector<model::Header>& headers, std::string program = "typegen");
     const std::string& program() const { return program_; }
 
-    /// For text from a macro: where it is written, in the macro or its arguments. Unknown if the macro pasted it together.
+    /// For text from a macro: where it is written, in the macro or its arguments. Unknown if the macro pasted it.
     diag::Location locateWritten(const clang::SourceManager& sources, clang::SourceLocation at) const;
     /// For text from a macro: where the macro is used.
     diag::Location locate(const clang::SourceManager& sources, clang::SourceLocation at) const;

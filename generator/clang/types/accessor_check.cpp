@@ -4,7 +4,7 @@
 
 namespace oroforge::cxx {
 
-/// Takes the place of the reader of the compiler's errors for a while.
+/// Replaces the compiler's diagnostic consumer for a while.
 class AccessorCheck::FirstError : public clang::DiagnosticConsumer {
 public:
     explicit FirstError(clang::DiagnosticsEngine& engine)
@@ -24,7 +24,7 @@ public:
         info.FormatDiagnostic(text);
         text_ = text.str().str();
     }
-    /// "failed" if the compiler did not say why.
+    /// Returns the first error; a default text if there was a failure without one.
     std::string text(bool failed) const {
         return !text_.empty() || !failed ? text_ : "it makes no sense to the compiler";
     }
@@ -83,7 +83,7 @@ Accessed AccessorCheck::access(const adapters::Accessor& accessor, bool isConst,
     FirstError errors(context_.getDiagnostics());
     clang::ExprResult made = makeObject(isConst ? type_.withConst() : type_);
     for (const adapters::Step& step : accessor.steps) {
-        // Of a function only the call has a value.
+        // A function has no value; only its call has.
         if (made.isUsable() && step.kind != adapters::Step::Kind::Call) made = sema_.CheckPlaceholderExpr(made.get());
         if (made.isUsable()) made = apply(made.get(), step, value);
         if (!made.isUsable()) break;

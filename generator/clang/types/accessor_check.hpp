@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Asks the compiler what an accessor means for a class, as if the expression stood in the source.
+/// Asks the compiler what an accessor means for a class, as if the expression were in the source.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_ACCESSOR_CHECK_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_ACCESSOR_CHECK_HPP
 
@@ -14,14 +14,14 @@
 
 namespace oroforge::cxx {
 
-/// The expression that an accessor makes, or why it makes none.
+/// The expression that an accessor makes, or the error that it causes.
 struct Accessed {
     clang::Expr* expression = nullptr;
-    std::string error;  ///< the compiler's words
+    std::string error;  ///< in the compiler's words
 
-    /// Without reference, const and volatile.
+    /// The type without reference, const and volatile.
     clang::QualType valueType() const;
-    /// An object of that type that may be changed, and has an address.
+    /// True if it is an object of that type that can be changed and has an address.
     bool isPlace() const;
 };
 
@@ -32,19 +32,19 @@ public:
     AccessorCheck(const AccessorCheck&) = delete;
     AccessorCheck& operator=(const AccessorCheck&) = delete;
 
-    /// Further arguments that calls may have.
+    /// Sets more arguments that calls may have.
     void setWords(std::map<std::string, clang::QualType> words) { words_ = std::move(words); }
 
-    /// Why such a call of its constructor makes no value; empty if it does.
+    /// Returns why a call of the constructor with these arguments fails; empty if it does not.
     std::string construct(const std::vector<clang::QualType>& arguments);
 
-    /// Why what was accessed is no value that everybody can make: by a static function, of the class or of what becomes one.
+    /// Returns why the accessor makes no value of the class; it must call a static function that returns one.
     std::string makesValue(const Accessed& made);
 
-    /// Of a const object if it is only to be read. "value" is an argument of type `value`, all others are std::size_t.
+    /// Uses a const object if it is only read. "value" is an argument of type `value`, all others are std::size_t.
     Accessed access(const adapters::Accessor& accessor, bool isConst, clang::QualType value = {});
 
-    /// Why a value of that type cannot be assigned to it; empty if it can. Also not, if that would change a copy only.
+    /// Returns why a value of that type cannot be assigned to it; empty if it can. Assigning to a copy is a fault, too.
     std::string assign(const Accessed& target, clang::QualType value);
 
 private:

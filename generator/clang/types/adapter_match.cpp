@@ -38,8 +38,8 @@ std::vector<std::string> classesIn(const clang::DeclContext& scope) {
     return names;
 }
 
-/// The class or class template of that name; else null, and a warning unless the adapter came with typegen: in
-/// `misspelt` if there is one of nearly that name, else in `absent`.
+/// Finds the class or class template of that name. Otherwise returns null and, unless the adapter is shipped, adds a
+/// warning: to `misspelt` if there is a similar name, else to `absent`.
 const clang::NamedDecl* declarationOf(const adapters::Adapter& adapter, clang::ASTContext& context,
                                       diag::Sink& misspelt, diag::Sink& absent) {
     const clang::DeclContext* scope = context.getTranslationUnitDecl();
@@ -70,7 +70,7 @@ const clang::Decl* canonical(const clang::NamedDecl& found) {
     return found.getCanonicalDecl();
 }
 
-/// Whether an adapter with these arguments can fit any instance; an error if not.
+/// True if an adapter with these arguments can fit an instance; else reports an error.
 bool canFit(const adapters::Adapter& adapter, const clang::Decl* declaration, diag::Sink& sink) {
     const auto* pattern = llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(declaration);
     const auto fail = [&](const std::string& message) {
@@ -143,7 +143,7 @@ std::optional<clang::QualType> typeCalled(const std::string& name, clang::ASTCon
 
 AdapterFinder::AdapterFinder(const std::vector<adapters::Adapter>& all, const clang::ASTContext& context,
                              diag::Sink& sink) {
-    // Names are looked up in a table that may grow by it.
+    // The lookup may add names to the compiler's table.
     auto& table = const_cast<clang::ASTContext&>(context);
     diag::Sink absent;
     std::set<std::string> used;
@@ -154,8 +154,8 @@ AdapterFinder::AdapterFinder(const std::vector<adapters::Adapter>& all, const cl
         const clang::Decl* declaration = canonical(*found);
         if (canFit(adapter, declaration, sink)) entries_.push_back({&adapter, declaration});
     }
-    // Packages share files of adapters, and each has only some of the classes: a file of which none is there was given in
-    // vain.
+    // Packages share adapter files, and each package has only some of the classes: warn only about files of which no
+    // class exists.
     for (const diag::Diagnostic& one : absent.all())
         if (used.count(one.where.file) == 0) sink.add(one);
 }

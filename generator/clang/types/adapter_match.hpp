@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which adapter is meant for a class.
+/// Finds the adapter for a class.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_ADAPTER_MATCH_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_ADAPTER_MATCH_HPP
 
@@ -17,18 +17,18 @@ namespace oroforge::cxx {
 
 struct AdapterMatch {
     const adapters::Adapter* adapter;
-    std::map<std::string, std::string> cpp;    ///< what the variables stand for in C++ …
-    std::map<std::string, std::string> names;  ///< … and in the type registry, without a leading '/'
+    std::map<std::string, std::string> cpp;    ///< C++ for the variables
+    std::map<std::string, std::string> names;  ///< the same in the type registry, without a leading '/'
 };
 
-/// What that name means in C++: a number or text, a class, an enum or an alias; nothing, and the nearest name that there is.
+/// Returns the C++ type of that name: a number, text, class, enum or alias; nothing, and the nearest known name.
 std::optional<clang::QualType> typeCalled(const std::string& name, clang::ASTContext& context, std::string& nearest);
 
 class AdapterFinder {
 public:
     AdapterFinder(const std::vector<adapters::Adapter>& all, const clang::ASTContext& context, diag::Sink& sink);
 
-    /// The first that fits; nothing if there is none.
+    /// Returns the first adapter that fits; nothing if there is none.
     std::optional<AdapterMatch> find(const clang::CXXRecordDecl& type) const;
 
 private:

@@ -22,7 +22,7 @@ void set(DocComment& doc, llvm::StringRef name, const std::string& value) {
     if (name == "by_value") doc.byValue = true;
 }
 
-/// Where the declaration before this one ends, or its class begins: attributes behind that may be this one's.
+/// Returns the end of the declaration before this one, or its class's beginning: attributes after that may be its own.
 clang::SourceLocation beginOf(const clang::Decl& declaration) {
     clang::SourceLocation begin;
     const clang::DeclContext* scope = declaration.getLexicalDeclContext();
@@ -40,7 +40,7 @@ clang::SourceLocation beginOf(const clang::Decl& declaration) {
     return begin;
 }
 
-/// Of a type: its head, without what is inside.
+/// For a type, returns the end of its head.
 clang::SourceLocation endOf(const clang::Decl& declaration) {
     const auto* tag = llvm::dyn_cast<clang::TagDecl>(&declaration);
     return tag != nullptr && tag->isThisDeclarationADefinition() ? tag->getBraceRange().getBegin()

@@ -17,7 +17,7 @@ Rejection aboutType(Reason reason, const clang::TagDecl& type, clang::SourceLoca
     return rejection;
 }
 
-/// The first virtual function that is written in the class, else the class.
+/// Returns the place of the first virtual function written in the class, else the place of the class.
 clang::SourceLocation virtualPlace(const clang::CXXRecordDecl& type) {
     for (const clang::CXXMethodDecl* method : type.methods()) {
         if (method->isVirtual() && !method->isImplicit()) return method->getLocation();
@@ -35,10 +35,10 @@ clang::SourceLocation placeOf(const clang::FunctionDecl* function, const clang::
     return written ? function->getLocation() : type.getLocation();
 }
 
-/// As `struct stat` and `stat()`: the name alone then means the function, also in generated code.
+/// True for names such as `struct stat` and `stat()`: the name alone then means the function, also in generated code.
 bool sharesName(const clang::TagDecl& type) {
     if (type.getIdentifier() == nullptr) return false;
-    // Of <sys/time.h>. The variable is in <time.h>, which may not be among the headers, but is in all generated code.
+    // From <sys/time.h>. The variable is in <time.h>, which the headers may lack, but generated code includes.
     if (type.getName() == "timezone" && type.getDeclContext()->getRedeclContext()->isTranslationUnit()) return true;
     for (const clang::NamedDecl* other : type.getDeclContext()->getRedeclContext()->lookup(type.getDeclName()))
         if (llvm::isa<clang::ValueDecl, clang::FunctionTemplateDecl>(other->getUnderlyingDecl())) return true;
@@ -60,7 +60,7 @@ void complete(const clang::TagDecl& type, clang::Sema& sema, clang::SourceLocati
     const auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(&type);
     if (enumeration == nullptr || enumeration->getDefinition() != nullptr) return;
     const clang::EnumDecl* pattern = enumeration->getInstantiatedFromMemberEnum();
-    // Else there is nothing to make it from, which would be an error.
+    // Without a definition in the template, completing the enum would be an error.
     if (pattern != nullptr && pattern->getDefinition() != nullptr)
         sema.RequireCompleteEnumDecl(const_cast<clang::EnumDecl*>(enumeration), at);
 }
@@ -93,7 +93,7 @@ bool isCopyable(const clang::CXXRecordDecl& type, clang::Sema& sema) {
 }
 
 std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema, Nature& nature) {
-    // Looking a member up may declare it implicitly; that is why the class is not const for clang.
+    // Looking a member up may declare it implicitly, so clang takes a class that is not const.
     auto* record = const_cast<clang::CXXRecordDecl*>(&type);
     std::vector<Rejection> found;
     const clang::FunctionDecl* construct = sema.LookupDefaultConstructor(record);
@@ -102,7 +102,7 @@ std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, cla
     }
     const clang::FunctionDecl* assign = sema.LookupCopyingAssignment(record, clang::Qualifiers::Const, false, 0);
     nature.assignable = isOpen(assign);
-    // The compiler left it out because of a constant member.
+    // The compiler deleted it because of a constant member.
     if (nature.mayBeConstant && !type.hasUserDeclaredCopyAssignment() && !type.hasUserDeclaredMoveOperation())
         assign = nullptr;
     else

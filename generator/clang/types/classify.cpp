@@ -21,7 +21,7 @@ Classified classifyBuiltin(clang::QualType type, const clang::BuiltinType& built
     return reject(isWide ? Reason::WideScalar : Reason::OtherType, type);
 }
 
-/// Of `const char*`; an `unsigned char*` points to data.
+/// True for the pointee of `const char*`; an `unsigned char*` points to data.
 bool isText(const clang::Type& pointee) {
     return pointee.isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
            pointee.isSpecificBuiltinType(clang::BuiltinType::Char_U);
@@ -56,7 +56,7 @@ Classified classifyRecord(clang::QualType type, const clang::CXXRecordDecl& reco
     return result;
 }
 
-/// Rows of `double m[3][4]` are seen as std::array<double, 4>.
+/// Shows rows of `double m[3][4]` as std::array<double, 4>.
 Classified asRow(Classified row) {
     if (!row.use || row.count == 0) return row;
     const std::string count = std::to_string(row.count);
@@ -70,7 +70,7 @@ Classified asRow(Classified row) {
     return row;
 }
 
-/// The element type and size of `E m[N]` and std::array<E, N>; 0 elements: it is another type.
+/// The element type and size of `E m[N]` and std::array<E, N>; count is 0 for other types.
 struct ArrayShape {
     clang::QualType element;
     std::uint64_t count = 0;
@@ -96,7 +96,7 @@ Classified classifyArray(const ArrayShape& shape, const clang::ASTContext& conte
     if (shape.isClass) {
         result.declared = "std::array<" + inner + ", " + count + ">";
     } else {
-        // The outer bound comes first: behind "double[4]" three of them are "double[3][4]".
+        // The outer bound comes first: three elements of "double[4]" are "double[3][4]".
         std::size_t bounds = inner.size();
         while (inner[bounds - 1] == ']') bounds = inner.rfind('[', bounds - 1);
         result.declared = inner.substr(0, bounds) + "[" + count + "]" + inner.substr(bounds);
@@ -104,7 +104,7 @@ Classified classifyArray(const ArrayShape& shape, const clang::ASTContext& conte
     return result;
 }
 
-/// std::array<int[2], 3>, or one of these.
+/// True for std::array<int[2], 3>, or a std::array of such arrays.
 bool holdsCArrays(const ArrayShape& shape, const clang::ASTContext& context) {
     if (!shape.isClass) return false;
     return shape.element->isConstantArrayType() || holdsCArrays(shapeOf(shape.element, context), context);

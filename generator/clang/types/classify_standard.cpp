@@ -43,8 +43,8 @@ const std::map<std::string, Reason>& rejectedTypes() {
     return all;
 }
 
-/// A class template of the standard library that typekits hold: what kind it is, and how many of its arguments are values
-/// of their own; those behind (allocators, comparisons) only make the name longer, unless they are the usual ones.
+/// A class template of the standard library that typekits support: its kind, and how many of its arguments are values.
+/// Later arguments (allocators, comparisons) only make the name longer, unless they are the defaults.
 struct Container {
     TypeKind kind;
     unsigned values;
@@ -76,13 +76,13 @@ bool isBuiltin(const clang::TemplateArgument& argument, clang::BuiltinType::Kind
     return argument.getKind() == clang::TemplateArgument::Type && argument.getAsType()->isSpecificBuiltinType(kind);
 }
 
-/// Whether it is the argument that the standard library takes by itself.
+/// True for an argument that the standard library has by default.
 bool isUsual(const clang::TemplateArgument& argument) {
     static const std::set<std::string> usual = {"allocator", "char_traits", "less", "hash", "equal_to"};
     if (argument.getKind() != clang::TemplateArgument::Type) return false;
     const clang::CXXRecordDecl* record = argument.getAsType()->getAsCXXRecordDecl();
     if (record == nullptr || !record->isInStdNamespace() || usual.count(record->getNameAsString()) == 0) return false;
-    // std::less<> compares anything with anything, and makes another type of the container.
+    // std::less<> compares any types, and makes the container another type.
     const auto* instance = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
     return instance == nullptr || !instance->getTemplateArgs()[0].getAsType()->isVoidType();
 }
@@ -128,7 +128,7 @@ private:
     Classified fault_;
 };
 
-/// "std::map<K, V>" and "/std/map<K,V>": the parts, and what is unusual behind them.
+/// Returns "std::map<K, V>" and "/std/map<K,V>" from the parts, and other unusual arguments after them.
 TypeName nameOfInstance(const std::string& name, const std::vector<model::TypeUse>& parts,
                         const std::vector<TypeName>& more) {
     TypeName result{"std::" + name + "<", "/std/" + name + "<"};
@@ -144,7 +144,7 @@ TypeName nameOfInstance(const std::string& name, const std::vector<model::TypeUs
     return result;
 }
 
-/// The arguments from `first` on, if one of them is unusual; nothing if one of them cannot be named.
+/// Returns the arguments from `first` on if one of them is unusual; nothing if one of them cannot be named.
 std::optional<std::vector<TypeName>> unusual(const clang::TemplateArgumentList& arguments, unsigned first) {
     const auto rest = arguments.asArray().drop_front(first);
     std::vector<TypeName> names;

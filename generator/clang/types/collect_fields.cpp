@@ -31,7 +31,7 @@ Rejection makeRejection(Reason reason, std::string subject, std::string type, cl
     return rejection;
 }
 
-/// The names of all fields, those of base classes and anonymous structs included.
+/// Adds the names of all fields, including those of base classes and anonymous structs.
 void addNames(const clang::CXXRecordDecl& type, std::multiset<std::string>& names) {
     for (const clang::CXXBaseSpecifier& base : type.bases()) {
         const auto* record = base.getType()->getAsCXXRecordDecl();
@@ -45,7 +45,7 @@ void addNames(const clang::CXXRecordDecl& type, std::multiset<std::string>& name
     }
 }
 
-/// "0.5" of `double gain = 0.5;`
+/// Returns "0.5" for `double gain = 0.5;`.
 std::string initialOf(const clang::FieldDecl& field) {
     const clang::Expr* value = field.getInClassInitializer();
     if (value == nullptr) return "";
@@ -54,7 +54,7 @@ std::string initialOf(const clang::FieldDecl& field) {
     return clang::Lexer::getSourceText(range, context.getSourceManager(), context.getLangOpts()).str();
 }
 
-/// Whether a field of the base class cannot be told from others of the type by its name.
+/// True if a field of the base class has the same name as another field of the type.
 bool hasAmbiguousName(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base) {
     std::multiset<std::string> all, inherited;
     addNames(type, all);
@@ -101,14 +101,14 @@ void FieldCollector::addBase(const clang::CXXRecordDecl& type, const clang::CXXB
         rejections_.resize(before);
         rejection.type.clear();
         rejection.isInBase = true;
-        // The user's own base class speaks for itself, at its own fields; but that it is left out says nothing of others.
+        // Faults of the user's own base class are reported at its fields, unless the base class is left out.
         broken_ = true;
         if (types_.isOwn(base) && !types_.isLeftOut(base)) return;
     }
     rejections_.push_back(rejection);
 }
 
-/// A base class of which a field has the name of another one, or that has an adapter, is a member of its own.
+/// A base class whose field names clash, or that has an adapter, is shown as a member.
 void FieldCollector::addWholeBase(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& base,
                                   const clang::CXXBaseSpecifier& specifier, std::uint64_t offset) {
     const Classified whole = classifyValue(types_.context().getTypeDeclType(&base), types_.context());
@@ -151,7 +151,7 @@ std::vector<Rejection> FieldCollector::rejections() const {
 }
 
 void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits) {
-    if (field.isUnnamedBitField()) {  // padding only, and only where it fits compilers agree on it
+    if (field.isUnnamedBitField()) {  // only padding; compilers agree on it only if it fits its type
         const clang::ASTContext& context = types_.context();
         if (field.getBitWidthValue(context) > context.getTypeSize(field.getType())) reject(field, Reason::WideBitField);
         return;
@@ -179,12 +179,12 @@ void FieldCollector::addField(const clang::FieldDecl& field, std::uint64_t bits)
     model::Field& added = addClassified(field, name, classifyMember(field.getType(), context));
     added.offset = bits / 8;
     if (added.type.kind != model::TypeKind::Count || added.count != 0) return;
-    // The number is all there is in it, so that scripts may compute with it.
+    // It holds only this number, so scripts may compute with it.
     const model::TypeUse number = added.type.element.front();
     added.type = number;
 }
 
-/// Without a name of its own the enum is the number behind it; not converted, for it may hold what no enumerator does.
+/// An enum without a name is shown as its number; it is not converted, because it may hold a value without enumerator.
 void FieldCollector::addUnnamedEnum(const clang::FieldDecl& field, const clang::EnumDecl& type) {
     const std::string name = field.getNameAsString();
     const Classified number = classifyMember(type.getIntegerType(), types_.context());
@@ -200,7 +200,7 @@ void FieldCollector::addForm(const clang::FieldDecl& field, const FieldForm& for
     hasConstants_ = hasConstants_ || form.access.isConstant();
 }
 
-/// A field at an address that does not suit its type must not be referred to.
+/// No reference can bind to a field that is not aligned for its type.
 void FieldCollector::addPacked(const clang::FieldDecl& field, std::uint64_t offset) {
     if (!field.getType().isTriviallyCopyableType(types_.context())) return reject(field, Reason::Misaligned);
     const std::string name = field.getNameAsString();

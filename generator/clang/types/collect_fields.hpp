@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The fields of a struct, those of its base classes and anonymous structs included, with their offsets.
+/// Collects the fields of a struct, including those of base classes and anonymous structs, with their offsets.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_COLLECT_FIELDS_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_COLLECT_FIELDS_HPP
 
@@ -23,9 +23,9 @@ public:
     const std::vector<model::Field>& fields() const { return fields_; }
     std::vector<Rejection> rejections() const;
 
-    /// A field's type is faulty and that has been reported where the type is defined.
+    /// True if the type of a field is faulty, and that has been reported where the type is defined.
     bool broken() const { return broken_; }
-    /// A field cannot be assigned.
+    /// True if a field cannot be assigned.
     bool hasConstants() const { return hasConstants_; }
 
 private:
@@ -38,7 +38,7 @@ private:
     void addForm(const clang::FieldDecl& field, const FieldForm& form, std::uint64_t bits);
     void addPacked(const clang::FieldDecl& field, std::uint64_t offset);
     void addByCopy(const clang::FieldDecl& field, const std::string& name, const model::FieldAccess& access);
-    /// The field that was added, or one that nobody sees if it was rejected.
+    /// Returns the added field, or a dummy if it was rejected.
     model::Field& addClassified(const clang::FieldDecl& field, const std::string& name, const Classified& type);
     bool usable(const clang::FieldDecl& field, const Classified& type);
     bool usable(const clang::FieldDecl& field, const clang::TagDecl& tag, const Classified& type);
@@ -48,13 +48,13 @@ private:
     TypeDescriber& types_;
     std::vector<model::Field> fields_;
     std::vector<Rejection> rejections_;
-    std::vector<Rejection> clashes_;  // faults of the whole, even if the field is a base class's
+    std::vector<Rejection> clashes_;  // faults of the whole struct, even if the field is in a base class
     std::set<std::string> names_;
-    std::string base_;              // C++ name of the base class being walked …
-    clang::SourceLocation baseAt_;  // … and where the struct itself names its base class
+    std::string base_;              // C++ name of the current base class
+    clang::SourceLocation baseAt_;  // place where the struct names it
     bool broken_ = false;
     bool hasConstants_ = false;
-    DocComment doc_;  // of the field that is being added
+    DocComment doc_;  // of the current field
 };
 
 }  // namespace oroforge::cxx

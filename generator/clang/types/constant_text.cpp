@@ -8,7 +8,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// Finds what makes a text depend on the place where it stands.
+/// Finds anything that makes the meaning of a text depend on its place.
 class NameFinder : public clang::RecursiveASTVisitor<NameFinder> {
 public:
     bool found = false;
@@ -49,7 +49,7 @@ std::optional<std::string> constantText(clang::QualType type, const clang::Expr&
         if (!text) return std::nullopt;
         arguments += (arguments.empty() ? "" : ", ") + *text;
     }
-    // A list of elements has its braces already.
+    // A list of elements already has braces.
     const bool braced = made->isListInitialization() && !made->isStdInitListInitialization();
     if (made->isStdInitListInitialization()) return arguments;
     return braced ? "{" + arguments + "}" : cppTypeText(type.getUnqualifiedType(), context) + "(" + arguments + ")";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Values of classes as C++ that means the same anywhere.
+/// Writes values of classes as C++ that means the same anywhere.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_CONSTANT_TEXT_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_CONSTANT_TEXT_HPP
 
@@ -11,8 +11,8 @@
 
 namespace oroforge::cxx {
 
-/// What may stand behind "TYPE variable = ": "{1, 2}", "std::vector<double>(3, 0.5)". Nothing if it needs variables or
-/// functions, or names that macros made.
+/// Returns an initialiser for "TYPE variable = ": "{1, 2}", "std::vector<double>(3, 0.5)". Returns nothing if it needs
+/// variables, functions, or names from macros.
 std::optional<std::string> constantText(clang::QualType type, const clang::Expr& init,
                                         const clang::ASTContext& context);
 

@@ -12,7 +12,7 @@ namespace {
 
 using llvm::dyn_cast;
 
-/// What the standard library adds to its containers by default.
+/// True for default arguments of the standard library's containers.
 bool isDefaultOfLibrary(const clang::TemplateArgument& argument) {
     if (argument.getKind() != clang::TemplateArgument::Type) return false;
     const clang::CXXRecordDecl* type = argument.getAsType()->getAsCXXRecordDecl();
@@ -56,7 +56,7 @@ private:
         return shownName(clang::QualType(type, 0), context_);
     }
 
-    /// Names within instances of templates depend on arguments that nobody wants to read.
+    /// Names within template instances depend on arguments, and "__" marks names of the library itself.
     static bool hasOwnName(const clang::TypedefNameDecl& alias) {
         for (const clang::DeclContext* scope = alias.getDeclContext(); scope != nullptr; scope = scope->getParent()) {
             if (scope->isFunctionOrMethod() || llvm::isa<clang::ClassTemplateSpecializationDecl>(scope)) return false;
@@ -66,7 +66,7 @@ private:
         return !alias.getName().starts_with("__");
     }
 
-    /// "std::uint8_t": declared elsewhere, known in std by a using-declaration.
+    /// "std::uint8_t" is declared elsewhere, and known in std through a using-declaration.
     std::string usedName(const clang::UsingType& used) const {
         const clang::UsingShadowDecl* shadow = used.getFoundDecl();
         const std::string space =

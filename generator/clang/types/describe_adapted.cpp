@@ -38,7 +38,7 @@ bool AdaptedDescriber::describe(model::TypeModel& into) {
     return sound_;
 }
 
-/// The adapter's name comes before those that the user's aliases give.
+/// The adapter's name comes before the user's aliases.
 void AdaptedDescriber::addNames(model::TypeModel& into, const std::string& registry) {
     const diag::Location where = types_.locate(type_.getLocation());
     into.aliases.push_back(
@@ -194,7 +194,7 @@ std::string AdaptedDescriber::resize(const Accessor& accessor) {
     return cppOf(to);
 }
 
-/// Its fields do not matter, nor that it has virtual functions: who writes an adapter says that it is a value.
+/// Fields and virtual functions do not matter: the author of an adapter declares the class to be a value.
 const TypeFate& TypeDescriber::describeAdapted(const clang::CXXRecordDecl& type, const AdapterMatch& match,
                                                TypeFate& fate) {
     std::vector<Rejection> found = checkType(type);

@@ -16,11 +16,11 @@ public:
     AdaptedDescriber(TypeDescriber& types, const clang::CXXRecordDecl& type, const AdapterMatch& match,
                      diag::Sink& sink);
 
-    /// False after errors TK072 and TK073 at the lines of the adapter.
+    /// Returns false after errors TK072 and TK073 at the lines of the adapter.
     bool describe(model::TypeModel& into);
 
 private:
-    /// How a part is read and written. Without `use` there was an error.
+    /// How a part is read and written. `use` is not set after an error.
     struct Part {
         std::optional<model::TypeUse> use;
         model::FieldAccess access{model::AccessKind::Adapter};
@@ -31,10 +31,10 @@ private:
     Part part(const adapters::Accessor& get, const adapters::Accessor& set);
     bool isSettable(const adapters::Accessor& get, const adapters::Accessor& set, clang::QualType value, Part& part);
     std::optional<model::TypeUse> classify(const adapters::Accessor& accessor, clang::QualType type);
-    /// C++ of the number: digits, or what stands behind the object.
+    /// Returns C++ for the number: digits, or text that follows the object.
     std::string size(const adapters::Accessor& accessor, bool& isNumber);
     std::string resize(const adapters::Accessor& accessor);
-    /// What attribute "initial" and the elements <constructor> say, in describe_constructors.cpp.
+    /// The attribute "initial" and the elements <constructor>, in describe_constructors.cpp.
     std::string initial(const std::string& cpp);
     std::vector<model::Constructor> constructors(const std::string& cpp);
     std::optional<model::Constructor> constructor(const adapters::Constructor& given, const std::string& cpp);

@@ -10,7 +10,7 @@ using adapters::Accessor;
 
 namespace {
 
-/// ".Zero()" is said of an object, "::Zero()" of the class.
+/// An object has ".Zero()", the class "::Zero()".
 std::string ofClass(const std::string& cpp, const Accessor& call) { return cpp + "::" + cppOf(call).substr(1); }
 
 std::string parameter(const model::TypeUse& use, const std::string& name) {

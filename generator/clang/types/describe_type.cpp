@@ -31,7 +31,7 @@ Rejection aboutInstance(const clang::CXXRecordDecl& type, const Root& root, cons
     if (!root.alias.empty()) rejection.subject = "alias '" + root.alias.substr(root.alias.rfind('/') + 1) + "'";
     rejection.type = shownName(type);
     rejection.at = root.at;
-    // That it has no name is said of the alias or instance itself: there is no field that leads to it.
+    // The missing name is reported for the alias or instance itself, because no field leads to it.
     rejection.detail = fate.rejections.front().detail;
     if (rejection.reason != Reason::TemplateArgument || rejection.detail.empty()) rejection.causes = fate.rejections;
     return rejection;
@@ -109,9 +109,9 @@ const TypeFate& TypeDescriber::describe(const clang::CXXRecordDecl& type) {
 
 void TypeDescriber::describe(const clang::CXXRecordDecl& type, const Root& root) {
     sema_.isCompleteType(root.at, context().getTypeDeclType(&type));
-    if (type.getDefinition() == nullptr) return;  // an alias of what nobody needs to be defined
+    if (type.getDefinition() == nullptr) return;  // an alias of a type whose definition nothing needs
     const TypeFate& fate = describe(type);
-    // An alias may be there for other reasons than to ask for the type.
+    // An alias may have another purpose than to ask for the type.
     if (!fate.usable && !fate.rejections.empty() && !fate.isLeftOut)
         report(aboutInstance(type, root, fate), !root.alias.empty());
     const auto name = nameOf(*type.getDefinition());

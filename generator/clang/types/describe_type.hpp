@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Turns declarations into model::Struct and model::Enum, each type once, and reports what cannot be turned.
+/// Turns declarations into model::Struct and model::Enum, each type once, and reports unsuitable ones.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_DESCRIBE_TYPE_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_DESCRIBE_TYPE_HPP
 
@@ -19,12 +19,12 @@
 
 namespace oroforge::cxx {
 
-/// What became of a type.
+/// The outcome for a type.
 struct TypeFate {
-    bool usable = true;                 ///< also while it is being described: a std::vector of itself is fine
-    std::vector<Rejection> rejections;  ///< why not, unless that was reported already
-    bool isLeftOut = false;             ///< of the user's own types: it is no value, and nobody may have asked for it
-    bool isSample = true;               ///< default constructible and assignable; else no element of anything
+    bool usable = true;                 ///< also while it is being described: a std::vector of itself is suitable
+    std::vector<Rejection> rejections;  ///< why it is not usable, unless that was reported already
+    bool isLeftOut = false;             ///< the user's own type is not a value, and perhaps nothing asks for it
+    bool isSample = true;               ///< default constructible and assignable; else it is no element
 };
 
 class TypeDescriber {
@@ -41,32 +41,32 @@ public:
           sink_(sink),
           into_(into) {}
 
-    /// Describes the type and all it uses. Faults of types in the listed headers are reported at their fields;
-    /// those of other types are handed to the field that uses them. A class that is no value is left out with a warning;
-    /// it is an error where a field or a port is of that type, or if the user wants it so.
+    /// Describes the type and all types that it uses. Faults of types in the listed headers are reported at their
+    /// fields, other faults at the field that uses the type. A class that is not a value is left out with a warning; it
+    /// is an error if a field or port has that type, or in strict mode.
     const TypeFate& describe(const clang::CXXRecordDecl& type);
     const TypeFate& describe(const clang::EnumDecl& type);
-    /// Of a template instance that is asked for, too, faults are reported: where that is done.
+    /// Also reports faults of a requested template instance, at the place of the request.
     void describe(const clang::CXXRecordDecl& type, const Root& root);
 
     clang::Sema& sema() const { return sema_; }
     const clang::ASTContext& context() const { return sema_.getASTContext(); }
     diag::Location locate(clang::SourceLocation at) const;
     void note(clang::SourceLocation at, const std::string& text) { into_.notes.push_back({locate(at), text, {}}); }
-    /// Warns of names that belong to compilers and libraries.
+    /// Warns of names that are reserved for compilers and libraries.
     void checkName(const clang::NamedDecl& declaration, const std::string& subject);
-    /// What comments and attributes say of it.
+    /// Returns the contents of comments and attributes.
     DocComment docOf(const clang::Decl& declaration) const;
 
-    /// The headers that the type needs.
+    /// Returns the headers that the type needs.
     model::Homes homesOf(const clang::TagDecl& type) const { return needs_.homesOf(type); }
 
-    /// Whether it is the user's own: written in a listed header and no template instance.
+    /// True for the user's own types: written in a listed header, and not a template instance.
     bool isOwn(const clang::TagDecl& type) const;
 
     bool isLeftOut(const clang::CXXRecordDecl& type) { return describe(type).isLeftOut; }
 
-    /// Whether an adapter says what it consists of.
+    /// True if an adapter describes it.
     bool isAdapted(const clang::CXXRecordDecl& type) const { return adapters_.find(type).has_value(); }
 
 private:
@@ -85,30 +85,30 @@ private:
     bool strict_;
     diag::Sink& sink_;
     model::TypeModel& into_;
-    std::map<const clang::Decl*, TypeFate> fates_;  // looked up only; never iterated, so pointer order cannot show
+    std::map<const clang::Decl*, TypeFate> fates_;  // only looked up, never iterated, so that pointer order cannot show
 };
 
-/// Whether the type is a private or protected member of a class, so that nobody else can name it.
+/// True if the type is a private or protected member of a class, so that other code cannot name it.
 bool isHidden(const clang::TagDecl& type);
 
-/// Has the compiler make the definition of what nobody needed so far: a template instance that only a container names, a
-/// scoped enum in an instance.
+/// Makes the compiler complete a type that nothing has needed so far: a template instance that only a container names,
+/// a scoped enum in an instance.
 void complete(const clang::TagDecl& type, clang::Sema& sema, clang::SourceLocation at);
 
-/// Faults of the type as a whole that show before its fields are looked at: linkage, unions, virtual functions.
+/// Returns faults of the whole type that show without its fields: linkage, unions, virtual functions.
 std::vector<Rejection> checkType(const clang::TagDecl& type);
 
-/// What values of a type are like.
+/// Properties of a type's values.
 struct Nature {
-    bool mayBeConstant = false;  ///< a member cannot be assigned, and that is all right
-    bool isMade = false;         ///< the user says how a value is made
-    bool assignable = true;      ///< the answer
+    bool mayBeConstant = false;  ///< a member cannot be assigned, which is allowed
+    bool isMade = false;         ///< the user gives an expression that makes a value
+    bool assignable = true;      ///< result: the value can be assigned
 };
 
-/// Default construction, copying and destruction by anybody.
+/// Checks that other code can construct by default, copy and destroy values.
 std::vector<Rejection> checkSpecialMembers(const clang::CXXRecordDecl& type, clang::Sema& sema, Nature& nature);
 
-/// Whether everybody may make a copy of a value and assign it.
+/// True if other code can copy and assign values.
 bool isCopyable(const clang::CXXRecordDecl& type, clang::Sema& sema);
 
 }  // namespace oroforge::cxx

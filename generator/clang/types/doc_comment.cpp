@@ -18,7 +18,7 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Position of "@word" or "\\word" as a word of its own, or npos.
+/// Returns the position of "@word" or "\\word" as a separate word, or npos.
 std::size_t findCommand(const std::string& line, const std::string& word) {
     for (std::size_t at = line.find(word, 1); at != std::string::npos; at = line.find(word, at + 1)) {
         const std::size_t end = at + word.size();
@@ -28,7 +28,7 @@ std::size_t findCommand(const std::string& line, const std::string& word) {
     return std::string::npos;
 }
 
-/// Cuts the command and what follows it, up to the next one, off `line`; returns what follows.
+/// Cuts the command and the text up to the next command off `line`; returns that text.
 std::string takeRest(std::string& line, const std::string& word) {
     const std::size_t at = findCommand(line, word);
     if (at == std::string::npos) return {};
@@ -47,7 +47,7 @@ bool takeFlag(std::string& line, const std::string& word) {
     return true;
 }
 
-/// Cuts all commands off `line`; whether there was one.
+/// Cuts all commands off `line`; true if there was one.
 bool takeCommands(std::string& line, DocComment& doc) {
     bool any = false;
     const std::pair<const char*, bool DocComment::*> flags[] = {{"skip", &DocComment::skip},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Documentation comments (///, /** */, ///<) of declarations.
+/// Reads documentation comments (///, /** */, ///<) of declarations.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_DOC_COMMENT_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_DOC_COMMENT_HPP
 
@@ -11,20 +11,20 @@
 namespace oroforge::cxx {
 
 struct DocComment {
-    std::string text;      ///< without marks; lines joined by blanks, paragraphs by a newline
-    std::string unit;      ///< what follows "@unit"
-    std::string range;     ///< what follows "@range"
-    std::string capacity;  ///< what follows "@capacity": for how many elements there is room
-    std::string make;      ///< what follows "@make": C++ of a value of the type
-    bool skip = false;     ///< "@skip": not to be described
-    bool asText = false;   ///< "@text": an array of characters is a string
-    bool bytes = false;    ///< "@bytes": a union is its bytes
-    bool byValue = false;  ///< "@by_value": a smart pointer is what it points to, or nothing
+    std::string text;      ///< without comment marks; blanks join lines, a newline separates paragraphs
+    std::string unit;      ///< text after "@unit"
+    std::string range;     ///< text after "@range"
+    std::string capacity;  ///< text after "@capacity": number of elements to reserve
+    std::string make;      ///< text after "@make": C++ that makes a value of the type
+    bool skip = false;     ///< "@skip": do not describe it
+    bool asText = false;   ///< "@text": show an array of characters as a string
+    bool bytes = false;    ///< "@bytes": show a union as its bytes
+    bool byValue = false;  ///< "@by_value": show the pointee of a smart pointer, or nothing
 };
 
 DocComment docComment(const clang::ASTContext& context, const clang::Decl& declaration);
 
-/// The same from the bare text of a comment.
+/// Parses the text of a comment without its marks.
 DocComment parseDocText(const std::string& text);
 
 }  // namespace oroforge::cxx

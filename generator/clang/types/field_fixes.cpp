@@ -19,7 +19,7 @@ using Place = std::tuple<std::string, unsigned, unsigned>;
 
 Place placeOf(const diag::Location& where) { return {where.file.str(), where.line, where.column}; }
 
-/// The fields of all classes, by where they are named. Fields out of macros share their place with others: left out.
+/// Fields of all classes, by the places of their names. Fields from macros are left out, because they share places.
 class FieldsByPlace {
 public:
     FieldsByPlace(const clang::ASTContext& context, const SourcePlaces& places)
@@ -45,7 +45,7 @@ private:
     }
     void add(const clang::FieldDecl& field) {
         if (field.getLocation().isMacroID() || field.getBeginLoc().isMacroID()) return;
-        // Only the user's own headers are the user's to change.
+        // Only the user's own headers can be changed.
         if (!places_.isListed(sources_, field.getLocation())) return;
         fields_[placeOf(places_.locate(sources_, field.getLocation()))] = &field;
     }
@@ -55,7 +55,7 @@ private:
     std::map<Place, const clang::FieldDecl*> fields_;
 };
 
-/// The tokens of a field's declaration as they are written, from its first word to the ';'.
+/// The tokens of a field's declaration as written, from its first word to the ';'.
 class Spelling {
 public:
     Spelling(const clang::FieldDecl& field, const clang::ASTContext& context)
@@ -77,17 +77,17 @@ public:
         }
     }
 
-    /// More than one field is declared, "int a, b;", and they share what stands before the first.
+    /// True if "int a, b;" declares several fields, which share the words before the first name.
     bool severalNames() const { return severalNames_; }
 
-    /// The words before the name, one blank between two.
+    /// Returns the words before the name, separated by blanks.
     std::string before() const {
         std::string text;
         for (std::size_t i = 0; i < name_ && i < tokens_.size(); ++i) text += (i == 0 ? "" : " ") + spelled(i);
         return text;
     }
 
-    /// Where `word` stands before the name and outside of brackets, with the blanks after it.
+    /// Returns the place of `word` before the name and outside brackets, with the blanks after it.
     std::optional<clang::CharSourceRange> find(const std::string& word) const {
         for (std::size_t i = 0; i < name_ && i + 1 < tokens_.size(); ++i) {
             if (tokens_[i].depth != 0 || spelled(i) != word) continue;
@@ -96,13 +96,13 @@ public:
         return std::nullopt;
     }
 
-    /// From the first word to the last one before the name.
+    /// Returns the range from the first word to the last one before the name.
     std::optional<clang::CharSourceRange> allBefore() const {
         if (name_ == 0 || name_ > tokens_.size()) return std::nullopt;
         return clang::CharSourceRange::getCharRange(begin(0), tokens_[name_ - 1].token.getEndLoc());
     }
 
-    /// From behind the name, or its brackets, to the end of the declaration.
+    /// Returns the range from the end of the name or its brackets to the end of the declaration.
     clang::CharSourceRange initializer() const {
         std::size_t from = name_ + 1;
         while (from < tokens_.size() && !tokens_[from].token.isOneOf(clang::tok::equal, clang::tok::l_brace)) ++from;
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 200;  // a field whose declaration is longer is not repaired by the letter
+    static constexpr std::size_t kMost = 200;  // longer declarations get no fix
     struct Word {
         clang::Token token;
         int depth;
@@ -167,7 +167,7 @@ Hints makeString(const clang::FieldDecl& field, const clang::ASTContext& context
             llvm::isa<clang::ImplicitValueInitExpr>(bare) ||
             (llvm::isa<clang::InitListExpr>(bare) && llvm::cast<clang::InitListExpr>(bare)->getNumInits() == 0);
         if (isNull(*bare, context)) {
-            // A string made of a null pointer fails when the struct is made.
+            // A string made from a null pointer would fail when the struct is constructed.
             hints.push_back(clang::FixItHint::CreateRemoval(spelling.initializer()));
         } else if (!empty && !llvm::isa<clang::StringLiteral>(bare)) {
             return {};
@@ -201,7 +201,7 @@ void passOnWithFixes(const diag::Sink& from, const clang::ASTContext& context, c
     };
     for (diag::Diagnostic diagnostic : from.all()) {
         diagnostic.fixes = fixesAt(diagnostic.where, diagnostic.code);
-        // The cause may lie in a template of the user's, at the end of a chain of notes.
+        // The cause may be in one of the user's templates, at the end of a chain of notes.
         for (diag::Note& note : diagnostic.notes) note.fixes = fixesAt(note.where, diagnostic.code);
         to.add(std::move(diagnostic));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Repairs of fields that need no thought: `const` goes, `const char*` becomes std::string.
+/// Simple fixes of fields: `const` is removed, `const char*` becomes std::string.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_FIELD_FIXES_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_FIELD_FIXES_HPP
 
@@ -9,8 +9,8 @@
 
 namespace oroforge::cxx {
 
-/// Hands the diagnostics of `from` on to `to`, with fixes where the field they stand at can be repaired by the letter.
-/// The field is found by its place, so that whoever rejects a type need not know how it is spelled in the source.
+/// Passes the diagnostics of `from` on to `to`, with fixes where a simple change repairs the field. The field is found
+/// by its place, so that code that rejects a type need not know its spelling in the source.
 void passOnWithFixes(const diag::Sink& from, const clang::ASTContext& context, const SourcePlaces& places,
                      diag::Sink& to);
 

@@ -18,7 +18,7 @@ const clang::ClassTemplateSpecializationDecl* instanceOf(clang::QualType type, c
     return instance != nullptr && isStandard(*instance, name) ? instance : nullptr;
 }
 
-/// `char m[N]` and `std::array<char, N> m`; the last byte stays 0.
+/// Shows `char m[N]` and `std::array<char, N> m` as a string; the last byte stays 0.
 FieldForm asText(const clang::FieldDecl& field, TypeDescriber& types) {
     const Classified type = classifyMember(field.getType(), types.context());
     const bool isText = type.use && type.count != 0 && type.use->cpp == "char";
@@ -29,7 +29,7 @@ FieldForm asText(const clang::FieldDecl& field, TypeDescriber& types) {
     return {text, {AccessKind::Text, name, name, type.count}};
 }
 
-/// A union, of which only its author knows which member is meant.
+/// Shows a union as bytes: only its author knows which member is valid.
 FieldForm asBytes(const clang::FieldDecl& field, TypeDescriber& types) {
     const clang::ASTContext& context = types.context();
     const clang::QualType type = field.getType();
@@ -47,7 +47,7 @@ FieldForm asBytes(const clang::FieldDecl& field, TypeDescriber& types) {
     return {bytes, {AccessKind::Bytes, name, name}};
 }
 
-/// What a std::shared_ptr or std::unique_ptr points to, or nothing: a sequence of none or one.
+/// Shows the pointee of a std::shared_ptr or std::unique_ptr as a sequence with one element or none.
 FieldForm byValue(const clang::FieldDecl& field, TypeDescriber& types) {
     const clang::QualType type = field.getType();
     const auto* shared = instanceOf(type, "shared_ptr");
@@ -68,7 +68,7 @@ FieldForm byValue(const clang::FieldDecl& field, TypeDescriber& types) {
     return {pointer, access};
 }
 
-/// Where the author of the struct has written how it is copied, its atomic numbers are fields like others.
+/// If the author of the struct defines how it is copied, its atomic numbers are ordinary fields.
 FieldForm asLoaded(const clang::FieldDecl& field, clang::QualType number, TypeDescriber& types) {
     if (!isCopyable(*llvm::cast<clang::CXXRecordDecl>(field.getParent()), types.sema()))
         return {reject(Reason::Atomic, field.getType())};
@@ -76,7 +76,7 @@ FieldForm asLoaded(const clang::FieldDecl& field, clang::QualType number, TypeDe
     return {classifyValue(number, types.context()), {AccessKind::Atomic, name, name}};
 }
 
-/// A constant member is read only.
+/// A constant member is read-only.
 std::optional<FieldForm> asConstant(const clang::FieldDecl& field, TypeDescriber& types) {
     const clang::ASTContext& context = types.context();
     const clang::QualType type = field.getType();

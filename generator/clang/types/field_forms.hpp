@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Fields that are shown as something else than their C++ type says, because an attribute or the type itself wants it so.
+/// Fields that are not shown as their C++ type says, because of an attribute or of the type itself.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_FIELD_FORMS_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_FIELD_FORMS_HPP
 
@@ -16,7 +16,7 @@ struct FieldForm {
     model::FieldAccess access = {};
 };
 
-/// Nothing if the field is shown as what it is.
+/// Returns nothing if the field is shown as its C++ type says.
 std::optional<FieldForm> formOf(const clang::FieldDecl& field, const DocComment& doc, TypeDescriber& types);
 
 }  // namespace oroforge::cxx

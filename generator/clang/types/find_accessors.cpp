@@ -56,7 +56,7 @@ std::optional<Accessors> findAccessors(const clang::FieldDecl& field) {
         }
         if (method->getNumParams() != 1 || setters.count(name) == 0) continue;
         const clang::QualType taken = method->getParamDecl(0)->getType();
-        // What is to be stored stays where it is, so it cannot be moved from.
+        // The stored value remains where it is, so the setter must not move from it.
         if (!isOfField(taken) || taken->isRValueReferenceType()) continue;
         access.set = name;
         access.isAssigned = false;

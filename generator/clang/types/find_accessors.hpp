@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// The public functions that read and write a private field.
+/// Finds the public functions that read and write a private field.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_FIND_ACCESSORS_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_FIND_ACCESSORS_HPP
 
@@ -13,12 +13,13 @@
 namespace oroforge::cxx {
 
 struct Accessors {
-    std::string name;  ///< the field's, without the marks of a private one: "width" for "m_width", "_width", "width_"
+    std::string name;  ///< the field's, without private marks: "width" for "m_width", "_width", "width_"
     model::FieldAccess access;
 };
 
-/// For a field `width_`: a getter width(), getWidth() or get_width(), const and of the field's type, and a setter
-/// setWidth(), set_width() or width() that takes such a value; or a width() that returns a reference. Both or nothing.
+/// For a field `width_`, finds a getter width(), getWidth() or get_width(), const and of the field's type, with a
+/// setter setWidth(), set_width() or width() that takes such a value; or a width() that returns a reference. Else
+/// nothing.
 std::optional<Accessors> findAccessors(const clang::FieldDecl& field);
 
 }  // namespace oroforge::cxx

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Other names of the types that the user asks for: `typedef S T;`, `using T = S;`.
+/// Finds other names of requested types: `typedef S T;`, `using T = S;`.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_FIND_NAMES_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_FIND_NAMES_HPP
 
@@ -8,15 +8,15 @@
 
 namespace oroforge::cxx {
 
-/// A name that an alias in a listed header gives to a struct or enum which is asked for anyway.
+/// An alias in a listed header of a struct or enum that is requested anyway.
 struct OtherName {
     const clang::TagDecl* type;
     clang::SourceLocation at;
     std::string alias;  ///< in the type registry
 };
 
-/// In source order, each name once. Left out: aliases that ask for what they name (they are roots), those of constant
-/// types, those that are not public, and the name that C's `typedef struct {…} T;` gives, which is the type's only one.
+/// Returns each name once, in source order. Leaves out aliases that request a type (roots), aliases of constant types,
+/// aliases that are not public, and the name in C's `typedef struct {…} T;`, which is the type's only one.
 std::vector<OtherName> findNames(const clang::ASTContext& context, const SourcePlaces& places,
                                  const std::vector<Root>& roots);
 

@@ -34,7 +34,7 @@ bool hasField(const Layout& layout, const std::string& name) {
                        [&](const auto& field) { return field.first == name; });
 }
 
-/// "field 'b' is only there", or nothing if the names are the same.
+/// Returns the text about a field that only one layout has; nothing if the names are the same.
 std::string missingField(const Layout& with, const Layout& without) {
     for (const auto& [name, bits] : without.fields)
         if (!hasField(with, name)) return ", and field '" + name + "' is only there";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Types that look otherwise where the macro __orogen is not defined, which is where they are used.
+/// Finds types that are different without the macro __orogen; code that uses them does not define it.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_HIDDEN_FIELDS_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_HIDDEN_FIELDS_HPP
 
@@ -18,14 +18,14 @@ namespace oroforge::cxx {
 
 struct Layout {
     std::uint64_t size = 0;
-    std::vector<std::pair<std::string, std::uint64_t>> fields;  ///< own ones, with their offsets in bits
+    std::vector<std::pair<std::string, std::uint64_t>> fields;  ///< own fields, with their offsets in bits
 };
 
-/// By C++ name, of all structs that are defined in the listed headers, whether they can be described or not.
+/// Layouts by C++ name, of all structs defined in the listed headers, suitable or not.
 using Layouts = std::map<std::string, Layout>;
 Layouts layoutsOf(const clang::ASTContext& context, const std::vector<Root>& roots);
 
-/// Sets `uses` if a header asks for __orogen or __orogen2.
+/// Sets `uses` if a header tests __orogen or __orogen2.
 void watchForMacro(clang::Preprocessor& preprocessor, bool& uses);
 
 /// Warns of each type that is different without the macro.

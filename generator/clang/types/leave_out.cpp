@@ -9,7 +9,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// "port" or "property" if the field is one of the runtime's; empty if it is not.
+/// Returns "port", "property" or "attribute" if the field has such a class of the runtime; otherwise empty.
 std::string roleOf(const clang::ClassTemplateSpecializationDecl& type) {
     const std::string name = type.getQualifiedNameAsString();
     if (name == "RTT::InputPort" || name == "RTT::OutputPort") return "port";
@@ -17,7 +17,7 @@ std::string roleOf(const clang::ClassTemplateSpecializationDecl& type) {
     return name == "RTT::Attribute" || name == "RTT::Constant" ? "attribute" : "";
 }
 
-/// The first cause that makes the class no value; its fields may have faults besides.
+/// Finds the first cause for the class not being a value; its fields may have other faults.
 const Rejection* findNoValue(const std::vector<Rejection>& rejections) {
     for (const Rejection& one : rejections) {
         if (!isNoValue({one})) continue;
@@ -41,7 +41,7 @@ void TypeDescriber::leaveOut(const clang::TagDecl& type, const TypeFate& fate) {
     if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&type)) checkPorts(*record);
 }
 
-/// A component is no value itself, but its ports ask for types.
+/// A component is not a value, but its ports request types.
 void TypeDescriber::checkPorts(const clang::CXXRecordDecl& type) {
     for (const clang::FieldDecl* field : type.fields()) {
         const auto* wrapper =

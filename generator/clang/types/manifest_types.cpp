@@ -18,13 +18,13 @@ namespace {
 
 const std::string kTypeProbe = "oroforge_type_";
 
-/// Each question is a line of its own, so that the line of an error says whose it is.
+/// Each question has a line, so that the line of an error identifies the question.
 struct ProbeText {
     std::string text;
     std::map<unsigned, std::size_t> types, values;  ///< line → question
 };
 
-/// Texts that could swallow the next line are no enumerators.
+/// Rejects text that could swallow the next line; it cannot be an enumerator anyway.
 bool isHarmless(const std::string& value) { return value.find_first_of("\n\r{};\"'#\\/") == std::string::npos; }
 
 ProbeText probeTextOf(const TypeLookupRequest& request) {
@@ -42,14 +42,14 @@ ProbeText probeTextOf(const TypeLookupRequest& request) {
         const std::string open = question.space.empty() ? "" : "namespace " + question.space + " { ";
         const std::string close = question.space.empty() ? "" : " }";
         result.types[add(open + "using " + kTypeProbe + number + " = " + question.type + ";" + close)] = i;
-        if (question.value.empty() || !isHarmless(question.value)) continue;  // the latter is a fault already
+        if (question.value.empty() || !isHarmless(question.value)) continue;  // such text is reported elsewhere
         result.values[add(open + "const " + kTypeProbe + number + " oroforge_value_" + number + " = " + question.value +
                           ";" + close)] = i;
     }
     return result;
 }
 
-/// The first error of each line of probes; an error elsewhere means that the headers are not understood.
+/// Keeps the first error of each probe's line; an error elsewhere means that the headers were not understood.
 class ProbeMessages : public clang::DiagnosticConsumer {
 public:
     ProbeMessages(const ProbeText& probes, TypeLookup& result) : probes_(probes), result_(result) {}
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    /// What typegen says of a class in a listed header. The others may have adapters.
+    /// Returns why typegen rejects a class in a listed header. Other classes may have adapters.
     std::string whyNoValue(const clang::CXXRecordDecl& type) const {
         if (!isListed(type) || docOf(type).skip) return "";
         if (type.isPolymorphic()) return "has virtual functions";
@@ -147,7 +147,7 @@ private:
         return doc;
     }
 
-    /// Written in a file that the main file includes.
+    /// True if the type is in a file that the main file includes.
     bool isListed(const clang::CXXRecordDecl& type) const {
         const clang::SourceManager& sources = context_.getSourceManager();
         const clang::FileID file = sources.getFileID(sources.getExpansionLoc(type.getLocation()));
@@ -187,7 +187,7 @@ TypeLookup lookUpTypes(const TypeLookupRequest& request) {
     parse.end = [&](clang::Sema& sema) {
         TypeLister(sema.getASTContext(), attributes, result).walk(*sema.getASTContext().getTranslationUnitDecl());
     };
-    // Also false if only probes fail.
+    // parseFiles() is also false if only probes fail.
     if (!resourceDir || (!parseFiles(parse) && messages.getNumErrors() == 0)) result.isSound = false;
     for (const std::string& file : files.getDependencies())
         if (file != parse.mainFile) result.headers.push_back(file);

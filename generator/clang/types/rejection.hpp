@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Why a type cannot be described: one code per reason, with its words and its advice in one table.
+/// Reasons why a type cannot be described: a table has a code, words and advice for each.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_REJECTION_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_REJECTION_HPP
 
@@ -56,10 +56,10 @@ enum class Reason {
 struct Rule {
     Reason reason;
     const char* code;
-    const char* words;               ///< follow "field 'f' of 'S' "; "{}" stands for the type as the user wrote it
+    const char* words;               ///< follow "field 'f' of 'S' "; "{}" is replaced by the type as the user wrote it
     const char* advice;              ///< empty if there is none
-    bool isMendedByAdapter = false;  ///< what lies inside of a class with an adapter does not matter
-    bool isNoValue = false;          ///< the class is not meant to be copied from component to component
+    bool isMendedByAdapter = false;  ///< an adapter makes the inside of the class irrelevant
+    bool isNoValue = false;          ///< the class is not meant to be copied between components
 };
 
 const Rule& ruleOf(Reason reason);
@@ -69,20 +69,20 @@ struct Rejection {
     Reason reason = Reason::OtherType;
     std::string subject;  ///< "field 'next' of 'Node'"
     std::string type;     ///< as the user wrote it
-    std::string detail;   ///< follows the words; empty if they say all
+    std::string detail;   ///< follows the words; may be empty
     clang::SourceLocation at;
-    std::vector<Rejection> causes;  ///< not empty: the reason lies inside the type
-    bool isInBase = false;          ///< the causes are those of a base class
+    std::vector<Rejection> causes;  ///< not empty: the reason is inside the type
+    bool isInBase = false;          ///< the causes are in a base class
 };
 
-/// "field 'next' of 'Node' is a raw pointer 'int *'": the words of the rule filled in.
+/// Returns "field 'next' of 'Node' is a raw pointer 'int *'": the rule's words with the type filled in.
 std::string sentence(const Rejection& rejection);
 
-/// Whether one of them says that the class is no value at all, by itself or by what it inherits. What its fields consist of
-/// does not count: whoever makes a field of a class asks for it.
+/// True if one of them says that the class is not a value, by itself or by inheritance. Types of fields do not count: a
+/// field of a class requests that class.
 bool isNoValue(const std::vector<Rejection>& rejections);
 
-/// The innermost first cause, or the rejection itself.
+/// Returns the innermost first cause, or the rejection itself.
 const Rejection& origin(const Rejection& rejection);
 
 }  // namespace oroforge::cxx

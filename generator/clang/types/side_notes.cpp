@@ -10,7 +10,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// The name of the innermost typedef that says something about the width: "int64_t" of `std::int64_t`.
+/// Returns the innermost typedef with a plain name, which tells the width: "int64_t" for `std::int64_t`.
 std::string sizeName(clang::QualType type) {
     std::string last;
     for (const auto* alias = type->getAs<clang::TypedefType>(); alias != nullptr;
@@ -53,7 +53,7 @@ std::string aboutType(clang::QualType type) {
     if (record != nullptr && isStandard(*record) && record->getName() == "polymorphic_allocator")
         return "has an allocator that copies do not take over: they use the default memory resource";
     if (instance == nullptr || !isStandard(*instance) || instance->getName() == "ratio") return "";
-    // As they are written, for std::vector<std::size_t> is std::vector<unsigned long> when it is looked at.
+    // Uses arguments as written: the type itself has std::vector<unsigned long> for std::vector<std::size_t>.
     if (const auto* written = type->getAs<clang::TemplateSpecializationType>();
         written != nullptr && !written->isTypeAlias()) {
         for (const clang::TemplateArgument& argument : written->template_arguments()) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What a user who asks (--verbose) is told though nothing is wrong: types that differ between machines, templates that
-/// nobody uses.
+/// Notes for --verbose, which report no fault: types that differ between machines, and unused templates.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_SIDE_NOTES_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_SIDE_NOTES_HPP
 
@@ -15,10 +14,10 @@
 
 namespace oroforge::cxx {
 
-/// Empty, or why values of the field mean something else on another machine: "is 'wchar_t', …".
+/// Returns why values of the field differ on another machine, as "is 'wchar_t', …"; else empty.
 std::string portabilityOf(const clang::FieldDecl& field);
 
-/// Class templates and specialisations in the listed headers of which no type was described.
+/// Returns class templates and specialisations in the listed headers without any described type.
 std::vector<diag::Note> unusedTemplates(const clang::ASTContext& context, const SourcePlaces& places,
                                         const model::TypeModel& described);
 

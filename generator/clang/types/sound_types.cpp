@@ -5,14 +5,14 @@
 namespace oroforge::cxx {
 
 bool SoundTypes::has(const clang::TagDecl& type) {
-    // A type that holds itself, in a std::vector, is sound as long as nothing else is found.
+    // A type that contains itself, in a std::vector, is sound unless something else is wrong.
     const auto [entry, isNew] = known_.try_emplace(type.getCanonicalDecl(), true);
     if (!isNew) return entry->second;
     return known_[type.getCanonicalDecl()] = isSound(type);
 }
 
 bool SoundTypes::isSound(const clang::TagDecl& type) {
-    // What is not defined may have been meant to be, where the error is.
+    // A missing definition may be due to the error.
     const clang::TagDecl* definition = type.getDefinition();
     if (definition == nullptr || definition->isInvalidDecl() || definition->isDependentType()) return false;
     const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(definition);

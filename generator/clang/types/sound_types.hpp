@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which types can still be judged in a text with compile errors.
+/// Finds out which types can still be judged in a text with compile errors.
 #ifndef OROFORGE_GENERATOR_CLANG_TYPES_SOUND_TYPES_HPP
 #define OROFORGE_GENERATOR_CLANG_TYPES_SOUND_TYPES_HPP
 
@@ -12,7 +12,7 @@ namespace oroforge::cxx {
 
 class SoundTypes {
 public:
-    /// Neither the type nor one that it holds suffered from an error: what is said about it is true.
+    /// True if no error affects the type or a type that it contains: then statements about it are right.
     bool has(const clang::TagDecl& type);
 
 private:

@@ -26,14 +26,14 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// What a reading finds besides the types.
+/// Results of a reading besides the types.
 struct Aside {
-    std::string more;        ///< C++ to be read behind the headers
-    Layouts layouts;         ///< if a header looks different where __orogen is not defined, which …
-    bool usesMacro = false;  ///< … this tells
+    std::string more;        ///< C++ to read after the headers
+    Layouts layouts;         ///< for headers that differ without __orogen
+    bool usesMacro = false;  ///< a header tests __orogen
 };
 
-/// Watches how the headers are read, and works on the finished AST.
+/// Watches how the headers are read, and works on the complete AST.
 class Reading {
 public:
     Reading(const ParseRequest& request, const std::vector<model::Header>& headers, const SourcePlaces& places,
@@ -51,14 +51,14 @@ public:
         if (into_.headers.size() > 1) includes_.take(word);
     }
 
-    /// Sema is still there, to ask for implicit constructors.
+    /// Sema still exists here, and answers questions about implicit constructors.
     void end(clang::Sema& sema) {
         const clang::ASTContext& context = sema.getASTContext();
         HeaderCheck headers(sema.getPreprocessor(), places_, sink_);
         for (const model::Header& header : headers_) headers.checkRead(header);
         const bool broken = context.getDiagnostics().hasErrorOccurred();
         diag::Sink found;
-        // Of a broken text, or a part of it, classes may be missing that an adapter names.
+        // A broken text, or a part of it, may lack classes that an adapter names.
         diag::Sink unused;
         const bool isWhole = !broken && headers_.size() == request_.headers.size();
         const AdapterFinder adapters(request_.adapters, context, isWhole ? found : unused);
@@ -71,7 +71,7 @@ public:
             headers.checkGuard(*root.type);
             const DocComment doc = types.docOf(*root.type);
             if (doc.skip || (doc.bytes && root.type->isUnion())) continue;
-            // Elsewhere types may be incomplete in ways that would only cause follow-up errors.
+            // Other types may be incomplete, which would only cause follow-up errors.
             if (broken && !sound.has(*root.type)) continue;
             described.push_back(root);
             if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(root.type)) types.describe(*record, root);
@@ -91,13 +91,13 @@ private:
             record != nullptr ? types.describe(*record) : types.describe(*llvm::cast<clang::EnumDecl>(name.type));
         const auto first = nameOf(*name.type);
         if (!fate.usable || !first) return;
-        // A type is called by its first alias, so one that keeps its name has that as an alias.
+        // A type is named after its first alias, so a type that keeps its own name gets that as its first alias.
         const bool isCalled = std::any_of(into_.aliases.begin(), into_.aliases.end(),
                                           [&](const model::Alias& one) { return one.of == first->registry; });
         if (!isCalled) into_.aliases.push_back({first->registry, first->registry, types.locate(name.at)});
         into_.aliases.push_back({name.alias, first->registry, types.locate(name.at)});
     }
-    /// Nothing, unless all were read: the headers that one of them depends on count.
+    /// Returns nothing unless all headers were read, because a header may depend on any other.
     std::vector<model::Header> headersToTell() {
         if (into_.headers.size() < 2) return {};
         for (const Attributes::Note& note : attributes_.notes())
@@ -115,7 +115,7 @@ private:
     IncludeWatch includes_;
 };
 
-/// Remembers every file that was opened, system headers too: a new compiler must regenerate.
+/// Records every file that was opened, including system headers: a new compiler must regenerate.
 class FileCollector : public clang::DependencyCollector {
 public:
     bool needSystemDependencies() override { return true; }
@@ -127,7 +127,7 @@ std::string makeMainText(const std::vector<model::Header>& headers, const std::s
     return text + more;
 }
 
-/// The compiler's errors go into `compileErrors`, those about types into `sink`. False if it could not start.
+/// Compiler errors go into `compileErrors`, errors about types into `sink`. False if the compiler could not start.
 bool read(const ParseRequest& request, const std::string& resourceDir, const std::vector<model::Header>& headers,
           diag::Sink& compileErrors, diag::Sink& sink, model::TypeModel& into, Aside& aside) {
     const SourcePlaces places(request.headers);
@@ -161,7 +161,7 @@ bool read(const ParseRequest& request, const std::string& resourceDir, const std
     return started || compileErrors.hadErrors();
 }
 
-/// The first header with an error; the first of all if it is not known which that is.
+/// Returns the first header with an error; the first of all if that is not known.
 std::size_t firstBroken(const std::vector<model::Header>& headers, const diag::Sink& compileErrors) {
     std::size_t first = headers.size();
     const auto add = [&](const diag::Location& where) {
@@ -176,8 +176,8 @@ std::size_t firstBroken(const std::vector<model::Header>& headers, const diag::S
     return first;
 }
 
-/// A header may have swallowed those after it, a '}' being forgotten: these once more, each alone. What the compiler says
-/// then is left out, as some headers only make sense after others; of those what was found in the whole is true too.
+/// A missing '}' in a header may have hidden the headers after it: reads each of these alone. Compiler errors are then
+/// left out, because some headers need others before them; for those headers, findings of the whole text count.
 diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourceDir, const diag::Sink& inWhole,
                          std::size_t first) {
     diag::Sink found;
@@ -198,7 +198,7 @@ diag::Sink readEachAlone(const ParseRequest& request, const std::string& resourc
     return found;
 }
 
-/// Fields may be hidden from typegen, but not from the compiler.
+/// Finds fields that are hidden from typegen but not from the compiler.
 void checkHiddenFields(const ParseRequest& request, const std::string& resourceDir, const Aside& described,
                        model::TypeModel& model, diag::Sink& sink) {
     ParseRequest asCompiled = request;
@@ -208,11 +208,11 @@ void checkHiddenFields(const ParseRequest& request, const std::string& resourceD
     Aside seen;
     read(asCompiled, resourceDir, request.headers, compileErrors, aboutTypes, unused, seen);
     compareLayouts(model, described.layouts, seen.layouts, sink);
-    // Headers that are only included then matter as well.
+    // Headers that are included only in this reading matter as well.
     model.files.insert(model.files.end(), unused.files.begin(), unused.files.end());
 }
 
-/// C++ that does not compile unless the words of [[oro::make(…)]] give a value of the type.
+/// Returns C++ that compiles only if [[oro::make(…)]] gives a value of the type.
 std::string makerTest(const model::Struct& type) {
     const std::size_t arguments = std::min(type.cpp.find('<'), type.cpp.size());
     const std::size_t own = type.cpp.rfind("::", arguments) + 2;
@@ -221,7 +221,7 @@ std::string makerTest(const model::Struct& type) {
            ");\nstatic_assert(__is_same(Made, " + type.cpp + "), \"it is no value of the type\");}\n";
 }
 
-/// What the compiler says to such C++ behind the headers; empty if nothing.
+/// Returns the compiler's error about such C++ after the headers; empty if there is none.
 std::string errorBehindHeaders(const ParseRequest& request, const std::string& resourceDir, const std::string& more) {
     Aside aside;
     aside.more = more;
@@ -231,10 +231,10 @@ std::string errorBehindHeaders(const ParseRequest& request, const std::string& r
     return compileErrors.hadErrors() ? compileErrors.all().front().message : "";
 }
 
-/// With words that make it; only the field that it is the type of has a name.
+/// True for a struct with [[oro::make(…)]] that is named only by a field.
 bool isUnnamed(const model::Struct& type) { return !type.make.empty() && type.cpp.rfind("decltype(", 0) == 0; }
 
-/// That [[oro::make(…)]] gives a value of the type shows only where it is read as C++: here, not in what is generated.
+/// Checks that [[oro::make(…)]] gives a value of the type, so that the error is here and not in generated code.
 void checkMakers(const ParseRequest& request, const std::string& resourceDir, const model::TypeModel& model,
                  diag::Sink& sink) {
     std::string all;
@@ -247,7 +247,7 @@ void checkMakers(const ParseRequest& request, const std::string& resourceDir, co
             all += "namespace oroforge_check_" + std::to_string(all.size()) + " {" + makerTest(type) + "}\n";
         }
     }
-    // One reading will do, unless there is something to find: the words of one may spoil those of others.
+    // One reading is enough unless it finds an error: then one bad text may spoil others.
     if (all.empty() || errorBehindHeaders(request, resourceDir, all).empty()) return;
     for (const model::Struct& type : model.structs) {
         const std::string error =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Reads C++ headers with clang: all of them in one parse, function bodies skipped.
+/// Reads C++ headers with clang: all of them in one parse, without function bodies.
 ///
 ///     headers ─► one main file that includes them ─► clang AST ─► find_roots ─► describe_type ─► TypeModel
 ///                                                                     └─ classify, names, comments ─┘
@@ -23,11 +23,11 @@ struct ParseRequest {
     std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
     std::string resourceDir;          ///< clang's own headers; empty = look for them
     std::vector<adapters::Adapter> adapters;
-    bool strict = false;  ///< a class that is no value is an error, though nobody asks for it
+    bool strict = false;  ///< a class that is not a value is an error, even if nothing requests it
 };
 
-/// Structs and enums that are defined in the listed headers, and whatever they use, in no particular order;
-/// library types and arrays are left to the caller. Nothing if there was an error; all errors are in the sink.
+/// Returns structs and enums defined in the listed headers, and all types that they use, in no particular order; the
+/// caller adds library types and arrays. Returns nothing after an error; all errors are in the sink.
 std::optional<model::TypeModel> readTypes(const ParseRequest& request, diag::Sink& sink);
 
 }  // namespace oroforge::cxx
