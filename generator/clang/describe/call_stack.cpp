@@ -31,7 +31,7 @@ const clang::CXXMethodDecl& CallStack::overriderOf(const clang::CXXMethodDecl& m
     return found == nullptr ? method : *found;
 }
 
-/// A class that computes for long, or for ever, is not worth it.
+/// Stops following code that computes for very long or for ever.
 bool CallStack::isTooMuch(clang::SourceLocation at) {
     constexpr unsigned most = 1000000;
     if (++steps_ == most) {

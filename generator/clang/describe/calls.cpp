@@ -74,7 +74,7 @@ Value Calls::callUser(const clang::CallExpr& expression, const clang::FunctionDe
     return invoke(*definition, argumentsOf(expression, firstArgument), self, isLambda(*definition));
 }
 
-/// What it changes is not known any more. A function of the user's that gets the component may do anything to it.
+/// Forgets variables that the call may change. A user's function that gets the component may do anything to it.
 Value Calls::unknownCall(const clang::CallExpr& expression, const clang::FunctionDecl* function,
                          unsigned firstArgument) {
     bool getsComponent = false;
@@ -175,7 +175,7 @@ Value Calls::operatorCall(const clang::CXXOperatorCallExpr& expression) {
     if (kind == clang::OO_Call) {
         const Value callee = memory_.load(values_.eval(first));
         const clang::FunctionDecl* called = callee.is(Kind::Function) ? callee.function : nullptr;
-        // The operator of a generic lambda is known by its call only.
+        // The operator of a generic lambda is known only from its call.
         if (function != nullptr && isLambda(*function)) called = function;
         if (called != nullptr) return callUser(expression, *called, stack_.top().self, 1);
     }
@@ -195,7 +195,7 @@ Value Calls::operatorCall(const clang::CXXOperatorCallExpr& expression) {
             memory_.assign(target.place, second->isGLValue() ? memory_.load(source) : source);
         } else if (source.is(Kind::Place) && registry_.elements.count(target.place) == 0) {
             memory_.forget(target.place);
-            memory_.erase(target.place.of(Place::Kind::Changed));  // now it is the other
+            memory_.erase(target.place.of(Place::Kind::Changed));  // it is a copy of the other now
             memory_.copy(source.place, target.place);
         } else {
             memory_.forget(target.place);
@@ -204,7 +204,7 @@ Value Calls::operatorCall(const clang::CXXOperatorCallExpr& expression) {
     }
     if (kind == clang::OO_LessLess && second != nullptr) {
         const Value target = values_.eval(first);
-        // Whatever goes into other streams is not part of any interface.
+        // Other streams have no part in the interface.
         if (target.is(Kind::Place)) texts_.stream(target.place, *second);
         return target;
     }

@@ -40,7 +40,7 @@ bool contains(const Files& files, const fs::path& file) {
     });
 }
 
-/// The source that a header's functions are defined in, as packages are laid out; empty if there is none.
+/// Returns the source with a header's functions, in the usual places of packages; empty if there is none.
 fs::path sourceOf(const fs::path& header) {
     if (isSource(header)) return {};
     Files folders = {"", "../src", "../../src", "src"};
@@ -61,7 +61,7 @@ void addSources(const Files& headers, Files& files) {
     }
 }
 
-/// Folders that a package's own build searches: those of the files, and the include/ folder of the package.
+/// Returns the folders that a package's own build searches: those of the files, and the package's include/ folder.
 Files ownFolders(const Files& files) {
     Files flags;
     const auto add = [&](const fs::path& folder) {
@@ -93,7 +93,7 @@ public:
     Reader(const ComponentFiles& request, std::string resourceDir)
         : request_(request), resourceDir_(std::move(resourceDir)) {}
 
-    /// The files as one text. What a header's source includes is not included a second time.
+    /// Reads the files as one text. A header that a source includes is not included twice.
     Reading read(const Files& files, const Files& shown) const {
         Reading reading;
         std::vector<model::Header> listed;
@@ -130,11 +130,11 @@ private:
     Files flagsFor(const Files& files) const {
         Files flags = {"-D", "OROCOS_TARGET=" + request_.target};
         flags.insert(flags.end(), request_.flags.begin(), request_.flags.end());
-        // A folder of the user's is no library, not even when it is the toolchain that is described.
+        // The user's folders are not libraries, not even if they are the toolchain's own.
         const Files own = ownFolders(files), toolchain = toolchainFlagsBesides(request_.flags);
         flags.insert(flags.end(), own.begin(), own.end());
         flags.insert(flags.end(), toolchain.begin(), toolchain.end());
-        // So that several sources of a library can be read as one, and all macros make the same objects.
+        // Without these macros several sources can be one text, and registrations always make the same objects.
         flags.insert(flags.end(), {"-U", "RTT_COMPONENT", "-U", "OCL_DLL_EXPORT"});
         return flags;
     }
@@ -174,7 +174,7 @@ void addNew(model::Package& into, model::Package from) {
     add(into.typekitHeaders, from.typekitHeaders, [](const model::Text& one) { return one; });
 }
 
-/// Sources that cannot be one text (two functions of one name, two plugins) are read one by one.
+/// Reads sources one by one if they cannot be one text, because of equal function names or two plugins.
 Reading readEach(const Reader& reader, const Files& files) {
     Reading all;
     for (const std::string& file : files) {
@@ -205,7 +205,7 @@ std::optional<model::Package> readComponents(const ComponentFiles& request, diag
     Files files = request.files;
     addSources(request.files, files);
     Reading reading = reader.read(files, files);
-    // A base class may be in a header that nobody named, with a source beside it. Those may bring in others.
+    // A base class may be in an unlisted header with a source beside it, and that source may lead to others.
     for (int round = 0; round < 4 && !reading.errors.hadErrors() && !reading.incomplete.empty(); ++round) {
         const std::size_t before = files.size();
         addSources({reading.incomplete.begin(), reading.incomplete.end()}, files);

@@ -21,11 +21,12 @@ struct ComponentFiles {
     std::string target = "gnulinux";  ///< value of the macro OROCOS_TARGET
     std::string resourceDir;          ///< clang's own headers; empty = look for them
     std::string root;                 ///< folder of the package
-    std::string missingHint;          ///< said of the first #include that is not found
+    std::string missingHint;          ///< hint for the first missing #include
 };
 
-/// Components, services and plugins of the files, and the headers that typegen makes a typekit of; sources that belong to
-/// headers are looked for. Nothing, and errors in the sink, if the files do not compile or hold nothing of that (OC020). What cannot be told from the source is a warning.
+/// Returns components, services and plugins of the files, and the headers for typegen; finds sources that belong to
+/// headers. Returns nothing, after errors, if the files do not compile or have none of these (OC020). What the source
+/// does not reveal is a warning.
 std::optional<model::Package> readComponents(const ComponentFiles& request, diag::Sink& sink);
 
 }  // namespace oroforge::cxx

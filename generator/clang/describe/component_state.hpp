@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What is known while a constructor is followed: values of variables, ports and the like, services.
+/// The state while a constructor is followed: values of variables, ports and the like, services.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_COMPONENT_STATE_HPP
 
@@ -16,17 +16,17 @@
 
 namespace oroforge::cxx {
 
-/// What an expression is worth, as far as the source tells.
+/// The value of an expression, as far as the source reveals it.
 struct Value {
     enum class Kind {
         Unknown,
-        Number,  ///< integers, characters and enumerators; those have a text, too
+        Number,  ///< integers, characters and enumerators; all of them have a text, too
         Real,
         Boolean,
         Text,   ///< std::string and string literals
         Place,  ///< an object, or a pointer to it
         Null,
-        Cpp,  ///< anything else that is constant, as C++
+        Cpp,  ///< any other constant, as C++
         Function,
         Policy
     };
@@ -81,14 +81,14 @@ struct Value {
 
 enum class ElementKind { Port, Property, Attribute, Operation, Caller };
 
-/// A port, property, attribute, operation or operation caller: an object of the user's, or one that an add…() made.
+/// A port, property, attribute, operation or operation caller: the user's object, or one that an add…() made.
 struct Element {
     ElementKind kind = ElementKind::Port;
-    std::optional<std::string> name;    ///< nothing: not constant
+    std::optional<std::string> name;    ///< not set if it is not constant
     std::string type;                   ///< C++
     clang::QualType valueType;          ///< of properties and attributes
-    std::vector<clang::QualType> uses;  ///< all types that others see of it
-    Place value;                        ///< where the value of a property or an attribute is
+    std::vector<clang::QualType> uses;  ///< all types of it that others see
+    Place value;                        ///< place of the value of a property or an attribute
     std::string doc;
     diag::Location where;
     bool output = false;  // ports
@@ -98,7 +98,7 @@ struct Element {
     bool own = false;       // operations
     std::string result;
     std::vector<model::Argument> arguments;
-    std::size_t documented = 0;  ///< how many of them .arg() has named
+    std::size_t documented = 0;  ///< number of arguments that .arg() has named
 };
 
 /// A component's main service, or one of its services.
@@ -116,17 +116,17 @@ struct Requester {
     std::vector<Place> callers;
 };
 
-/// What following a constructor gave.
+/// The result of following a constructor.
 struct Followed {
     model::Interface interface;
     std::string serviceName;  ///< of a service class
-    std::string doc;          ///< as Service::doc() set it
+    std::string doc;          ///< from Service::doc()
     std::vector<model::Requirement> required;
-    bool hasMore = false;  ///< ports or properties, or maybe, that could not be told
+    bool hasMore = false;  ///< there are, or may be, ports or properties that are not known
     std::optional<model::Activity> activity;
     model::InitialState initial = model::InitialState::Stopped;
     std::vector<clang::QualType> uses;  ///< types that others see
-    /// Functions that would have to be known, but only their declarations are.
+    /// Functions whose definitions would be needed, but only declarations are known.
     std::set<const clang::FunctionDecl*> unseen;
 };
 

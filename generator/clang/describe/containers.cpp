@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// An iterator has the place of an element as its value.
+// The value of an iterator is the place of an element.
 #include <clang/base/type_names.hpp>
 #include <clang/types/cpp_type_text.hpp>
 
@@ -15,7 +15,7 @@ using Kind = Value::Kind;
 
 constexpr long long kMostElements = 1000;
 
-/// Whether the value can be an iterator: the place of an element.
+/// True if the value can be an iterator: the place of an element.
 bool hasPosition(const Value& value) {
     constexpr long long most = 999999999;
     return value.is(Kind::Place) && !value.place.empty() && value.place.kind() == Place::Kind::Element &&
@@ -35,7 +35,7 @@ bool isIterator(clang::QualType type) {
 
 }  // namespace
 
-/// Made of nothing, or of a number of elements that are alike; lists in braces are copied.
+/// Makes an empty container, or one with a number of equal elements; lists in braces are copied.
 void Containers::construct(const Place& at, const Values& arguments) {
     const bool isEmpty = arguments.empty() || arguments[0].is(Kind::Null);
     const Value size = isEmpty ? Value::ofNumber(0) : memory_.load(arguments[0]);
@@ -58,7 +58,7 @@ void Containers::append(const clang::CXXMemberCallExpr& expression, const Place&
     } else if (arguments.size() == 1) {
         if (const Element* known = arguments[0].is(Kind::Place) ? registry_.elementAt(arguments[0].place) : nullptr)
             registry_.elements[at] = *known;
-        memory_.erase(at);  // of an element that was there before
+        memory_.erase(at);  // of an earlier element
         memory_.store(at, arguments[0]);
     }
     memory_.noteChange(at);
@@ -131,7 +131,7 @@ Value Containers::endOf(const clang::CallExpr& expression, const std::string& na
     return size ? Value::ofPlace(whole.place.element(*size)) : Value();
 }
 
-/// std::for_each()
+/// Follows std::for_each().
 Value Containers::eachOf(const clang::CallExpr& expression) {
     const Value from = values_.pointed(expression.getArg(0)), to = values_.pointed(expression.getArg(1));
     const Value function = memory_.load(values_.eval(expression.getArg(2)));
@@ -140,7 +140,7 @@ Value Containers::eachOf(const clang::CallExpr& expression) {
         function.function == nullptr)
         return {};
     const clang::FunctionDecl* definition = definitionOf(*function.function);
-    if (definition == nullptr || definition->isDependentContext()) return {};  // a lambda of 'auto' is not made yet
+    if (definition == nullptr || definition->isDependentContext()) return {};  // a generic lambda without an instance
     for (long long i = from.place.index(); i < to.place.index(); ++i) {
         const Place element = from.place.whole().element(i);
         const bool isLocal = definition->getNumParams() == 1 &&

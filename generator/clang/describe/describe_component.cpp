@@ -78,7 +78,7 @@ model::ServicePlugin ComponentDescriber::service(const FoundClass& found) {
     Followed made = follow(*found.type);
     static_cast<model::Interface&>(service) = std::move(made.interface);
     service.name = {found.service.empty() ? made.serviceName : found.service, service.where};
-    service.doc = made.doc;  // others see it; a comment on the class they do not
+    service.doc = made.doc;  // others see this text, but not a comment on the class
     return service;
 }
 

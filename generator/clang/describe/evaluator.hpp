@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Does what C++ says, as far as the source tells the values.
+/// Executes C++ as far as the source reveals the values.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_EVALUATOR_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_EVALUATOR_HPP
 
@@ -10,7 +10,7 @@
 
 namespace oroforge::cxx {
 
-/// Statements, branches and loops whose conditions are constant.
+/// Follows statements: branches and loops whose conditions are constant.
 class Statements : Part {
 public:
     explicit Statements(const Part& parts) : Part(parts) {}
@@ -19,28 +19,28 @@ public:
 
 private:
     Flow runIf(const clang::IfStmt& statement);
-    /// `next` may be null, and so may the condition.
+    /// `next` and the condition may be null.
     Flow runRounds(const clang::Expr* condition, const clang::Expr* next, const clang::Stmt* body);
     Flow runEach(const clang::CXXForRangeStmt& statement);
     Flow runSwitch(const clang::SwitchStmt& statement);
     void declare(const clang::VarDecl& variable);
-    /// What is done there is not certain to happen. `ownsBreaks`: it is the body of a loop or a switch.
+    /// Follows a statement that may not happen. `ownsBreaks`: it is the body of a loop or a switch.
     void runUndecided(const clang::Stmt* statement, const std::string& why, bool ownsBreaks = false);
 };
 
-/// Expressions and constants.
+/// Follows expressions.
 class Expressions : Part {
 public:
     explicit Expressions(const Part& parts) : Part(parts) {}
     Value eval(const clang::Expr* expression);
-    /// Of an object too: what is stored there.
+    /// Like eval(), but returns the contents of an object.
     Value content(const clang::Expr* expression);
-    /// Of pointers and iterators: what they point to.
+    /// Like eval(), but returns the target of a pointer or iterator.
     Value pointed(const clang::Expr* expression);
     std::optional<std::string> textOf(const clang::Expr* expression);
     std::optional<bool> truth(const clang::Expr* condition);
     Value converted(Value value, clang::QualType type) const;
-    /// And the objects that they were made in.
+    /// The lambdas so far, with the objects in which they were made.
     const std::vector<std::pair<const clang::FunctionDecl*, Place>>& lambdas() const { return lambdas_; }
 
 private:
@@ -56,7 +56,7 @@ private:
     std::vector<std::pair<const clang::FunctionDecl*, Place>> lambdas_;
 };
 
-/// The user's functions, and the few of the standard library that names are made with.
+/// Follows the user's functions, and the few of the standard library that names are made with.
 class Calls : Part {
 public:
     explicit Calls(const Part& parts) : Part(parts) {}
@@ -64,7 +64,7 @@ public:
     Value invoke(const clang::FunctionDecl& function, const Values& arguments, const Place& self, bool lambda = false);
     Values argumentsOf(const clang::CallExpr& expression, unsigned first = 0);
     CallStack::Frame frameOf(const clang::FunctionDecl& function, const Values& arguments, const Place& self);
-    /// Also as an instance of what has parameters of 'auto'.
+    /// True also for a generic function if one of its instances was invoked.
     bool isInvoked(const clang::FunctionDecl& function) const;
 
 private:
@@ -78,7 +78,7 @@ private:
     std::set<const clang::FunctionDecl*> invoked_;
 };
 
-/// Constructors: of the component, of helpers, of base classes.
+/// Follows constructors: of the component, of helpers, of base classes.
 class Objects : Part {
 public:
     explicit Objects(const Part& parts) : Part(parts) {}
@@ -87,40 +87,40 @@ public:
     void construct(const Place& at, const clang::CXXConstructorDecl& declared, const Values& arguments);
     Value make(clang::QualType type, const Values& arguments, clang::SourceLocation where);
     void makeAt(const Place& at, clang::QualType type, const Values& arguments, clang::SourceLocation where);
-    /// The constructor of the object that the place is a part of, if that is not known.
+    /// Returns the unknown constructor, if any, of the object around the place.
     const clang::FunctionDecl* unseenMaker(const Place& place) const;
 
 private:
     void initialiseList(const Place& at, clang::QualType type, const clang::InitListExpr& list);
     void constructBase(const Place& at, const clang::CXXCtorInitializer& init, const Values& inherited);
-    /// The C++ of a value that is made of constants alone; unknown if it is not.
+    /// Returns the C++ of a value made only of constants; otherwise unknown.
     Value constantObject(clang::QualType type, const clang::Expr& init) const;
 
-    std::map<Place, const clang::FunctionDecl*> unseen_;  ///< by constructors without definition
+    std::map<Place, const clang::FunctionDecl*> unseen_;  ///< objects made by constructors without definition
 };
 
-/// Strings and streams. What is no value is another function.
+/// Follows strings and streams. Returns no value for other functions.
 class Texts : Part {
 public:
     explicit Texts(const Part& parts) : Part(parts) {}
     std::optional<Value> operate(const clang::CXXOperatorCallExpr& expression);
     std::optional<Value> call(const clang::CXXMemberCallExpr& expression, const std::string& name, const Value& object);
-    /// As a stream prints it.
+    /// Returns the text that a stream prints.
     Value printed(const clang::Expr& expression);
-    /// Into a stream, if its text is known.
+    /// Adds to the text of a stream, if that is known.
     void stream(const Place& into, const clang::Expr& what);
 };
 
-/// Vectors and the like, and iterators. What is no value is another function.
+/// Follows vectors and the like, and iterators. Returns no value for other functions.
 class Containers : Part {
 public:
     explicit Containers(const Part& parts) : Part(parts) {}
     void construct(const Place& at, const Values& arguments);
     std::optional<Value> operate(const clang::CXXOperatorCallExpr& expression);
     std::optional<Value> call(const clang::CXXMemberCallExpr& expression, const std::string& name, const Value& object);
-    /// std::begin(), std::end()
+    /// Follows std::begin() and std::end().
     Value endOf(const clang::CallExpr& expression, const std::string& name);
-    /// std::for_each()
+    /// Follows std::for_each().
     Value eachOf(const clang::CallExpr& expression);
 
 private:

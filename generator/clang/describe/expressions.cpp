@@ -39,7 +39,7 @@ Value computed(BinaryOperatorKind kind, double left, double right) {
 }
 
 Value computed(BinaryOperatorKind kind, long long left, long long right) {
-    // As unsigned numbers: what overflows is the user's, and must not be undefined here.
+    // Computes unsigned numbers: the user's code may overflow, but that must not be undefined here.
     const auto a = static_cast<unsigned long long>(left), b = static_cast<unsigned long long>(right);
     const auto of = [](unsigned long long value) { return Value::ofNumber(static_cast<long long>(value)); };
     const bool divides = right != 0 && !(right == -1 && left == std::numeric_limits<long long>::min());
@@ -164,7 +164,7 @@ Value Expressions::evalPlain(const clang::Expr* expression) {
     return folded(expression);
 }
 
-/// What the compiler itself can compute; else only what the parts do is followed.
+/// Takes what the compiler itself can compute; otherwise follows the parts only for their effects.
 Value Expressions::folded(const clang::Expr* expression) {
     if (expression->isValueDependent()) return {};
     clang::Expr::EvalResult result;
@@ -226,7 +226,7 @@ Value Expressions::cast(const clang::CastExpr& expression) {
             if (value.is(Kind::Null)) return Value::ofBoolean(false);
             return value.is(Kind::Place) ? Value::ofBoolean(true) : Value();
         case clang::CK_ToVoid: return {};
-        // A string made of a literal, a pointer of a smart pointer: the same value to us.
+        // A string made from a literal, or the pointer in a smart pointer, is the same value here.
         case clang::CK_ConstructorConversion:
         case clang::CK_UserDefinedConversion:
         default: return value;
@@ -250,14 +250,14 @@ Value Expressions::declared(const clang::DeclRefExpr& expression) {
         return value;
     }
     if (const auto* binding = dyn_cast<clang::BindingDecl>(what)) {
-        // Of a pair it is a variable that the compiler makes of std::get<…>().
+        // The compiler makes a variable from std::get<…>() for a part of a pair.
         if (const clang::VarDecl* holder = binding->getHoldingVar()) return eval(holder->getInit());
         return binding->getBinding() != nullptr ? eval(binding->getBinding()) : Value();
     }
     if (const auto local = stack_.find(*what)) return Value::ofPlace(*local);
     const auto* variable = dyn_cast<clang::VarDecl>(what);
     if (variable == nullptr) return {};
-    // The only constant of RTT without a value in its headers; it stands for "none given".
+    // RTT's only constant without a value in its headers; it means "none given".
     if (variable->getName() == "LowestPriority") return Value::null();
     const Place place = Place::global(variable->getCanonicalDecl()->getID());
     const clang::VarDecl* definition = nullptr;
@@ -286,7 +286,7 @@ Value Expressions::member(const clang::MemberExpr& expression) {
     }
     const Value base = eval(expression.getBase());
     if (!base.is(Kind::Place)) return {};
-    // A nameless struct or union in a class is no part of the place: its fields are the class's.
+    // The fields of a nameless struct or union belong to the class.
     if (field->isAnonymousStructOrUnion()) return base;
     const Place place = base.place.field(field->getNameAsString());
     return field->getType()->isReferenceType() ? memory_.load(Value::ofPlace(place)) : Value::ofPlace(place);

@@ -15,12 +15,12 @@ namespace {
 
 using llvm::dyn_cast;
 
-/// Looks into a function for the class that it makes, and for a text.
+/// Finds the class that a function makes, and a text in it.
 class BodyReader : public clang::RecursiveASTVisitor<BodyReader> {
 public:
     const clang::CXXRecordDecl* made = nullptr;
     std::string text;
-    bool global = false;  ///< it speaks of GlobalService
+    bool global = false;  ///< it uses GlobalService
     bool VisitTypeLoc(clang::TypeLoc type) { return take(type.getType()->getAsCXXRecordDecl()); }
     bool VisitDeclRefExpr(clang::DeclRefExpr* one) {
         const auto* method = dyn_cast<clang::CXXMethodDecl>(one->getDecl());
@@ -48,7 +48,7 @@ BodyReader read(const clang::FunctionDecl& function) {
     return reader;
 }
 
-/// Whether others than derived classes can make an object.
+/// True if code other than derived classes can make an object.
 bool canBeMade(const clang::CXXRecordDecl& type) {
     if (type.isAbstract() || type.isDependentType()) return false;
     const auto isOpen = [](const clang::CXXConstructorDecl* one) {
@@ -106,12 +106,12 @@ private:
         if (listed && canBeMade(type) && isDerivedFrom(type, "TaskContext")) defined_.push_back(&type);
     }
 
-    /// The static object that ORO_LIST_COMPONENT_TYPE makes.
+    /// Handles the static object that ORO_LIST_COMPONENT_TYPE makes.
     void takeLoader(const clang::VarDecl& variable) {
         const auto* type = variable.getType()->getAsCXXRecordDecl();
         if (type == nullptr || toolchainName(*type) != "ComponentFactoryLoader") return;
         const clang::QualType component = firstArgument(variable.getType());
-        // Of a template it is the first who asks for this instance.
+        // A template may not have been instantiated for this class before.
         if (!component.isNull()) (void)sema_.isCompleteType(variable.getLocation(), component);
         const auto* record = component.isNull() ? nullptr : component->getAsCXXRecordDecl();
         const auto* definition = record == nullptr ? nullptr : record->getDefinition();
@@ -120,7 +120,7 @@ private:
             registered_.push_back(definition);
     }
 
-    /// Those that ORO_SERVICE_NAMED_PLUGIN makes.
+    /// Handles functions that ORO_SERVICE_NAMED_PLUGIN makes.
     void takeFunction(const clang::FunctionDecl& function) {
         if (!function.isThisDeclarationADefinition() || function.getBody() == nullptr ||
             !function.getDeclName().isIdentifier())
@@ -163,7 +163,7 @@ private:
     std::string pluginName_;
 };
 
-/// Of an instance of a template, whose functions the compiler makes when they are used.
+/// Has the compiler make the body for a template instance, which it does only when the function is used.
 void makeBody(const clang::CXXConstructorDecl& constructor, clang::Sema& sema) {
     auto& made = const_cast<clang::CXXConstructorDecl&>(constructor);
     if (made.hasBody() || !made.isTemplateInstantiation()) return;
@@ -200,7 +200,7 @@ const clang::CXXConstructorDecl* constructorOf(const clang::CXXRecordDecl& type,
         if (first == nullptr && !one->isImplicit()) first = one;
     }
     if (first != nullptr) return first;
-    // "using TaskContext::TaskContext": the compiler makes the constructor when somebody calls it.
+    // "using TaskContext::TaskContext": the compiler makes the constructor only for a call.
     for (const clang::Decl* one : type.decls()) {
         const auto* shadow = dyn_cast<clang::ConstructorUsingShadowDecl>(one);
         if (shadow == nullptr) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which classes are components or services.
+/// Finds component and service classes.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_FIND_COMPONENTS_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_FIND_COMPONENTS_HPP
 
@@ -15,28 +15,28 @@ namespace oroforge::cxx {
 
 struct FoundClass {
     const clang::CXXRecordDecl* type = nullptr;
-    std::string service;  ///< of a service class: the name of its plugin
+    std::string service;  ///< name of the plugin of a service class
 };
 
 struct FoundClasses {
     std::vector<FoundClass> components;
     std::vector<FoundClass> services;
     std::vector<model::Plugin> plugins;
-    std::vector<const clang::CXXRecordDecl*> unregistered;  ///< components left out, because others are registered
+    std::vector<const clang::CXXRecordDecl*> unregistered;  ///< components left out because others are registered
 };
 
-/// In the order of their definitions. Registered classes (ORO_CREATE_COMPONENT, ORO_LIST_COMPONENT_TYPE) if there are any,
-/// else all components that can be made and whose class or constructor is defined in the listed files; services if they are plugins. Plugins of
-/// kinds that a manifest has no words for are remarks.
+/// Returns classes in the order of their definitions: registered ones (ORO_CREATE_COMPONENT, ORO_LIST_COMPONENT_TYPE)
+/// or, if there are none, all components that can be made and whose class or constructor is defined in the listed
+/// files; services if they are plugins. Plugins of kinds that a manifest cannot describe are remarks.
 FoundClasses findComponents(clang::Sema& sema, const SourcePlaces& places, diag::Sink& remarks);
 
-/// Whether it is RTT::TaskContext, RTT::Service … or derived from it.
+/// True for RTT::TaskContext, RTT::Service … and classes derived from it.
 bool isDerivedFrom(const clang::CXXRecordDecl& type, const char* name);
 
-/// The constructor that a component loader would call, else the first that is no copy; null if there is none.
+/// Returns the constructor that a component loader calls, else the first that does not copy; null if there is none.
 const clang::CXXConstructorDecl* constructorOf(const clang::CXXRecordDecl& type, clang::Sema& sema);
 
-/// With namespaces, those without a name left out.
+/// Returns the name with its namespaces, except unnamed ones.
 std::string classNameOf(const clang::CXXRecordDecl& type);
 
 }  // namespace oroforge::cxx

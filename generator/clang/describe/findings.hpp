@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What is not certain while a constructor is followed, and the remarks about it.
+/// Doubts while a constructor is followed, and remarks about them.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_FINDINGS_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_FINDINGS_HPP
 
@@ -20,27 +20,27 @@ public:
 
     diag::Location locate(clang::SourceLocation at) const { return places_.locate(sources_, at); }
     void warn(const diag::Location& where, const char* code, const std::string& message);
-    /// The same, but nobody gets it if it is about what happens later: of that only what it adds matters.
+    /// Does the same, unless it is about later calls: of these only their additions matter.
     diag::Diagnostic& remark(clang::SourceLocation at, const char* code, const std::string& message);
 
-    /// While there is a doubt, nothing is added, and variables that change are not known any more.
+    /// While there is a doubt, nothing is added, and values of changed variables become unknown.
     void doubt(std::string why) { doubts_.push_back(std::move(why)); }
     void settle() { doubts_.pop_back(); }
     std::size_t doubts() const { return doubts_.size(); }
     void settleTo(std::size_t doubts) { doubts_.resize(doubts); }
     bool isCertain() const { return doubts_.empty(); }
     const std::string& why() const { return doubts_.back(); }
-    /// False, and a remark, if it is not certain that it happens.
+    /// Returns false, after a remark, if it may not happen.
     bool isAdded(clang::SourceLocation at, const std::string& what);
 
-    /// From here on nothing happens while the component is made.
+    /// From now on, code runs only after the component is made.
     void beLate(std::string why) { late_ = std::move(why); }
     bool isLate() const { return !late_.empty(); }
 
-    /// Ports or properties that are not in the result.
+    /// Notes ports or properties that are missing from the result.
     void noteMore(bool more = true) { hasMore_ |= more; }
     bool hasMore() const { return hasMore_; }
-    /// A function that would have to be known, but only its declaration is.
+    /// Notes a function whose definition would be needed, but only its declaration is known.
     void noteUnseen(const clang::FunctionDecl& function) { unseen_.insert(&function); }
     const std::set<const clang::FunctionDecl*>& unseen() const { return unseen_; }
 

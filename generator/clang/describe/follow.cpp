@@ -9,7 +9,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// All that takes part; each of them knows the others.
+/// All parts; each of them knows the others.
 struct Parts {
     Findings findings;
     Memory memory{findings};
@@ -40,7 +40,7 @@ Followed follow(const clang::CXXConstructorDecl& constructor, const SourcePlaces
     parts.stack.enter(outermost);
     Values arguments;
     for (const clang::ParmVarDecl* parameter : constructor.parameters()) {
-        // An inherited constructor is called with the defaults of the one it stands for.
+        // An inherited constructor is called with the defaults of the one in the base class.
         const unsigned i = parameter->getFunctionScopeIndex();
         const clang::CXXConstructorDecl* inherited = constructor.getInheritedConstructor().getConstructor();
         if (inherited != nullptr) parameter = inherited->getParamDecl(i);

@@ -16,7 +16,7 @@ using Kind = Value::Kind;
 
 bool beginsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
 
-/// The class of RTT's that a class is, or is derived from: InputPort<double> of a user's port class.
+/// Returns the RTT class that a class is or is derived from: InputPort<double> for a user's port class.
 clang::QualType knownBase(clang::QualType type, llvm::ArrayRef<const char*> names) {
     type = type.getNonReferenceType();
     const auto* record = type->getAsCXXRecordDecl();
@@ -29,7 +29,7 @@ clang::QualType knownBase(clang::QualType type, llvm::ArrayRef<const char*> name
     return {};
 }
 
-/// provides("x")->… rather than service->…
+/// True for provides("x")->…, false for service->…
 bool isGivenByCall(const clang::CallExpr& expression) {
     const auto* member = dyn_cast<clang::CXXMemberCallExpr>(&expression);
     const clang::Expr* object = member == nullptr ? nullptr : member->getImplicitObjectArgument();
@@ -114,7 +114,7 @@ Value InterfaceCalls::addPort(const clang::CallExpr& expression, bool event, Sco
     const Place place = elementOf(port, ElementKind::Port);
     if (Element* element = registry_.elementAt(place); element != nullptr && findings_.isCertain())
         element->event = event;
-    // Callbacks are functions of their own.
+    // The callback is followed as a function of its own.
     return add(expression, "port", place, scope);
 }
 
@@ -182,7 +182,7 @@ Value InterfaceCalls::addService(const clang::CallExpr& expression, Scope& scope
     const Value value = values_.eval(expression.getArg(0));
     Scope* added = registry_.scopeAt(value.place);
     if (added == nullptr) added = registry_.scopeAt(memory_.load(value).place);
-    findings_.noteMore(added == nullptr || !findings_.isCertain());  // whatever is in it
+    findings_.noteMore(added == nullptr || !findings_.isCertain());  // for all that it contains
     if (!findings_.isAdded(expression.getExprLoc(), "service")) return {};
     if (added == nullptr) {
         findings_.remark(expression.getExprLoc(), "OC021", "which service this is cannot be told");
@@ -234,7 +234,7 @@ Value InterfaceCalls::call(const clang::CallExpr& expression, const clang::CXXMe
     if (const auto value = elements_.call(expression, name, object)) return *value;
     if (const auto value = services_.call(expression, name, object)) return *value;
     if (const auto value = activities_.call(expression, name, object)) return *value;
-    // A variable for a service that the source does not tell. Of a call that gives one it was said already.
+    // The service in a variable is not known. For a call that returns one, this was reported already.
     if (registry_.scopeAt(object) == nullptr && beginsWith(name, "add") && !isGivenByCall(expression) &&
         (owner == "Service" || owner == "ConfigurationInterface" || owner == "DataFlowInterface" ||
          owner == "ServiceRequester")) {
@@ -245,7 +245,7 @@ Value InterfaceCalls::call(const clang::CallExpr& expression, const clang::CXXMe
         (beginsWith(name, "add") || name == "ownProperty"))
         findings_.remark(expression.getExprLoc(), "OC025", "what a property holds that is a bag is not told");
     for (const Value& value : calls_.argumentsOf(expression)) {
-        // What is passed by pointer or reference stays with RTT: ports that are connected, variables that are read.
+        // RTT keeps arguments passed by pointer or reference: connected ports, variables that are read.
         if (value.is(Kind::Place) && beginsWith(name, "read")) memory_.forget(value.place);
     }
     return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What RTT's own classes and functions do to the interface of a component.
+/// The effects of RTT's classes and functions on the interface of a component.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_INTERFACE_CALLS_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_INTERFACE_CALLS_HPP
 
@@ -8,17 +8,17 @@
 
 namespace oroforge::cxx {
 
-/// Constructors: ports, properties, services, activities …
+/// Follows constructors: ports, properties, services, activities …
 class KnownObjects : Part {
 public:
     explicit KnownObjects(const Part& parts) : Part(parts) {}
-    /// False if it is another class. Without `constructor` it is not known which one it is.
+    /// Returns false for other classes. A null `constructor` is not known.
     bool construct(const Place& at, clang::QualType type, const clang::CXXConstructorDecl* constructor,
                    const Values& arguments, clang::SourceLocation where);
     void constructElement(const Place& at, const std::string& name, clang::QualType type, const Values& arguments,
                           clang::SourceLocation where);
     void constructScope(const Place& at, const std::string& name, const Values& arguments, clang::SourceLocation where);
-    /// ConnPolicy::buffer(10) and the like.
+    /// Follows ConnPolicy::buffer(10) and the like.
     Value policyCall(const clang::CallExpr& expression, const std::string& name);
     void describeFunction(Element& element, const clang::FunctionDecl* function, clang::QualType signature) const;
 
@@ -28,14 +28,14 @@ private:
     model::Policy policyAt(const Value& value, bool& known) const;
 };
 
-/// What is asked of a port, a property, an operation … What is no value is another function, here and below.
+/// Follows calls of ports, properties, operations … Here and below, no value means another function.
 class ElementCalls : Part {
 public:
     explicit ElementCalls(const Part& parts) : Part(parts) {}
     std::optional<Value> call(const clang::CallExpr& expression, const std::string& name, const Place& object);
 };
 
-/// What is asked of the component or one of its services, or of what it requires.
+/// Follows calls of the component, its services, or services that it requires.
 class ServiceCalls : Part {
 public:
     explicit ServiceCalls(const Part& parts) : Part(parts) {}
@@ -51,7 +51,7 @@ private:
     Place requesterNamed(const std::string& name, const clang::Expr& at);
 };
 
-/// Which activity the component has.
+/// Finds the component's activity.
 class ActivityCalls : Part {
 public:
     explicit ActivityCalls(const Part& parts) : Part(parts) {}
@@ -62,7 +62,7 @@ private:
     void note(const clang::CallExpr& expression, const model::Activity* activity);
 };
 
-/// addPort(…) and the like; all others are left to the classes above.
+/// Follows addPort(…) and the like, and passes other calls to the classes above.
 class InterfaceCalls : Part {
 public:
     explicit InterfaceCalls(const Part& parts) : Part(parts), elements_(parts), services_(parts), activities_(parts) {}
@@ -76,9 +76,9 @@ private:
     Value addCaller(const clang::CallExpr& expression, Requester& requester);
     Value addService(const clang::CallExpr& expression, Scope& scope);
     Value createService(const clang::CallExpr& expression);
-    /// Of an argument; made of its type if it is an object that is not known. Empty if that tells nothing either.
+    /// Returns the place of an argument's element; makes one from the type of an unknown object. May be empty.
     Place elementOf(const clang::Expr* expression, ElementKind kind);
-    /// Puts it into the scope, with the name that the call gives it, if all that is certain. Gives the place.
+    /// Adds the element to the scope, with the name from the call, if all that is certain. Returns its place.
     Value add(const clang::CallExpr& expression, const std::string& what, const Place& place, Scope& scope);
 
     ElementCalls elements_;

@@ -54,7 +54,6 @@ void InterfaceResult::readInto(Followed& made) {
         }
         made.required.push_back(std::move(required));
     }
-    // In the order of their registration.
     std::sort(made.required.begin(), made.required.end(),
               [](const auto& a, const auto& b) { return a.name.value < b.name.value; });
     made.uses = std::move(uses_);
@@ -121,7 +120,7 @@ void InterfaceResult::read(const Element& element, model::Interface& into) {
     }
 }
 
-/// The value that the variable has at the end of the constructor.
+/// Sets the value that the variable has at the end of the constructor.
 void InterfaceResult::giveValue(const Element& element, model::Text& value, const std::string& what) {
     const Value* found = memory_.find(element.value);
     const bool changed = memory_.find(element.value.of(Place::Kind::Changed)) != nullptr;

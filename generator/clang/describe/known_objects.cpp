@@ -34,7 +34,7 @@ std::optional<ElementKind> kindOf(const std::string& name) {
 
 }  // namespace
 
-/// As the text of a manifest. A float has fewer digits than the double it is computed with.
+/// Returns a number as in a manifest. A float has fewer digits than the double that it is computed with.
 model::Number numberOf(double value, const diag::Location& where) {
     std::array<char, 64> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -164,7 +164,7 @@ void KnownObjects::constructActivity(const Place& at, const std::string& name,
             if (activity.kind == model::ActivityKind::NonPeriodic) activity.kind = model::ActivityKind::Periodic;
         }
     }
-    // Who gives a priority without a scheduler gets the real-time one.
+    // A priority without a scheduler implies the real-time one.
     if (hasPriority && !activity.scheduler.given()) activity.scheduler = {"ORO_SCHED_RT", activity.where};
     registry_.activities[at] = activity;
 }
@@ -173,7 +173,7 @@ void KnownObjects::describeFunction(Element& element, const clang::FunctionDecl*
                                     clang::QualType signature) const {
     const auto* type = signature.isNull() ? nullptr : signature->getAs<clang::FunctionProtoType>();
     if (type == nullptr) return;
-    // The declaration says it in the user's words; what is bound may have other arguments than the function.
+    // The declaration has the user's words, unless the bound function has other arguments.
     const bool same = function != nullptr && function->getNumParams() == type->getNumParams();
     const clang::QualType result = same ? function->getReturnType() : type->getReturnType();
     const bool isDeduced = result->getContainedAutoType() != nullptr;
@@ -212,7 +212,7 @@ model::Policy KnownObjects::policyAt(const Value& value, bool& known) const {
     return policy;
 }
 
-/// ConnPolicy::buffer(10) and the like.
+/// Follows ConnPolicy::buffer(10) and the like.
 Value KnownObjects::policyCall(const clang::CallExpr& expression, const std::string& name) {
     const Values arguments = calls_.argumentsOf(expression);
     Value made = Value::ofText("", Kind::Policy);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Classes and functions that a component is made with, by what they are.
+/// Recognises classes and functions that components are made with.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_KNOWN_TYPES_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_KNOWN_TYPES_HPP
 
@@ -10,9 +10,9 @@
 
 namespace oroforge::cxx {
 
-/// Name of a class of RTT, or "": TaskContext, InputPort …
+/// Returns the name of an RTT class, such as TaskContext or InputPort; otherwise "".
 std::string toolchainName(const clang::CXXRecordDecl& record);
-/// Calls visit(class) for the class and for those of the user's that it is derived from, bases last.
+/// Calls visit(class) for the class and for its base classes that are the user's, bases last.
 template <class Visit>
 void eachOwn(const clang::CXXRecordDecl& type, const Visit& visit) {
     if (isLibrary(type)) return;
@@ -22,15 +22,15 @@ void eachOwn(const clang::CXXRecordDecl& type, const Visit& visit) {
         if (record != nullptr && record->hasDefinition()) eachOwn(*record->getDefinition(), visit);
     }
 }
-/// std::shared_ptr, boost::intrusive_ptr … and iterators: their value is the place that they point to.
+/// True for std::shared_ptr, boost::intrusive_ptr … and iterators: their value is the place they point to.
 bool isPointerLike(clang::QualType type);
 bool isStdString(clang::QualType type);
-/// std::vector, std::deque, std::list: elements in the order in which they were put there.
+/// True for std::vector, std::deque, std::list, which keep the order in which elements are added.
 bool isSequence(clang::QualType type);
-/// std::ostringstream, std::stringstream.
+/// True for std::ostringstream and std::stringstream.
 bool isTextStream(clang::QualType type);
 
-/// Null if its body was not read.
+/// Returns null if the body was not read.
 const clang::FunctionDecl* definitionOf(const clang::FunctionDecl& function);
 
 }  // namespace oroforge::cxx

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Hooks, operations and callbacks may add to the interface, too. They are followed like the constructor, but nothing that
-// they do counts: whatever they add is a remark.
+// Hooks, operations and callbacks may also add to the interface. They are followed like the constructor, but anything
+// they add is only a remark.
 #include "evaluator.hpp"
 #include "known_types.hpp"
 
@@ -9,7 +9,7 @@ namespace oroforge::cxx {
 
 namespace {
 
-/// Finds what a lambda with parameters of 'auto' adds, which is no code yet that could be followed.
+/// Finds what a generic lambda adds: without an instance it cannot be followed.
 class VerbFinder : public clang::RecursiveASTVisitor<VerbFinder> {
 public:
     using Report = std::function<void(const clang::Expr&, const std::string&)>;
@@ -55,7 +55,7 @@ void LateCalls::follow(const clang::CXXRecordDecl& made) {
         for (const clang::CXXMethodDecl* method : type.methods()) {
             if (llvm::isa<clang::CXXConstructorDecl, clang::CXXDestructorDecl>(method)) continue;
             const clang::FunctionDecl* definition = definitionOf(*method);
-            // Where a derived class has another one, only that calls it.
+            // A function that a derived class overrides is called only from there.
             if (definition == nullptr || calls_.isInvoked(*definition) ||
                 &stack_.overriderOf(*method, Place::component()) != method)
                 continue;
@@ -63,7 +63,7 @@ void LateCalls::follow(const clang::CXXRecordDecl& made) {
                    "in '" + method->getNameAsString() + "', which is not called while the component is made");
         }
     });
-    // Those that hooks have made are met there.
+    // These include lambdas made in hooks.
     const auto lambdas = values_.lambdas();
     for (const auto& [function, self] : lambdas) {
         const clang::FunctionDecl* definition = definitionOf(*function);

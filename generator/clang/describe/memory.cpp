@@ -34,7 +34,7 @@ void Memory::noteChange(const Place& place) {
         part = part.whole();
         if (kind != Place::Kind::Field && kind != Place::Kind::Element && kind != Place::Kind::Key) continue;
         set(part.of(Place::Kind::Changed), Value::ofBoolean(true));
-        // Of a text one character.
+        // One character of a text changed.
         if (const auto text = values_.find(part); text != values_.end() && text->second.is(Value::Kind::Text))
             text->second = Value();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What variables hold while a constructor is followed.
+/// The values of variables while a constructor is followed.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_MEMORY_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_MEMORY_HPP
 
@@ -17,22 +17,22 @@ public:
     explicit Memory(const Findings& findings) : findings_(findings) {}
 
     const Value* find(const Place& place) const;
-    /// Of a place: what is stored there. Any other value is itself.
+    /// Returns the value stored at a place; any other value is returned as it is.
     Value load(const Value& value) const;
     std::optional<long long> sizeOf(const Place& container) const;
 
-    /// As part of making the object, whatever is certain.
+    /// Sets a value while the object is made, even if there is a doubt.
     void set(const Place& place, Value value) { values_[place] = std::move(value); }
     void erase(const Place& place) { values_.erase(place); }
-    /// The objects that the place is a part of are not any more what they were made as.
+    /// Also marks the objects around the place as changed since they were made.
     void assign(const Place& place, Value value);
     void noteChange(const Place& place);
     void forget(const Place& place);
     void copy(const Place& from, const Place& to);
-    /// A copy of what an argument refers to, if nothing is there yet.
+    /// Copies an argument's target, if nothing is stored here yet.
     void store(const Place& at, const Value& value);
 
-    /// A place that nothing else has.
+    /// Returns an unused place.
     Place fresh() { return Place::made(++made_); }
 
 private:

@@ -15,7 +15,7 @@ namespace {
 using llvm::dyn_cast;
 using Kind = Value::Kind;
 
-/// What is around an initialiser without changing what it means.
+/// Removes wrappers around an initialiser that do not change its meaning.
 const clang::Expr* bare(const clang::Expr* init) {
     for (;;) {
         const clang::Expr* before = init;
@@ -76,7 +76,7 @@ void Objects::initialiseList(const Place& at, clang::QualType type, const clang:
     }
     const auto* record = type->getAsCXXRecordDecl();
     if (record == nullptr || isPointerLike(type)) {
-        // A number in braces, or none.
+        // One number in braces, or empty braces.
         if (list.getNumInits() == 1) initialise(at, type, list.getInit(0));
         return;
     }
@@ -116,7 +116,7 @@ void Objects::construct(const Place& at, clang::QualType type, const clang::CXXC
     Values arguments;
     for (const clang::Expr* argument : expression.arguments()) {
         arguments.push_back(values_.eval(argument));
-        // What RTT itself takes if nobody gives anything: "none", whatever it is.
+        // RTT's own default argument means "none", whatever it is.
         const bool given = !llvm::isa<clang::CXXDefaultArgExpr>(argument);
         if (!given && !memory_.load(arguments.back()).known() && isLibrary(constructor))
             arguments.back() = Value::null();
@@ -146,7 +146,7 @@ void Objects::construct(const Place& at, clang::QualType type, const clang::CXXC
     if (isLibrary(constructor) && !isStandard(*constructor.getParent(), "array")) {
         if (isSequence(type)) containers_.construct(at, arguments);
         if (!arguments.empty()) memory_.set(at, constantObject(type, expression));
-        // Containers that were made of a list are known to have that many elements.
+        // A container made from a list has that number of elements.
         if (!arguments.empty() && arguments[0].is(Kind::Place) &&
             memory_.find(arguments[0].place.of(Place::Kind::Size)) != nullptr) {
             const Value whole = memory_.load(Value::ofPlace(at));
@@ -192,7 +192,7 @@ void Objects::construct(const Place& at, const clang::CXXConstructorDecl& declar
     stack_.leave();
 }
 
-/// A base class, or the other constructor that this one leaves the work to.
+/// Follows a base class's constructor, or another constructor of the class to which this one delegates.
 void Objects::constructBase(const Place& at, const clang::CXXCtorInitializer& init, const Values& inherited) {
     const clang::Expr* expression = bare(init.getInit());
     if (const auto* same = dyn_cast<clang::CXXInheritedCtorInitExpr>(expression)) {

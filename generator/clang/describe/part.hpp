@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// What each class that takes part in following a constructor may use.
+/// The references that all parts which follow a constructor share.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_PART_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_PART_HPP
 
@@ -37,9 +37,9 @@ struct Part {
     InterfaceCalls& interface_;
 };
 
-/// The interface that came out of it, with the values that variables have at the end of the constructor.
+/// Reads the resulting interface, with the values of variables at the end of the constructor.
 void readResult(const Part& parts, Followed& made);
-/// Functions that the constructor does not call: tells what they would add.
+/// Follows functions that the constructor does not call, and reports what they would add.
 void followLate(const Part& parts, const clang::CXXRecordDecl& made);
 
 }  // namespace oroforge::cxx

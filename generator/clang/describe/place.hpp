@@ -10,29 +10,29 @@
 
 namespace oroforge::cxx {
 
-/// An object that is met while a constructor is followed, and the way to one of its parts; or to what is known of that.
+/// An object met while a constructor is followed, and the steps to one of its parts or to a fact about it.
 class Place {
 public:
     enum class Kind {
         // Objects.
-        Component,  ///< the one whose constructor is followed
-        Made,       ///< a variable, a temporary, what 'new' makes: they have numbers
+        Component,  ///< the component whose constructor is followed
+        Made,       ///< a variable, a temporary, an object from 'new': each has a number
         Global,     ///< by the number of its declaration
-        Requester,  ///< by the name of the service that is required
+        Requester,  ///< by the name of the required service
         // Parts.
         Field,
         Element,  ///< of an array or a sequence
         Key,      ///< of a map
         Held,     ///< the value of a property or an attribute
-        // What is known of an object.
-        Size,         ///< how many elements it has
-        Text,         ///< what a stream holds
-        Changed,      ///< it is not any more what it was made as
+        // Facts about an object.
+        Size,         ///< number of elements
+        Text,         ///< contents of a stream
+        Changed,      ///< it has changed since it was made
         Initialised,  ///< a global
         Activity      ///< of the component
     };
 
-    /// No object.
+    /// Makes a place without an object.
     Place() = default;
     static Place component() { return Place({{Kind::Component, 0, ""}}); }
     static Place made(long long number) { return Place({{Kind::Made, number, ""}}); }
@@ -46,25 +46,25 @@ public:
 
     bool empty() const { return steps_.empty(); }
     bool isComponent() const { return steps_.size() == 1 && isOf(Kind::Component); }
-    /// Whether it is an object of this kind, or a part of one.
+    /// True for an object of this kind, and for parts of one.
     bool isOf(Kind object) const { return !empty() && steps_.front().kind == object; }
-    /// Or the whole itself.
+    /// True also for the whole itself.
     bool isPartOf(const Place& whole) const {
         return !whole.empty() && steps_.size() >= whole.steps_.size() &&
                std::equal(whole.steps_.begin(), whole.steps_.end(), steps_.begin());
     }
 
-    /// Not the whole itself, and not what is known of it.
+    /// False for the whole itself, and for facts about it.
     bool isInFieldOf(const Place& whole) const {
         return isPartOf(whole) && steps_.size() > whole.steps_.size() &&
                steps_[whole.steps_.size()].kind == Kind::Field;
     }
 
-    /// Of a place that is not empty: what the last step leads to, and from where.
+    /// kind(), index() and whole() need a place that is not empty; they are about its last step.
     Kind kind() const { return steps_.back().kind; }
     long long index() const { return steps_.back().number; }
     Place whole() const { return Place({steps_.begin(), steps_.end() - 1}); }
-    /// The same part of another object.
+    /// Returns the same part of another object.
     Place moved(const Place& from, const Place& to) const {
         Place place = to;
         place.steps_.insert(place.steps_.end(), steps_.begin() + std::ptrdiff_t(from.steps_.size()), steps_.end());

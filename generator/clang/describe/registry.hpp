@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Objects of RTT's classes that a constructor has made, by their places; what was added to which.
+/// Objects of RTT's classes that a constructor has made, by their places, and what was added to them.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_REGISTRY_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_REGISTRY_HPP
 
@@ -20,7 +20,7 @@ public:
     std::optional<model::Activity> activity;
     model::InitialState initial = model::InitialState::Stopped;
 
-    /// Null if there is none.
+    /// Returns null if there is none.
     Element* elementAt(const Place& place) { return at(elements, place); }
     Scope* scopeAt(const Place& place) {
         Scope** found = at(scopes, place);

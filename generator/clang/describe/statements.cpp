@@ -9,9 +9,9 @@ namespace {
 
 using llvm::dyn_cast;
 
-constexpr unsigned kMostRounds = 1000;  // of one loop
+constexpr unsigned kMostRounds = 1000;  // of a loop
 
-/// Whether the function may be left there, so that what follows is not certain either.
+/// Finds statements that may leave the function: then what follows is not certain either.
 class LeavesFinder : public clang::RecursiveASTVisitor<LeavesFinder> {
 public:
     explicit LeavesFinder(bool ownsBreaks) : loops_(ownsBreaks ? 1 : 0) {}
@@ -42,7 +42,7 @@ private:
     unsigned loops_;
 };
 
-/// `ownsBreaks`: it is the body of a loop or a switch.
+/// `ownsBreaks`: the statement is the body of a loop or a switch.
 bool mayLeave(const clang::Stmt* statement, bool ownsBreaks) {
     LeavesFinder finder(ownsBreaks);
     finder.TraverseStmt(const_cast<clang::Stmt*>(statement));
@@ -56,7 +56,7 @@ void Statements::runUndecided(const clang::Stmt* statement, const std::string& w
     findings_.doubt(why);
     run(statement);
     findings_.settle();
-    // Until the end of the function, which pops all of them.
+    // This doubt remains until the end of the function, which removes all its doubts.
     if (mayLeave(statement, ownsBreaks)) findings_.doubt(why + ", which may leave the function before");
 }
 
@@ -98,7 +98,7 @@ Statements::Flow Statements::run(const clang::Stmt* statement) {
     }
     if (const auto* end = dyn_cast<clang::ReturnStmt>(statement)) {
         if (end->getRetValue() != nullptr) stack_.top().result = values_.eval(end->getRetValue());
-        // In a branch that is only looked at, the rest of it is still to be looked at.
+        // A doubtful return does not end the branch: the rest is followed, too.
         return findings_.isCertain() ? Flow::Return : Flow::Next;
     }
     if (llvm::isa<clang::BreakStmt>(statement)) return Flow::Break;
@@ -142,7 +142,7 @@ Statements::Flow Statements::runRounds(const clang::Expr* condition, const clang
         if (flow == Flow::Return) return flow;
         values_.eval(next);
     }
-    // What counts the rounds is not known any more, nor are names that it is part of.
+    // The loop's counter becomes unknown, and so do names made from it.
     findings_.doubt("");
     values_.eval(next);
     findings_.settle();
@@ -161,8 +161,7 @@ Statements::Flow Statements::runEach(const clang::CXXForRangeStmt& statement) {
     const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
     if (instance != nullptr && instance->isInStdNamespace() && instance->getName() == "array")
         size = instance->getTemplateArgs()[1].getAsIntegral().getZExtValue();
-    // Lists in braces say how long they are, and so do containers that were made of one.
-    // Not so those that have an order of their own.
+    // Lists in braces have a known length, and so do containers made from one, except those that sort their elements.
     const bool sorts = record != nullptr && (record->getName().contains("map") || record->getName().contains("set"));
     if (const auto known = sorts ? std::nullopt : memory_.sizeOf(range.place))
         size = static_cast<std::uint64_t>(*known);
@@ -208,7 +207,7 @@ Statements::Flow Statements::runSwitch(const clang::SwitchStmt& statement) {
     }
     bool reached = false;
     for (const clang::Stmt* part : block->body()) {
-        // Of "case 1: case 2: …" the second label is within the first.
+        // In "case 1: case 2: …" the second label is within the first.
         for (const clang::Stmt* label = part; !reached && llvm::isa<clang::SwitchCase>(label);
              label = llvm::cast<clang::SwitchCase>(label)->getSubStmt())
             reached = label == taken;

@@ -13,14 +13,14 @@ namespace {
 
 using Kind = Value::Kind;
 
-/// What a text is added to: a text or a character.
+/// Returns text to append: a text or a character.
 std::optional<std::string> wordOf(const Value& value) {
     if (value.is(Kind::Text)) return value.text;
     if (value.is(Kind::Number)) return std::string(1, static_cast<char>(value.number));
     return std::nullopt;
 }
 
-/// As a stream prints it.
+/// Returns the text that a stream prints.
 std::optional<std::string> printedText(const Value& value, clang::QualType type, const clang::ASTContext& context) {
     if (value.is(Kind::Text)) return value.text;
     if (value.is(Kind::Boolean)) return std::string(value.number != 0 ? "1" : "0");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Which headers of a package typegen has to read, so that the types of its ports, properties and operations are known.
+/// Finds the headers of a package that typegen must read for the types of its ports, properties and operations.
 #ifndef OROFORGE_GENERATOR_CLANG_DESCRIBE_TYPEKIT_HEADERS_HPP
 #define OROFORGE_GENERATOR_CLANG_DESCRIBE_TYPEKIT_HEADERS_HPP
 
@@ -16,19 +16,19 @@ namespace oroforge::cxx {
 
 class TypekitHeaders {
 public:
-    /// `root`: folder of the package.
+    /// `root` is the folder of the package.
     TypekitHeaders(const clang::SourceManager& sources, const SourcePlaces& places, const std::string& root);
 
-    /// Its file is no input of typegen: it defines a component or a service.
+    /// Excludes the file, because it defines a component or a service.
     void addComponent(const clang::CXXRecordDecl& type);
-    /// A type that others see, with the types that it is made of.
+    /// Adds a type that others see, and the types it is made of.
     void addUse(clang::QualType type);
 
-    /// Relative to the package, sorted. A type of the package that no header has for itself is a remark.
+    /// Returns headers relative to the package, sorted. A type of the package without a header of its own is a remark.
     std::vector<model::Text> headers(diag::Sink& remarks) const;
 
 private:
-    /// Of a file of the package: its name there. Empty if it is somebody else's.
+    /// Returns the name of a file in the package; empty for other files.
     std::string fileOf(const clang::Decl& type) const;
 
     const clang::SourceManager& sources_;
