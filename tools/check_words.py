@@ -20,7 +20,8 @@ PAGES = ("docs/", "examples/")
 # This page shows what not to write.
 EXEMPT = ("docs/design/style.md",)
 # Folders of C++ whose comments and literals are read. To be filled: a folder is added when it has no finding.
-SOURCES = ("deployer/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/",
+SOURCES = ("deployer/", "generator/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/",
+           "typekit_gen/collect/", "typekit_gen/diff/", "typekit_gen/plan/",
            *(f"runtime/rtt/{folder}/" for folder in
              ("deployment", "extras", "marsh", "os", "plugin", "scripting", "types", "typekit")))
 CODE = (".cpp", ".hpp", ".h", ".inl")

@@ -30,8 +30,7 @@ struct Accessor {
     bool uses(const std::string& word) const;
 };
 
-/// `words` are the arguments allowed besides numbers and variables. A malformed text gives errors TK071, and an
-/// accessor without steps.
+/// `words` are arguments allowed besides numbers and variables. Malformed text gives errors TK071 and no steps.
 Accessor parseAccessor(const std::string& text, const diag::Location& where, const std::vector<std::string>& words,
                        diag::Sink& sink);
 

@@ -14,9 +14,8 @@
 
 namespace oroforge::driver {
 
-/// Reports OM024, OM025 and OM036. `folder` has the headers of the manifest. If one is missing or malformed, only
-/// misspelt names of C++'s own types are reported, because it may define all others. Returns the headers that were
-/// read.
+/// Reports OM024, OM025 and OM036; returns the headers that were read. `folder` has the headers of the manifest. If one
+/// is missing or malformed, only misspelt names of C++'s own types are reported, because it may define all others.
 std::vector<std::string> checkTypes(const model::Package& package, const std::filesystem::path& folder,
                                     const std::vector<std::string>& flags, diag::Sink& sink);
 

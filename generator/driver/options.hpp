@@ -16,7 +16,7 @@ struct Options {
     std::vector<std::string> words;  ///< package name, then kinds
     std::string from;                ///< manifest of a new package
     std::string generate;            ///< manifest to generate base classes from
-    std::string output;              ///< folder for generated files
+    std::string output;              ///< folder for generated files; with --describe, a file
     std::string depfile;
     std::string depfileTarget;  ///< target in the depfile; empty = the generated files
     std::string templateDir;

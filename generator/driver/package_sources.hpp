@@ -15,8 +15,7 @@ struct PackageSources {
     std::vector<std::string> headers;
 };
 
-/// Returns C++ files that define one of the classes, given without namespaces, or a member of one. Skips hidden folders
-/// and build trees.
+/// Returns C++ files that define one of the classes (without namespaces) or a member. Skips hidden and build folders.
 PackageSources findSources(const std::filesystem::path& root, const std::vector<std::string>& classNames);
 
 /// True if a text has "class NAME", "struct NAME" or "NAME::member(".

@@ -49,7 +49,6 @@ std::optional<std::string> findManifest(diag::Sink& sink) {
     return std::nullopt;
 }
 
-/// The package to update.
 struct Package {
     std::string manifest;  ///< as it was given
     fs::path root;         ///< absolute

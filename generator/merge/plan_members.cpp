@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-//
-// Classes that have no generated base declare and register their ports, properties, attributes and operations themselves.
+// Classes without a generated base declare and register ports, properties, attributes and operations themselves.
 #include <algorithm>
 
 #include <merge/new_members.hpp>

@@ -29,7 +29,6 @@ std::size_t behindItem(const std::string& text, std::size_t at);
 /// Returns where the comment directly above an item begins; `at` is the item's beginning.
 std::size_t withComment(const std::string& text, std::size_t at);
 
-/// True if the line above is blank.
 bool blankAbove(const std::string& text, std::size_t lineStart);
 
 bool isBlank(const std::string& text);

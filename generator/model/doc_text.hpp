@@ -12,7 +12,6 @@ namespace oroforge::model {
 /// Returns the lines without leading and trailing blanks, safe inside a // comment.
 std::vector<std::string> commentLines(const std::string& text);
 
-/// Joins all lines into one.
 std::string oneLine(const std::string& text);
 
 /// Returns the documentation in one line, with the unit at the end, as displays show it.

@@ -64,7 +64,7 @@ struct Property {
     diag::Location where;
 };
 
-/// A value without description in the runtime. A constant has its default for ever.
+/// A value without description in the runtime. A constant keeps its default.
 struct Attribute {
     Text name;
     Text type;

@@ -14,8 +14,7 @@
 
 namespace oroforge::model {
 
-/// For each part that a type needs: the listed headers, by their numbers, each of which alone provides that part. Empty
-/// if not known.
+/// For each part that a type needs: numbers of the listed headers that each provide it. Empty if not known.
 using Homes = std::vector<std::vector<std::size_t>>;
 
 enum class TypeKind {

@@ -15,8 +15,8 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// The engine looks up {{x}} and {{#x}} alike. The mark tells them apart, because only a missing {{x}} is an error. No
-/// view key begins with it.
+/// The engine looks up {{x}} and {{#x}} alike; the mark, which no key has, tells them apart: only a missing {{x}} is
+/// wrong.
 constexpr char kVariableMark = '$';
 
 /// Marks a line with nothing but a section, partial or comment tag; such lines leave no trace in the output. (The

@@ -14,11 +14,10 @@
 
 namespace oroforge::typekit {
 
-/// A record is kept in the folder TYPEGEN_CACHE, else in the user's cache ($XDG_CACHE_HOME or
-/// ~/.cache)/oroforge/typegen, one small file for each output folder and typekit; never among the outputs, because it
-/// has names and times of this machine. TYPEGEN_CACHE= (empty) turns it off, and so does a depfile: then a build system
-/// knows when to run. A file counts as unchanged while its time and size are the same. Records not renewed for a month
-/// are removed.
+/// A record is a small file for each output folder and typekit, in the folder TYPEGEN_CACHE, else in the user's cache
+/// ($XDG_CACHE_HOME or ~/.cache)/oroforge/typegen; never among the outputs, because it has names and times of this
+/// machine. TYPEGEN_CACHE= (empty) turns it off, and so does a depfile: then a build system knows when to run. A file
+/// counts as unchanged while its time and size are the same. Records not renewed for a month are removed.
 class RunRecord {
 public:
     RunRecord(const Options& options, const cxx::ParseRequest& request);

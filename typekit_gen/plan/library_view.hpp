@@ -11,8 +11,7 @@
 
 namespace oroforge::typekit {
 
-/// Returns {"cpp", "name", "maker", "arguments"}, for a struct-like type {"cpp", "name", "fields"}; alternatives of a
-/// variant are in "labels".
+/// Keys: cpp, name, maker, arguments, and labels of a variant; of a struct-like type cpp, name, fields.
 nlohmann::json libraryView(const model::TypeUse& use);
 
 /// Returns the entries of a map as a type of their own: like libraryView() of a struct.

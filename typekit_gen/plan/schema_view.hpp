@@ -12,8 +12,8 @@ namespace oroforge::typekit {
 /// True for structs and enums of the user, and for types made from them.
 bool isOfUserType(const model::TypeUse& use);
 
-/// Returns an entry for each struct, enum, and tuple or variant of them: key, cpp, name, isEnum, fields[] (name, type,
-/// place, unit, of).
+/// Returns entries for structs, enums, tuples and variants: key, cpp, name, isEnum, fields[] (name, type, place, unit,
+/// of).
 nlohmann::json schemaViews(const model::TypeModel& model);
 
 }  // namespace oroforge::typekit

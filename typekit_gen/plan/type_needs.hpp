@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-/// Finds what a file about some types must include and declare, so that an edit of a header changes only files about
-/// types that depend on it.
+/// Finds what a file about some types must include and declare: a changed header must change only files that need it.
 #ifndef OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
 #define OROFORGE_TYPEKIT_GEN_PLAN_TYPE_NEEDS_HPP
 

@@ -37,8 +37,7 @@ public:
     void hintAtMissingFile(std::string hint) { missingHint_ = std::move(hint); }
 
 private:
-    /// After a missing file the compiler would normally report nothing more; the bridge keeps to that for the header in
-    /// which it happened.
+    /// clang would report nothing after a missing file; the bridge is silent only for the header in which it happened.
     bool isFollowUp(const clang::Diagnostic& info);
     void hintAtMissing(const clang::Diagnostic& info);
     void fixGuard(const clang::Diagnostic& info);

@@ -3,7 +3,7 @@
 /// Finds which listed headers provide a type, and which of them another header needs to be included before it.
 ///
 ///     words, includes, macros (IncludeWatch) ─┐
-///     declarations of the whole text ─────────┴─► per file: what it needs of others ─► per header: which ones before it
+///     declarations of the whole text ─────────┴─► per file: what it needs of others ─► per header: those before it
 ///
 /// Bodies of functions are not parsed, so a header's needs come from its words: every declaration with such a name
 /// outside of its own includes. That may be too much, and then an unneeded header is included.

@@ -131,7 +131,6 @@ Value Containers::endOf(const clang::CallExpr& expression, const std::string& na
     return size ? Value::ofPlace(whole.place.element(*size)) : Value();
 }
 
-/// Follows std::for_each().
 Value Containers::eachOf(const clang::CallExpr& expression) {
     const Value from = values_.pointed(expression.getArg(0)), to = values_.pointed(expression.getArg(1));
     const Value function = memory_.load(values_.eval(expression.getArg(2)));

@@ -212,7 +212,6 @@ model::Policy KnownObjects::policyAt(const Value& value, bool& known) const {
     return policy;
 }
 
-/// Follows ConnPolicy::buffer(10) and the like.
 Value KnownObjects::policyCall(const clang::CallExpr& expression, const std::string& name) {
     const Values arguments = calls_.argumentsOf(expression);
     Value made = Value::ofText("", Kind::Policy);

@@ -154,8 +154,7 @@ AdapterFinder::AdapterFinder(const std::vector<adapters::Adapter>& all, const cl
         const clang::Decl* declaration = canonical(*found);
         if (canFit(adapter, declaration, sink)) entries_.push_back({&adapter, declaration});
     }
-    // Packages share adapter files, and each package has only some of the classes: warn only about files of which no
-    // class exists.
+    // Packages share adapter files, and each has only some of their classes: warn only about files without any.
     for (const diag::Diagnostic& one : absent.all())
         if (used.count(one.where.file) == 0) sink.add(one);
 }

@@ -17,9 +17,8 @@ struct Accessors {
     model::FieldAccess access;
 };
 
-/// For a field `width_`, finds a getter width(), getWidth() or get_width(), const and of the field's type, with a
-/// setter setWidth(), set_width() or width() that takes such a value; or a width() that returns a reference. Else
-/// nothing.
+/// Finds a getter of a field `width_`: width(), getWidth() or get_width(), const and of the field's type, with a setter
+/// setWidth(), set_width() or width() for such a value; or a width() that returns a reference. Else nothing.
 std::optional<Accessors> findAccessors(const clang::FieldDecl& field);
 
 }  // namespace oroforge::cxx

@@ -18,8 +18,8 @@ namespace {
 
 const char* const kProbe = "oroforge_probe_";
 
-/// Returns functions with the signatures in question, in the namespace of the class, where the compiler finds out what
-/// the types mean.
+/// Returns functions with the signatures in question, in the class's namespace, so that the compiler resolves the
+/// types.
 std::string probes(const UserCodeRequest& request) {
     std::string marks, functions;
     for (std::size_t i = 0; i != request.classes.size(); ++i) {
