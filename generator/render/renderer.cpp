@@ -15,8 +15,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// The engine looks up {{x}} and {{#x}} alike; the mark, which no key has, tells them apart: only a missing {{x}} is
-/// wrong.
+/// The engine looks up {{x}} and {{#x}} alike. The mark, which no key has, shows the former: these must exist.
 constexpr char kVariableMark = '$';
 
 /// Marks a line with nothing but a section, partial or comment tag; such lines leave no trace in the output. (The

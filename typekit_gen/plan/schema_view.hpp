@@ -12,8 +12,7 @@ namespace oroforge::typekit {
 /// True for structs and enums of the user, and for types made from them.
 bool isOfUserType(const model::TypeUse& use);
 
-/// Returns entries for structs, enums, tuples and variants: key, cpp, name, isEnum, fields[] (name, type, place, unit,
-/// of).
+/// Entries for structs, enums, tuples and variants: key, cpp, name, isEnum, fields[] with name, type, place, unit, of.
 nlohmann::json schemaViews(const model::TypeModel& model);
 
 }  // namespace oroforge::typekit

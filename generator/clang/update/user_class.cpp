@@ -18,8 +18,7 @@ namespace {
 
 const char* const kProbe = "oroforge_probe_";
 
-/// Returns functions with the signatures in question, in the class's namespace, so that the compiler resolves the
-/// types.
+/// Returns functions with the wanted signatures, in the class's namespace, so that the compiler resolves the types.
 std::string probes(const UserCodeRequest& request) {
     std::string marks, functions;
     for (std::size_t i = 0; i != request.classes.size(); ++i) {
