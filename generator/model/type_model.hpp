@@ -59,7 +59,7 @@ struct Field {
     std::string doc;           ///< comment above or after the field, without comment marks
     std::string unit;          ///< from "@unit m/s" in the comment
     std::string range;         ///< from "@range 0..5" in the comment
-    std::string capacity;      ///< from "@capacity 20": number of elements to reserve
+    std::string capacity;      ///< from "@capacity 20": number of elements that it has room for
     std::string initial;       ///< default member initialiser, as written
     std::string also;          ///< another name, from an adapter
     std::string base;          ///< C++ name of the base class that declares it; empty = own field

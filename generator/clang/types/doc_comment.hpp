@@ -14,7 +14,7 @@ struct DocComment {
     std::string text;      ///< without comment marks; blanks join lines, a newline separates paragraphs
     std::string unit;      ///< text after "@unit"
     std::string range;     ///< text after "@range"
-    std::string capacity;  ///< text after "@capacity": number of elements to reserve
+    std::string capacity;  ///< text after "@capacity": number of elements that it has room for
     std::string make;      ///< text after "@make": C++ that makes a value of the type
     bool skip = false;     ///< "@skip": do not describe it
     bool asText = false;   ///< "@text": show an array of characters as a string
