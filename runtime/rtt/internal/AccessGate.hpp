@@ -12,7 +12,7 @@ namespace RTT {
 namespace internal {
 
 /**
- * Stands between an object and those who keep a plain pointer to it. They take a Pass before they use the object; its
+ * Protects an object that others reach by a plain pointer. A user takes a Pass before it uses the object; the object's
  * destructor closes the gate, which waits for the threads inside and lets no further one in. The object and its users
  * share the gate, so it outlives both.
  *
@@ -26,7 +26,7 @@ public:
         /** A null gate is closed. */
         explicit Pass(const std::shared_ptr<AccessGate>& gate) noexcept : place_(gate ? enter(*gate) : nullptr) {}
         ~Pass() {
-            if (place_) Presence::leave(*place_);  // of a gate that may be gone
+            if (place_) Presence::leave(*place_);  // the gate may be gone by now
         }
         Pass(const Pass&) = delete;
         Pass& operator=(const Pass&) = delete;
@@ -42,11 +42,11 @@ public:
         Presence::Place* const place_;
     };
 
-    /** To be called before others get the gate. Without that there is nobody for whom close() would wait. Real-time safe. */
+    /** Call it before others get the gate; without it close() waits for nobody. Real-time safe. */
     void share() noexcept { shared_ = true; }
     /** Blocks until nobody is inside, except this thread: an object may be destroyed by what its user makes it do. */
     void close() noexcept;
-    /** The same when it will not be opened again: it may be destroyed while this thread is inside. */
+    /** The same for a gate that will not be opened again: it may be destroyed while this thread is inside. */
     void closeForGood() noexcept;
     /** Real-time safe. */
     void open() noexcept { closed_ = false; }

@@ -14,7 +14,7 @@ class AtomicMWSRQueue : public AtomicQueue<T> {
 public:
     using AtomicQueue<T>::AtomicQueue;
 
-    /** The value that dequeue() gives next, or `T()`; in the reader's thread. */
+    /** The value that dequeue() would give next, or `T()`. Only for the reader's thread. */
     T front() const { return this->firstValue(); }
 };
 

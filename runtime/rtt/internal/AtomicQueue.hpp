@@ -12,10 +12,10 @@ namespace RTT {
 namespace internal {
 
 /**
- * A bounded first-in-first-out queue of pointers, or of other small values of which `T()` stands for "none". Any number of
- * threads may put and take; neither blocks nor allocates, both are real-time safe.
+ * A bounded first-in-first-out queue of pointers, or of other small values; `T()` means "none". Any number of threads
+ * may put and take. Both are real-time safe: they neither block nor allocate.
  *
- * Each cell carries a number that tells whose turn it is. In its round r, that is how often the queue went around before:
+ * Each cell carries a number that tells whose turn it is. In round r, after r wraps of the queue:
  *   2 r      free, for the thread that wins this position of the tail
  *   2 r + 1  filled, for the thread that wins this position of the head
  */
@@ -28,7 +28,7 @@ public:
     AtomicQueue(const AtomicQueue&) = delete;
     AtomicQueue& operator=(const AtomicQueue&) = delete;
 
-    /** False if the queue is full or the value in the place that comes next is just being taken, and for `T()`. */
+    /** False for `T()`, if the queue is full, or if another thread is just taking the value out of the next cell. */
     bool enqueue(const T& value) {
         if (value == T()) return false;
         std::uint64_t position = tail_.load(std::memory_order_relaxed);
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /** False, and `result` as it was, if the queue is empty or its first value is just being put. */
+    /** False, without a change of `result`, if the queue is empty or another thread is just putting its first value. */
     bool dequeue(T& result) {
         std::uint64_t position = head_.load(std::memory_order_relaxed);
         for (;;) {
@@ -65,22 +65,21 @@ public:
     }
 
     size_type capacity() const { return size_; }
-    /** A momentary truth while other threads use the queue, like isEmpty() and isFull(). */
+    /** May be outdated at once while other threads use the queue, as may isEmpty() and isFull(). */
     size_type size() const {
-        // The head first: who moved it has seen a tail that was as far, and so do we. The tail may have gone around by then.
+        // The head first: the thread that moved it saw a tail at least as far, and so do we. It may have wrapped since.
         const std::uint64_t head = head_.load(std::memory_order_acquire), tail = tail_.load(std::memory_order_acquire);
         return tail - head < size_ ? static_cast<size_type>(tail - head) : size_;
     }
     bool isEmpty() const { return size() == 0; }
     bool isFull() const { return size() == size_; }
-    /** Takes out what is there. */
     void clear() {
         for (T value = T(); dequeue(value);) {
         }
     }
 
 protected:
-    /** The first value, or `T()`: for queues that only one thread takes from, in that thread. */
+    /** The first value, or `T()`. Only for the thread that takes, in a queue with one such thread. */
     T firstValue() const {
         const std::uint64_t position = head_.load(std::memory_order_relaxed);
         const Cell& cell = cells_[position % size_];

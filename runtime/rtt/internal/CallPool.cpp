@@ -11,10 +11,10 @@ namespace RTT::internal {
 namespace {
 
 /**
- * A stack of free blocks. Blocks are named by number, 1 to Count; the links lie beside them, not in them, so that a late
- * look at a link that is no longer valid reads an atomic and nothing else. The head carries a tag that grows with every
- * change: an exchange that began before another one took and gave back the same block fails.
- * Blocks that were never used are not on the stack but handed out in order, so nothing has to be set up before main().
+ * A stack of free blocks. Blocks have numbers, 1 to Count. The links are kept beside the blocks, so a thread that is
+ * late reads an outdated link from an atomic, and not from a block in use. The head carries a tag that grows with every
+ * change: an exchange fails if the same block was taken and given back since it began. Blocks that were never used are
+ * not on the stack. They are handed out in order, so nothing has to be set up before main().
  */
 template <std::size_t BlockSize, std::uint32_t Count>
 class FreeBlocks {
@@ -23,7 +23,7 @@ public:
         std::uint64_t head = head_.load(std::memory_order_acquire);
         while (const std::uint32_t number = static_cast<std::uint32_t>(head)) {
             const std::uint64_t next = changed(head, next_[number - 1].load(std::memory_order_relaxed));
-            // Acquire: pairs with give(), whose user is finished with the block.
+            // Acquire: pairs with give(), so the previous user has finished with the block.
             if (head_.compare_exchange_weak(head, next, std::memory_order_acquire)) return blocks_[number - 1].bytes;
         }
         std::uint32_t fresh = fresh_.load(std::memory_order_relaxed);
@@ -38,7 +38,7 @@ public:
         do {
             next_[number - 1].store(static_cast<std::uint32_t>(head), std::memory_order_relaxed);
             next = changed(head, number);
-            // Release: the link, and all we did with the block, happen before the next take().
+            // Release: the link, and everything done with the block, happens before the next take().
         } while (!head_.compare_exchange_weak(head, next, std::memory_order_release));
     }
     bool owns(const void* block) const {
@@ -59,7 +59,7 @@ private:
     Block blocks_[Count];
 };
 
-// Constant initialised and never destroyed: calls may outlive main().
+// Constant-initialised and never destroyed: calls may outlive main().
 FreeBlocks<256, CallPool::kSmall> smallBlocks;
 FreeBlocks<1024, CallPool::kLarge> largeBlocks;
 

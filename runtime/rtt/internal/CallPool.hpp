@@ -12,8 +12,8 @@ namespace RTT {
 namespace internal {
 
 /**
- * Blocks of two sizes: kSmall of them up to 256 bytes, kLarge up to 1 KiB, for the whole process. What is larger, or comes
- * when all are in use, is taken from the heap. Lock-free and real-time safe as long as it is not.
+ * Blocks of two sizes: kSmall of them up to 256 bytes, kLarge up to 1 KiB, for the whole process. Larger blocks, and
+ * blocks beyond those numbers, come from the heap. Lock-free and real-time safe unless the heap is used.
  */
 class RTT_API CallPool {
 public:
@@ -21,7 +21,7 @@ public:
     static constexpr std::size_t kLarge = 64;
     static void* take(std::size_t size);
     static void give(void* block) noexcept;
-    /** True if `block` is one of the pool's, not of the heap. */
+    /** True if `block` belongs to the pool, not to the heap. */
     static bool owns(const void* block) noexcept;
 };
 

@@ -13,7 +13,7 @@ namespace RTT::internal {
 
 namespace {
 
-/** Who calls would execute the operation itself, with what is left of its component. A call that is sent is refused anyway. */
+/** The calling thread would execute the operation itself, on what is left of its component. Sending is refused. */
 bool isOrphan(const base::OperationCallerInterface& caller) {
     return caller.getThread() == ClientThread && caller.callee() && !caller.ready();
 }
@@ -57,7 +57,7 @@ bool GenericCall::invoke(void* result) const {
     try {
         table_->invoke(*caller_, addresses_.data(), result);
     } catch (const Interrupted&) {
-        throw;  // whoever asked for it means the caller
+        throw;  // the interruption is meant for the caller
     } catch (const std::exception& thrown) {
         threw(thrown.what());
         throw;
@@ -71,7 +71,7 @@ bool GenericCall::invoke(void* result) const {
 }
 
 void GenericCall::threw(const char* what) const {
-    // The engine that executes what is sent sees to it itself.
+    // The engine that executes a sent call puts the component into Exception itself.
     if (!caller_->isSend()) caller_->ownerThrew(what);
 }
 

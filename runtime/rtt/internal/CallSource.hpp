@@ -39,15 +39,15 @@ public:
     GenericCall(GenericCall&&) noexcept;
     ~GenericCall();
 
-    /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. False, and nothing is called, if
-        an argument cannot be evaluated. Throws what the operation throws, which puts its component into Exception. */
+    /** Evaluates the arguments and calls; `result` is a ResultStore of the result's type. False, without a call, if an
+        argument cannot be evaluated. Throws what the operation throws, which puts its component into Exception. */
     bool invoke(void* result) const;
-    /** Evaluates the arguments and sends; `sent` is null if refused. False, and nothing is sent, if an argument cannot be
+    /** Evaluates the arguments and sends; `sent` is null if refused. False, without sending, if an argument cannot be
         evaluated. An operation that throws puts its component into Exception, whichever engine executes it. */
     bool send(SentCall::shared_ptr& sent) const;
-    /** After one of them gave false: logs why; returns false. */
+    /** For use after invoke() or send() gave false: logs why; returns false. */
     bool report() const;
-    /** The same as an exception, a std::runtime_error. */
+    /** The same, but throws std::runtime_error. */
     [[noreturn]] void fail() const;
     GenericCall copy(CopyMap& cloned) const;
     base::OperationCallerInterface& caller() const { return *caller_.get(); }
@@ -65,9 +65,9 @@ private:
     mutable std::size_t failed_ = 0;        // the argument that could not be evaluated
 };
 
-/** The result is kept, so that value() can give it again; a default value while there is none, and after the operation threw.
-    If an argument cannot be evaluated the operation is not called: evaluate() logs an error and is false, get() throws
-    std::runtime_error. Both throw what the operation throws. */
+/** Keeps the result, so that value() can give it again; it is a default value before the first call and after the
+    operation threw. If an argument cannot be evaluated the operation is not called: evaluate() logs an error and is
+    false, get() throws std::runtime_error. Both throw what the operation throws. */
 template <class R>
 class CallSource final : public DataSource<R> {
 public:

@@ -15,7 +15,7 @@ void CalleeBase::deref() const {
 
 void CalleeBase::listen(std::shared_ptr<SignalBase> signal) {
     signal_ = std::move(signal);
-    // Release: who calls sees the signal complete.
+    // Release: a thread that calls sees the complete signal.
     listeners_.store(signal_.get(), std::memory_order_release);
 }
 

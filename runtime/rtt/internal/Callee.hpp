@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The function of an operation, shared by everybody who may call it.
+// The function of an operation, shared by all its callers.
 #ifndef ORO_INTERNAL_CALLEE_HPP
 #define ORO_INTERNAL_CALLEE_HPP
 
@@ -36,19 +36,19 @@ public:
     void ref() const { references_.fetch_add(1, std::memory_order_relaxed); }
     void deref() const;
 
-    /** Once at most; may be done while others call. */
+    /** At most once; other threads may be calling meanwhile. */
     void listen(std::shared_ptr<SignalBase> signal);
-    /** Takes over the signal of the callee that this one replaces, if that has one. */
+    /** Takes over the signal of the callee that this one replaces, if it has one. */
     void listenLike(const CalleeBase* other);
     const std::shared_ptr<SignalBase>& signal() const { return signal_; }
-    /** The operation that this is the function of; before it is called. */
+    /** Names the operation that this function belongs to. Before the first call. */
     void belongsTo(std::shared_ptr<const base::OperationDescription> operation);
-    /** Empty if it is of none. */
+    /** Empty if the function belongs to no operation. */
     std::string operationName() const;
 
 protected:
     const SignalBase* listeners() const { return listeners_.load(std::memory_order_acquire); }
-    /** Calls what is connected to the signal, with pointers to the arguments. */
+    /** Calls the subscribers of the signal with pointers to the arguments. */
     static void emit(const SignalBase& signal, void* const* arguments);
 
 private:

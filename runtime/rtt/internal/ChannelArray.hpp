@@ -12,13 +12,13 @@
 namespace RTT {
 namespace internal {
 
-/** Never changed once it can be seen by others: who connects or disconnects makes a new one. Holds a reference on each
+/** Never changes once other threads can see it: connecting and disconnecting make a new one. Holds a reference on each
     of its channels. Entries follow the head in the same block. */
 struct ChannelArray {
     struct Entry {
         base::ChannelElementBase* channel;
         bool mandatory;
-        /** Of the channel, if that stores samples: ports use it without the channel's virtual functions. Set by make(). */
+        /** Set by make() if the channel stores samples: ports then bypass the channel's virtual functions. */
         StorageCore* storage = nullptr;
 
         WriteStatus write(const void* sample) const {
@@ -34,9 +34,9 @@ struct ChannelArray {
     const Entry* begin() const { return reinterpret_cast<const Entry*>(this + 1); }
     const Entry* end() const { return begin() + size; }
 
-    /** Null for no entries. */
+    /** Null if there are no entries. */
     static ChannelArray* make(const Entry* entries, std::size_t size);
-    /** Gives `array` to the Reclaimer; null is allowed. */
+    /** Gives `array`, which may be null, to the Reclaimer. */
     static void retire(const ChannelArray* array);
 };
 

@@ -11,7 +11,7 @@
 namespace RTT {
 namespace internal {
 
-/** Typed only so that transports find a ChannelElement<T> next to them. write() and read() are real-time safe. */
+/** Typed only because transports look for a ChannelElement<T> next to them. write() and read() are real-time safe. */
 template <typename T>
 class ChannelStorage final : public base::ChannelElement<T> {
 public:
@@ -20,7 +20,7 @@ public:
     typedef typename base::ChannelElement<T>::param_t param_t;
     typedef typename base::ChannelElement<T>::reference_t reference_t;
 
-    /** Sized by `first`, which may be null. */
+    /** `first`, which may be null, shows the size of samples. */
     [[gnu::cold]] ChannelStorage(const ConnPolicy& policy, const void* first)
         : core_(types::typeOps<T>(), policy, first) {}
     /** Null, with an error logged, if the policy is not valid. */

@@ -17,7 +17,7 @@ std::mutex& mutex() {
 /** All tables, the newest first. */
 ComponentDescriptions* newest = nullptr;
 
-/** Takes the lock of the linker. Whoever opens a library holds that and wants ours: so never with ours held. */
+/** Takes the linker's lock. A thread that opens a library holds it and wants ours: never call this with ours held. */
 const void* libraryWith(const void* address) {
     Dl_info info;
     return dladdr(address, &info) ? info.dli_fbase : nullptr;

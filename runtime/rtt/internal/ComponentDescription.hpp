@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What generated code tells of the components of a library, for those who want to know before they make one.
+// What generated code says about the components of a library, for use before one of them is created.
 #ifndef ORO_INTERNAL_COMPONENT_DESCRIPTION_HPP
 #define ORO_INTERNAL_COMPONENT_DESCRIPTION_HPP
 
@@ -38,7 +38,7 @@ struct DescribedProperty {
     const std::type_info* type;
 };
 
-/** What the manifest says. The class may have more: what its own code adds. */
+/** What the manifest says. The class's own code may add more. */
 struct ComponentDescription {
     const char* type; /**< as in ORO_CREATE_COMPONENT or ORO_LIST_COMPONENT_TYPE */
     const char* package;
@@ -48,8 +48,7 @@ struct ComponentDescription {
 };
 
 /**
- * A static object of this type makes a table known as long as it exists: while the library is loaded that it is compiled
- * into. Neither it nor the table allocates.
+ * A static object of this type registers a table as long as the library that contains it is loaded. Allocates nothing.
  */
 class RTT_API ComponentDescriptions {
 public:
@@ -59,15 +58,15 @@ public:
     ComponentDescriptions& operator=(const ComponentDescriptions&) = delete;
 
     /**
-     * The description of a component type by the library, or the program, that also holds `code`: several libraries may
-     * have a type of one name, and how it is created tells which is meant. Null if there is none. It is there until the
-     * library is unloaded. Any thread; not real-time: waits for threads that open libraries.
+     * The description of a component type from the library or program that contains `code`. Several libraries may have
+     * a type of one name; the function that creates it tells them apart. Null if there is none. Valid until the library
+     * is unloaded. Any thread; not real-time: waits for threads that open libraries.
      */
     static const ComponentDescription* find(const std::string& type, const void* code);
 
 private:
     const DescribedList<ComponentDescription> table_;
-    const void* const library_;  // where it begins in memory
+    const void* const library_;  // its load address
     ComponentDescriptions* next_ = nullptr;
 };
 

@@ -24,7 +24,7 @@ namespace internal {
 class ConnID;
 class SharedConnectionBase;
 
-/** Nothing here is real-time safe. The virtual part is what a type's port factory offers to those who do not know the type. */
+/** The virtual functions are a type's port factory, for code that does not know the type. Nothing is real-time safe. */
 class RTT_API ConnFactory {
 public:
     typedef boost::shared_ptr<ConnFactory> shared_ptr;
@@ -37,7 +37,7 @@ public:
     virtual ElementPtr buildChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy) const;
     virtual ElementPtr buildChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy) const;
 
-    /** A storage element for samples of T, sized by `initial_value`; null, with an error logged, if the policy is not valid. */
+    /** A storage for samples of the size of `initial_value`; null, with an error logged, if the policy is invalid. */
     template <typename T>
     [[gnu::cold]] static typename base::ChannelElement<T>::shared_ptr buildDataStorage(ConnPolicy const& policy,
                                                                                        const T& initial_value = T()) {
@@ -51,21 +51,21 @@ public:
         return made->core() ? held : nullptr;
     }
 
-    /** For transports: storage whose samples `port` reads once port.channelReady(storage, policy, id) was called. */
+    /** For transports: storage that `port` reads after a call of port.channelReady(storage, policy, id). */
     static ElementPtr makeChannelOutput(base::InputPortInterface& port, ConnPolicy const& policy);
-    /** For transports: storage that `port` writes once port.addConnection(id, storage, policy) was called. */
+    /** For transports: storage that `port` writes after a call of port.addConnection(id, storage, policy). */
     static ElementPtr makeChannelInput(base::OutputPortInterface& port, ConnPolicy const& policy);
 
     /** Connects two ports; see OutputPort::createConnection for the rules. */
     static bool createConnection(base::OutputPortInterface& output, base::InputPortInterface& input,
                                  ConnPolicy const& policy);
-    /** Joins a transport's stream; `policy.name_id` and `policy.data_size` are filled in. */
+    /** Joins a transport's stream; fills in `policy.name_id` and `policy.data_size`. */
     static bool createStream(base::OutputPortInterface& output, ConnPolicy const& policy);
     static bool createStream(base::InputPortInterface& input, ConnPolicy const& policy);
     static bool createSharedConnection(base::OutputPortInterface* output, base::InputPortInterface* input,
                                        boost::intrusive_ptr<SharedConnectionBase> connection, ConnPolicy const& policy);
 
-    /** Checks `policy`, completes its defaults and makes the storage; null, with an error logged, if it is not valid. */
+    /** Completes and checks `policy` and makes the storage; null, with an error logged, if the policy is invalid. */
     static std::unique_ptr<SampleStore> makeStore(const types::TypeOps& ops, ConnPolicy& policy, const void* first);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How the two ends of a connection know each other.
+// How a port identifies the other end of a connection.
 #ifndef ORO_CONN_ID_HPP
 #define ORO_CONN_ID_HPP
 
@@ -14,13 +14,12 @@ class PortInterface;
 }
 namespace internal {
 
-/** Identifies one connection of a port, for removing it again. */
+/** Identifies one connection of a port, so that it can be removed. */
 class RTT_API ConnID {
 public:
     virtual ~ConnID();
     virtual bool isSameID(ConnID const& id) const = 0;
     virtual ConnID* clone() const = 0;
-    /** For people. */
     virtual std::string toString() const = 0;
     /** The port at the other end, if it is in this process. */
     virtual base::PortInterface* peer() const { return nullptr; }

@@ -88,7 +88,7 @@ bool ConnectionManager::removeIf(Which which) {
         publish();
         for (const Connection& c : gone) unlink(c);
     }
-    // Transports end their part, without the lock: towards the reader's side from an output port, and vice versa.
+    // Transports end their part without the lock: towards the reader from an output port, and vice versa.
     for (const Connection& c : gone)
         if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isInput(*port_));
     gone.clear();
@@ -96,7 +96,7 @@ bool ConnectionManager::removeIf(Which which) {
     return true;
 }
 
-/** Takes `connection`, which is no longer in our list, out of the peer's, and unlinks its storage where nobody uses it. */
+/** `connection` has left our list. Removes it from the peer's, and its storage from ports that no longer use it. */
 void ConnectionManager::unlink(const Connection& connection) {
     PortInterface* const peer = connection.id->peer();
     if (!peer && !connection.shared) return;
@@ -118,7 +118,7 @@ void ConnectionManager::unlink(const Connection& connection) {
     }
     if (connection.shared)
         for (const SharedConnectionBase::Member& m : connection.shared->members_) linkTo(*channel, *m.port, m.input);
-    // Others are not asked for their direction: they may be being destroyed.
+    // Others are not asked for their direction, because they may be under destruction.
     const bool input = isInput(*port_);
     for (const Connection& c : connections_)
         if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), !input);
@@ -127,7 +127,7 @@ void ConnectionManager::unlink(const Connection& connection) {
         if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), input);
 }
 
-/** Who follows the links of a storage finds a port at both ends, whichever of its ports have left. */
+/** Keeps a port at both ends of a storage, whichever of its ports have left, for code that follows the links. */
 void ConnectionManager::linkTo(ChannelElementBase& storage, const PortInterface& port, bool input) {
     std::atomic<ChannelElementBase*>& link = input ? storage.output_ : storage.input_;
     if (!link.load(std::memory_order_acquire)) ChannelElementBase::exchangeLink(link, port.endpoint_.get());
@@ -143,7 +143,7 @@ void ConnectionManager::add(const Connection& connection) {
     publish();
 }
 
-/** Shows writers or readers the list as it is now. A storage shared by several connections is in it once. */
+/** Shows the current list to writers or readers. A storage shared by several connections appears once. */
 void ConnectionManager::publish() {
     std::vector<ChannelArray::Entry> entries;
     for (const Connection& c : connections_) {
@@ -154,7 +154,7 @@ void ConnectionManager::publish() {
         else
             found->mandatory = found->mandatory || c.policy.mandatory;
     }
-    // Release: who loads the array sees its entries and the complete channels.
+    // Release: a thread that loads the array sees its entries and the complete channels.
     ChannelArray::retire(
         port_->channels_.exchange(ChannelArray::make(entries.data(), entries.size()), std::memory_order_acq_rel));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The connections of one port: who is at the other end, through which channel, with which policy.
+// The connections of one port: the other end, the channel and the policy of each.
 #ifndef ORO_CONNECTION_MANAGER_HPP
 #define ORO_CONNECTION_MANAGER_HPP
 
@@ -17,11 +17,11 @@
 
 namespace RTT {
 namespace internal {
-/** All changes of all ports are serialised by one process-wide lock, which is never held while user code runs, and which
-    writers and readers of ports never take. Nothing here is real-time safe except connected(). */
+/** One process-wide lock serialises all changes of all ports. It is never held while user code runs, and writing and
+    reading ports never take it. Only connected() is real-time safe. */
 class RTT_API ConnectionManager {
 public:
-    /** Peer's id, first channel element seen from this port, the policy that is really used. */
+    /** The peer's id, the first channel element as seen from this port, the policy in force. */
     typedef boost::tuple<boost::shared_ptr<ConnID>, base::ChannelElementBase::shared_ptr, ConnPolicy> ChannelDescriptor;
     typedef std::list<ChannelDescriptor> Connections;
 
@@ -33,25 +33,25 @@ public:
     Connections getChannels() const { return getConnections(); }
     bool connected() const;
     bool connectedTo(base::PortInterface* port) const;
-    /** The shared connection the port has joined, null if none. */
+    /** The shared connection that the port has joined; null if none. */
     boost::intrusive_ptr<SharedConnectionBase> getSharedConnection() const;
-    /** The storage that the port shares between its connections, or with the other ports of that connection; or null. */
+    /** The storage that the port's connections share, or that of its shared connection; null if there is none. */
     base::ChannelElementBase::shared_ptr getSharedStorage() const;
 
-    /** Registers a channel whose other end is no local port. Takes over `id`. */
+    /** Registers a channel whose other end is not a local port. Takes ownership of `id`. */
     void addConnection(ConnID* id, base::ChannelElementBase::shared_ptr channel, const ConnPolicy& policy);
-    /** Remove connections at both ends and break their channels; false if there was none such. */
+    /** These remove connections at both ends and break their channels; false if there was no such connection. */
     bool removeConnection(const ConnID* id);
     bool removeChannel(const base::ChannelElementBase* channel);
     bool disconnect(base::PortInterface* port);
     void disconnect();
 
-    /** For ConnFactory: what stands in the way of a new connection with `policy` at this port, if anything. */
+    /** For ConnFactory: what prevents a new connection at a port, if anything. */
     enum Obstacle { None, OtherBufferPolicy, OtherStorage, AlreadyConnected, Retry };
-    /** The storage that a new connection with `policy` has to use, because the port shares it between its connections;
-        null if it needs a new one. `existing` tells its policy. */
+    /** The storage that a new connection with `policy` has to use, because the port shares it between its connections,
+        with its policy in `existing`; null if the connection needs a new one. */
     base::ChannelElementBase::shared_ptr sharedStorage(const ConnPolicy& policy, ConnPolicy* existing) const;
-    /** Joins two ports by `storage`; Retry if sharedStorage() would no longer say `expected`. */
+    /** Joins two ports by `storage`; Retry if sharedStorage() would no longer return `expected`. */
     static Obstacle join(ConnectionManager& output, ConnectionManager& input,
                          const base::ChannelElementBase::shared_ptr& storage, const ConnPolicy& policy,
                          const base::ChannelElementBase* expected);

@@ -16,15 +16,15 @@ namespace internal {
 typedef std::map<const base::DataSourceBase*, base::DataSourceBase*> CopyMap;
 
 /**
- * Lets a constructor take P as a pointer to a Source, plain or counted, or as nullptr, but neither the literal 0 nor {}: these
- * are values, and would fit a parameter of type Source* as well.
+ * Lets a constructor take P as a pointer to a Source, plain or counted, or as nullptr. The literal 0 and {} are
+ * excluded: they are values, although a parameter of type Source* would accept them.
  */
 template <class P, class Source>
 using IfSource = std::enable_if_t<std::is_convertible<P, boost::intrusive_ptr<Source>>::value>;
 
 /**
- * A readable value of type T, which may be a reference type (the result of a function that returns one).
- * get() evaluates and returns; value() and rvalue() return what was evaluated last.
+ * A readable value of type T, which may be a reference type (the result of a function that returns one). get()
+ * evaluates and returns; value() and rvalue() return the value of the last evaluation.
  */
 template <typename T>
 class DataSource : public base::DataSourceBase {
@@ -36,11 +36,8 @@ public:
     typedef boost::intrusive_ptr<const DataSource<T>> const_ptr;
 
     bool evaluate() const override;
-    /** Computes and returns the value. */
     virtual result_t get() const = 0;
-    /** The value computed last. */
     virtual result_t value() const = 0;
-    /** The value computed last, by reference. */
     virtual const_reference_t rvalue() const = 0;
 
     DataSource<T>* clone() const override = 0;
@@ -53,7 +50,7 @@ public:
     const std::type_info* getTypeId() const override;
     const void* getRawConstPointer() override;
 
-    /** `source` as a source of exactly T; null if it is another type. */
+    /** `source` as a source of exactly T; null if its type is another one. */
     static DataSource<T>* narrow(base::DataSourceBase* source) { return dynamic_cast<DataSource<T>*>(source); }
 };
 
@@ -69,7 +66,7 @@ public:
     typedef boost::intrusive_ptr<const AssignableDataSource<T>> const_ptr;
 
     virtual void set(param_t value) = 0;
-    /** The stored value for direct change; call updated() afterwards. */
+    /** The stored value, to be changed in place; call updated() afterwards. */
     virtual reference_t set() = 0;
 
     bool isAssignable() const override { return std::is_copy_assignable<value_t>::value; }

@@ -10,7 +10,7 @@ namespace RTT {
 namespace internal {
 
 /**
- * Evaluates a source when executed, as for a call whose result is not used. Of a source of bool the value says whether
+ * Evaluates a source when executed, such as a call whose result is not used. The value of a bool source says whether
  * the action succeeded. As real-time safe as the source.
  */
 class DataSourceCommand : public base::ActionInterface {

@@ -18,7 +18,7 @@ class TypeInfo;
 
 namespace internal {
 
-/** Stands for every C++ type that no typekit has registered; its name is "unknown_t". */
+/** Represents every C++ type that no typekit has registered; its name is "unknown_t". */
 struct UnknownType {};
 
 /** T without reference and const. */
@@ -28,14 +28,14 @@ struct remove_cr {
 };
 
 namespace detail {
-/** Finds the type by the name of its type_info and keeps what it found in `cache`; unknown_t if there is none. */
+/** Finds the type by the name of its type_info and keeps it in `cache`; unknown_t, which is not kept, if unknown. */
 RTT_API types::TypeInfo* typeInfoFor(const std::type_info& id, std::atomic<types::TypeInfo*>& cache);
 RTT_API const std::string& plainTypeName(const types::TypeInfo* info);
 RTT_API const std::string& qualifierText(bool isConst, bool isReference, bool isPointer);
-/** Both. */
+/** Plain name and qualifier. */
 RTT_API std::string fullTypeName(const types::TypeInfo* info, const std::string& qualifier);
 
-/** One cache per type (shared by T, T& and const T&); looked up by name, so that copies in several libraries agree. */
+/** One cache per type, shared by T, T& and const T&. Types are found by name, so copies in several libraries agree. */
 template <class T>
 types::TypeInfo* cachedTypeInfo() {
     static std::atomic<types::TypeInfo*> cache{nullptr};
@@ -51,14 +51,13 @@ struct DataSourceTypeInfo {
     typedef DataSourceTypeInfo<value_type> value_type_info;
 
     static types::TypeInfo* getTypeInfo() { return detail::cachedTypeInfo<value_type>(); }
-    /** Plain name. */
     static const std::string& getTypeName() { return detail::plainTypeName(getTypeInfo()); }
     /** " const&", " &" or nothing. */
     static const std::string& getQualifier() {
         return detail::qualifierText(std::is_const_v<std::remove_reference_t<T>>, std::is_reference_v<T>,
                                      std::is_pointer_v<std::remove_reference_t<T>>);
     }
-    /** Name and qualifier. */
+    /** Plain name and qualifier. */
     static std::string getType() { return detail::fullTypeName(getTypeInfo(), getQualifier()); }
 };
 

@@ -15,7 +15,7 @@ namespace detail {
 types::TypeInfo* typeInfoFor(const std::type_info& id, std::atomic<types::TypeInfo*>& cache) {
     const auto repository = types::Types();
     if (types::TypeInfo* found = repository->getTypeById(&id)) {
-        // release: whoever reads the pointer sees the object it was registered with.
+        // Release: a thread that reads the pointer sees the complete object.
         cache.store(found, std::memory_order_release);
         return found;
     }

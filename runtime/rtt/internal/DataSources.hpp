@@ -10,11 +10,11 @@
 namespace RTT {
 namespace internal {
 
-/** For constructors that copy a value once, where those that take one copy and move it. */
+/** Selects the constructors that copy a value once; those without it take a value and move from it. */
 struct CopyTag {};
 
-/** A variable: holds its value itself. copy() returns the same variable, clone() a new one. After copiesAnew() copy(), too,
-    returns a new one, as the local variables of programs need it. */
+/** A variable: holds its value itself. copy() returns the same variable, clone() a new one. After copiesAnew(), copy()
+    returns a new one as well, which the local variables of programs need. */
 template <typename T>
 class ValueDataSource : public AssignableDataSource<T> {
 public:
@@ -26,13 +26,13 @@ public:
     ValueDataSource(const_reference_t value, CopyTag) : mdata(types::copyOf<T>(value)) { this->addressIsFixed(); }
     ValueDataSource() : mdata(types::ValueTraits<T>::make()) { this->addressIsFixed(); }
     explicit ValueDataSource(T value) : mdata(types::movedFrom(value)) { this->addressIsFixed(); }
-    /** A new variable. Apart, so that all who make one share the code. */
+    /** A new variable. A function of its own, so that all callers share the code. */
     [[gnu::cold, gnu::noinline]] static ValueDataSource<T>* make(const T& value) {
         return new ValueDataSource<T>(value, CopyTag());
     }
     [[gnu::cold, gnu::noinline]] static ValueDataSource<T>* make() { return new ValueDataSource<T>(); }
 
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(mdata); }
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(mdata); }
     const_reference_t rvalue() const override { return mdata; }
@@ -78,7 +78,7 @@ public:
         return new ConstantDataSource<T>(value, CopyTag());
     }
 
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(mdata); }
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(mdata); }
     typename DataSource<T>::const_reference_t rvalue() const override { return mdata; }
@@ -102,14 +102,14 @@ public:
 
     explicit ReferenceDataSource(reference_t ref) : mptr(std::addressof(ref)) { this->addressIsFixed(); }
 
-    /** To be called before members of the value are handed out. */
+    /** Call it before members of the value are handed out. */
     void setReference(void* ref) override { mptr = static_cast<typename DataSource<T>::value_t*>(ref); }
     bool setReference(base::DataSourceBase::shared_ptr source) override {
         void* const at = source && this->hasTypeOf(*source) ? source->getRawPointer() : nullptr;
         if (at) setReference(at);
         return at != nullptr;
     }
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
@@ -133,7 +133,7 @@ public:
 
     explicit ConstReferenceDataSource(typename DataSource<T>::const_reference_t ref) : mptr(std::addressof(ref)) {}
 
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::result_t value() const override { return types::copyOf<T>(*mptr); }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }

@@ -9,7 +9,7 @@
 namespace RTT::internal {
 
 namespace {
-// A pointer, because threads end in any order with what they have.
+// A pointer, because thread-local objects are destroyed in no known order.
 thread_local const std::string* promised = nullptr;
 }  // namespace
 
@@ -25,7 +25,7 @@ bool ActivityFollows::take(const std::string& component) {
     return true;
 }
 
-/** Has the runner of the deferred one, but is not the runner's activity. */
+/** Executes the runner of the deferred activity, but is not the runner's activity. */
 class DeferredActivity::Own : public Activity {
 public:
     Own(DeferredActivity& outer, const std::string& name, Seconds period)
@@ -94,7 +94,7 @@ unsigned DeferredActivity::getCpuAffinity() const {
 bool DeferredActivity::setCpuAffinity(unsigned cpuAffinity) { return made()->setCpuAffinity(cpuAffinity); }
 bool DeferredActivity::execute() { return false; }
 
-// Who sends has queued the message already: it waits for the activity that follows.
+// The sender has queued its message already, so it is executed by the activity that follows.
 bool DeferredActivity::trigger() try { return isActive() && made()->trigger(); } catch (const std::bad_alloc&) {
     return false;
 }

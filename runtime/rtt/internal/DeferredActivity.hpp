@@ -15,8 +15,8 @@ class Activity;
 namespace internal {
 
 /**
- * Promises, while it exists, that the next TaskContext of that name that this thread constructs gets another activity
- * afterwards, so that a thread of its own is made only if somebody needs it before.
+ * While it exists, it promises that the next TaskContext of that name constructed in this thread gets another activity
+ * later. The component then makes a thread of its own only if it needs one before that.
  */
 class RTT_API ActivityFollows {
 public:
@@ -34,21 +34,21 @@ private:
 };
 
 /**
- * A component's default activity whose thread is made when it has something to do, or when somebody looks at it. So the first
- * trigger() or timeout() is not real-time safe; it returns false if no thread can be made.
+ * A component's default activity. Its thread is made when there is something to do, or when it is first asked for. So
+ * the first trigger() or timeout() is not real-time safe; it returns false if no thread can be made.
  *
- * What executes then is an Activity that TaskContext::getActivity() returns. This one stays the engine's, which those who send
- * may be visiting.
+ * From then on an Activity executes, which TaskContext::getActivity() returns. The engine keeps this one, because
+ * senders may be visiting it.
  */
 class DeferredActivity : public base::ActivityInterface {
 public:
     explicit DeferredActivity(const std::string& name);
     ~DeferredActivity() override;
 
-    /** The activity that executes; made by the first call, with that period in seconds, and started if this one is. Any thread;
-        not real-time safe. */
+    /** The activity that executes. The first call makes it with that period in seconds, and starts it if this one is
+        started. Any thread; not real-time safe. */
     Activity* made(Seconds period = 0.0);
-    /** Null as long as there is none. Real-time safe. */
+    /** Null until made() was called. Real-time safe. */
     Activity* ifMade() const { return made_.load(std::memory_order_acquire); }
 
     bool run(base::RunnableInterface* runner) override;
@@ -73,7 +73,7 @@ private:
     std::mutex making_;
     std::unique_ptr<Own> own_;
     std::atomic<Activity*> made_{nullptr};
-    std::atomic<bool> started_{false};  // counts as long as there is none
+    std::atomic<bool> started_{false};  // valid while own_ is null
 };
 
 }  // namespace internal

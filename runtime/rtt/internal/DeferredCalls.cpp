@@ -19,7 +19,7 @@ bool DeferredCalls::add(Call* own, Function function, void* argument) noexcept {
 }
 
 void DeferredCalls::run() {
-    // What is called may write to ports and come here again.
+    // A called function may write to ports and come here again.
     Batch batch{first_, nullptr, batches_};
     first_ = last_ = nullptr;
     batches_ = &batch;
@@ -50,8 +50,8 @@ void DeferredCalls::prepend(Call* first) noexcept {
     if (!last_) last_ = last;
 }
 
-// The memory of the call may go away with what it is about, so the call is taken out; a spare one stays in its place,
-// because only its own thread may say that it is free.
+// The memory of a call may vanish with its argument, so the call is taken out. A spare one stays in its place, because
+// only its own thread may mark it as free.
 unsigned DeferredCalls::cancel(Batch* batch, const void* argument) noexcept {
     unsigned found = 0;
     for (; batch; batch = batch->outer)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a thread calls as soon as it has left its Reclaimer::Guard.
+// Functions that a thread calls as soon as it has left its Reclaimer::Guard.
 #ifndef ORO_INTERNAL_DEFERRED_CALLS_HPP
 #define ORO_INTERNAL_DEFERRED_CALLS_HPP
 
@@ -14,10 +14,10 @@ namespace detail {
 class Waiting;
 }
 
-/** The calls of one thread, first in, first out. Touched by that thread only, except while it is in a detail::Waiting. */
+/** The calls of one thread, first in, first out. Only that thread touches them, except within a detail::Waiting. */
 class RTT_API DeferredCalls {
 public:
-    /** `argument` becomes null when the call has been given up, also while it is being made. */
+    /** `argument` becomes null when the call is cancelled or abandoned, even while the function runs. */
     typedef void (*Function)(void*& argument);
     struct Call {
         Function function;
@@ -27,17 +27,17 @@ public:
     static constexpr std::uint32_t kSpare = 16;
 
     bool empty() const noexcept { return first_ == nullptr; }
-    /** Keeps the call in `own`, which belongs to the caller until the call begins, or, if that is null, in a spare one.
-        False if there is none. Real-time safe. */
+    /** Keeps the call in `own`, memory of the caller that is in use until the call begins, or in a spare place if that
+        is null. False if no spare place is free. Real-time safe. */
     bool add(Call* own, Function function, void* argument) noexcept;
-    /** Makes all calls. What they add is for somebody else: for the next run(), which may come within this one. */
+    /** Makes all calls. Those that they add are left to the next run(), which may be nested in this one. */
     void run();
 
-    /** Gives up the calls with this argument that have not begun; returns their number. */
+    /** Cancels the calls with this argument that have not begun; returns their number. */
     unsigned cancel(const void* argument) noexcept;
-    /** How many calls with this argument are being made: more than one if they are made within each other. */
+    /** The number of calls with this argument in progress; above one if they are nested. */
     unsigned making(const void* argument) const noexcept;
-    /** Those get a null argument; returns their number. */
+    /** Sets the argument of the calls in progress to null; returns their number. */
     unsigned abandon(const void* argument) noexcept;
 
 private:
@@ -45,7 +45,7 @@ private:
     /** The calls of one run(). Lives on the stack. */
     struct Batch {
         Call* first;
-        void* argument;  // of the call that is being made
+        void* argument;  // of the call in progress
         Batch* outer;
     };
     bool isSpare(const Call* call) const noexcept { return call >= spare_ && call < spare_ + kSpare; }

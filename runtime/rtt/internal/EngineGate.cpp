@@ -27,7 +27,7 @@ EngineGate::Step::~Step() {
 
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
     if (gate.isStepping()) return true;
-    // Nobody executes it any more.
+    // A retired engine executes nothing more.
     if (as == Self && gate.retired()) return gate.offeredToRetirer() != nullptr;
     Visit* const visit = new (visit_) Visit(gate);
     base::ActivityInterface* const activity = visit->activity();
@@ -44,7 +44,7 @@ bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
 
 void EngineGate::Stand::leave() {
     Visit* const visit = std::launder(reinterpret_cast<Visit*>(visit_));
-    // Unless this thread has destroyed or exchanged it meanwhile.
+    // This thread may have destroyed or exchanged the activity meanwhile.
     if (visit->activity() == entered_)
         entered_->endDirect();
     else
@@ -98,7 +98,7 @@ void EngineGate::close() {
     engine_.store(nullptr);
     activity_.store(nullptr);
     waitForVisitors();
-    // An engine may be destroyed within its own step, in which this thread goes on using the gate.
+    // An engine may be destroyed within its own step, and this thread then goes on using the gate.
     for (unsigned visits = Presence::keep(this); visits; --visits) ref();
     for (const Step* step = Step::innermost_; step; step = step->outer_)
         if (step->gate_ == this) step->gate_ = nullptr;

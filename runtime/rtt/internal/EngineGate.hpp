@@ -19,26 +19,26 @@ class ActivityInterface;
 namespace internal {
 
 /**
- * How others reach an ExecutionEngine whose activity may be exchanged, or which may be destroyed, at that moment. Shared by
- * the engine, the callers of its component's operations and the calls that its component waits for; outlives the engine.
+ * The way to an ExecutionEngine that may change its activity, or be destroyed, at any moment. Shared by the engine, the
+ * callers of its component's operations and the calls that its component waits for; outlives the engine.
  *
  * A visitor enters the gate and then looks for the engine and the activity. The thread that takes one of them away does
  * that first and then waits for all visitors, see Presence.
  */
 class RTT_API EngineGate {
 public:
-    /** While one exists, what it gives is not destroyed. Never blocks; real-time safe. */
+    /** While one exists, the engine and the activity that it gives are not destroyed. Never blocks; real-time safe. */
     class RTT_API Visit {
     public:
         explicit Visit(const EngineGate& gate) noexcept : gate_(gate), place_(Presence::enter(&gate)) {}
         ~Visit() {
-            if (Presence::leave(place_)) gate_.deref();  // the engine was destroyed within
+            if (Presence::leave(place_)) gate_.deref();  // the engine was destroyed during the visit
         }
         Visit(const Visit&) = delete;
         Visit& operator=(const Visit&) = delete;
-        /** Null: destroyed, or retired by another thread. */
+        /** Null if it was destroyed, or retired by another thread. */
         ExecutionEngine* engine() const { return gate_.offered(); }
-        /** Null: there is none. */
+        /** Null if there is none. */
         base::ActivityInterface* activity() const { return gate_.activity_.load(); }
 
     private:
@@ -58,9 +58,9 @@ public:
         /** The engine; null if gone. */
         ExecutionEngine* engine() const { return gate_ ? gate_->engine_.load(std::memory_order_relaxed) : nullptr; }
         const Step* outer() const { return outer_; }
-        /** Not within another step of the same engine. */
+        /** False within another step of the same engine. */
         bool first() const { return place_ != nullptr; }
-        /** Of this thread; null if it is within no step. */
+        /** Of this thread; null outside a step. */
         static const Step* innermost() noexcept { return innermost_; }
 
     private:
@@ -72,16 +72,16 @@ public:
     };
 
     /**
-     * While this thread touches the component without a message, because it is within a step of the engine or stands for
-     * its activity (base::ActivityInterface::isSelf()): nobody else executes the component meanwhile. Converts to false if
-     * this thread must leave it alone. Waits for no execution, see ActivityInterface::beginDirect(). Lives on the stack.
+     * Exists while this thread touches the component without a message, in a step of the engine or as its activity
+     * (base::ActivityInterface::isSelf()). No other thread executes the component meanwhile. Converts to false if this
+     * thread must not touch it. Waits for no execution, see ActivityInterface::beginDirect(). Lives on the stack.
      */
     class RTT_API Stand {
     public:
-        /** Self: only the component's own thread may. Anybody: any thread may while nobody executes the component, see
+        /** Self: only the component's own thread may. Anybody: any thread may while none executes the component, see
             ActivityInterface::beginInStead(). */
         enum As { Self, Anybody };
-        /** A null gate is that of a component which may be touched by any thread. */
+        /** A null gate belongs to a component that any thread may touch. */
         explicit Stand(const EngineGate* gate, As as = Self) : granted_(!gate || enter(*gate, as)) {}
         ~Stand() {
             if (entered_) leave();
@@ -103,36 +103,36 @@ public:
     EngineGate(const EngineGate&) = delete;
     EngineGate& operator=(const EngineGate&) = delete;
 
-    /** The gate of the engine that this thread is executing; null if none. */
+    /** The gate of the engine that this thread is executing; null if there is none. */
     static const EngineGate* ofThisThread() noexcept;
 
-    /** The engine was destroyed, or retired by another thread. Any thread; real-time safe, as all that follow unless they say
-        otherwise. */
+    /** The engine was destroyed, or retired by another thread. This and the following functions may be called by any
+        thread and are real-time safe, unless they say otherwise. */
     bool closed() const { return offered() == nullptr; }
     /** retire() was called, or the engine was destroyed. */
     bool retired() const { return offered_.load(std::memory_order_acquire) == nullptr; }
-    /** For the engine and for those who know that it lives. */
+    /** For the engine, and for code that knows that it exists. */
     ExecutionEngine* engine() const { return engine_.load(std::memory_order_acquire); }
     base::ActivityInterface* activity() const { return activity_.load(std::memory_order_acquire); }
     /** This thread is within a step of the engine. */
     bool isStepping() const noexcept;
-    /** This thread is within a step of the engine, or stands for its activity. */
+    /** This thread is within a step of the engine, or acts as its activity. */
     bool isSelf() const;
 
     /** Blocks until no other thread uses the previous one. */
     void setActivity(base::ActivityInterface* activity);
-    /** Refuses all other threads from now on, for good, as if the engine were destroyed: for a thread that is about to destroy
-        the component. */
+    /** For a thread that is about to destroy the component: refuses all other threads for good, as if the engine were
+        destroyed. */
     void retire();
-    /** Blocks until no other thread visits the retired engine or is within a step of it; false if that is not so at the monotonic
-        time `deadline` (ns). At once if it was so before. */
+    /** Blocks until no other thread visits the retired engine or is within a step of it, and returns at once from then
+        on. False at the monotonic time `deadline` (ns). */
     bool waitUntilLeft(std::int64_t deadline);
     /** Retired by this thread. */
     bool retiredHere() const { return retired() && offeredToRetirer() != nullptr; }
     /** For the destructor of the engine. Blocks until no other thread uses it. */
     void close();
-    /** Blocks until the visits of all other threads are over. A component's thread executes its messages meanwhile, because
-        who executes a sequential component may be waiting for one of them. */
+    /** Blocks until the visits of all other threads are over. A component's thread executes its messages meanwhile,
+        because the thread that executes a sequential component may be waiting for one of them. */
     void waitForVisitors() const;
     /** Blocks until no thread is within a step; for an engine whose activity is not active. */
     void waitForStep() const;
@@ -143,7 +143,7 @@ public:
     void deref() const;
 
 private:
-    /** What a thread within a step is using. */
+    /** The address that a thread within a step uses, see Presence. */
     const void* step() const noexcept { return &references_; }
     bool waitFor(const void* use, const char* what, std::int64_t deadline = INT64_MAX) const;
     ExecutionEngine* offered() const {
@@ -154,9 +154,9 @@ private:
 
     mutable std::atomic<std::uint32_t> references_{0};
     std::atomic<ExecutionEngine*> engine_;
-    std::atomic<ExecutionEngine*> offered_;  // null as soon as it is retired
-    std::atomic<int> retirer_{0};            // the thread that did so last
-    std::atomic<bool> left_{false};          // by all other threads, after it was retired
+    std::atomic<ExecutionEngine*> offered_;  // null once retired
+    std::atomic<int> retirer_{0};            // the thread that last called retire()
+    std::atomic<bool> left_{false};          // by all other threads, once retired
     std::atomic<base::ActivityInterface*> activity_{nullptr};
 };
 

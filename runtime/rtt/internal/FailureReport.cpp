@@ -13,7 +13,7 @@ namespace RTT::internal {
 
 namespace {
 
-// Initial-exec: a real-time thread asks for the second one with each error, and must not allocate then.
+// Initial-exec: a real-time thread reads innermostErrors with each error, and must not allocate then.
 thread_local FailureReport* innermostReport __attribute__((tls_model("initial-exec"))) = nullptr;
 thread_local KeptErrors* innermostErrors __attribute__((tls_model("initial-exec"))) = nullptr;
 thread_local FailureReport* reportOfSent __attribute__((tls_model("initial-exec"))) = nullptr;
@@ -30,7 +30,7 @@ Services& services() {
     return known;
 }
 
-/** Unless it is there already: several ways of trying a thing may fail for the same reason. */
+/** Once only: several attempts may fail for the same reason. */
 void append(std::string& text, const std::string& more) {
     if (text.find(more) == std::string::npos) text += (text.empty() ? "" : "; ") + more;
 }

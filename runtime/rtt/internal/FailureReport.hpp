@@ -14,9 +14,9 @@ class Service;
 namespace internal {
 
 /**
- * Why an operation returns false, for a script that called it and does not look at what it returned: the script knows the file
- * and the line, the operation the reason. While one lives, it collects what operations give in its thread. They nest, and live
- * on the stack.
+ * Collects the reasons of operations that return false, in its thread and while it exists. It serves scripts that
+ * ignore the returned value: the script knows the file and the line, the operation the reason. Reports nest. Lives on
+ * the stack.
  */
 class RTT_API FailureReport {
 public:
@@ -25,14 +25,14 @@ public:
     FailureReport(const FailureReport&) = delete;
     FailureReport& operator=(const FailureReport&) = delete;
 
-    /** All reasons, separated by semicolons; empty: none was given. */
+    /** All reasons, separated by semicolons; empty if none was given. */
     const std::string& reasons() const noexcept { return reasons_; }
-    /** For operations, which return false then. False if nobody collects: then the log has to have it. Allocates. */
+    /** For operations that return false. False if no report collects; the caller then logs the reason. Allocates. */
     static bool give(const std::string& reason);
-    /** True if somebody in this thread collects. */
+    /** True if a report collects in this thread. */
     static bool isWanted() noexcept;
 
-    /** While one lives, nothing is collected in its thread: what is executed there is code of others. On the stack. */
+    /** While one exists, its thread executes code of other components and collects nothing. Lives on the stack. */
     class RTT_API Pause {
     public:
         Pause() noexcept;
@@ -44,7 +44,7 @@ public:
         FailureReport* const paused_;
     };
 
-    /** While one lives, the next call of the queue that this thread executes gives its reasons to that report. On the stack. */
+    /** While one exists, the next queued call executed by its thread gives reasons to `report`. Lives on the stack. */
     class RTT_API OfSent {
     public:
         explicit OfSent(FailureReport& report) noexcept;
@@ -53,12 +53,12 @@ public:
         OfSent& operator=(const OfSent&) = delete;
     };
 
-    /** Services whose operations give reasons. Any thread; these wait for each other. */
+    /** The services whose operations give reasons. Any thread; these functions share a lock. */
     static void add(const Service& service);
     static void remove(const Service& service);
     static bool comesFrom(const Service& service);
 
-    /** Whether what is collected fails the statement that called. At first it does not. Any thread, real-time safe. */
+    /** Whether a collected reason makes the calling statement fail; false at first. Any thread; real-time safe. */
     static void setStrict(bool yes) noexcept;
     static bool isStrict() noexcept;
 
@@ -67,8 +67,8 @@ private:
     std::string reasons_;
 };
 
-/** While one lives, errors that its thread logs are kept here instead, to become a reason. What nobody takes is logged at its
-    end. On the stack. */
+/** While one exists, errors that its thread logs are kept here instead, to become a reason. The destructor logs those
+    that take() did not fetch. Lives on the stack. */
 class RTT_API KeptErrors {
 public:
     KeptErrors() noexcept;
@@ -78,7 +78,7 @@ public:
 
     /** The texts of the lines, separated by semicolons. */
     std::string take() { return std::exchange(text_, {}); }
-    /** For the log: false if nobody keeps the errors of this thread. */
+    /** For the log: false if the errors of this thread are not kept. */
     static bool keep(const std::string& line);
 
 private:

@@ -51,7 +51,7 @@ void FunctionList::tidy() {
     }
     all_.resize(kept);
     due_.resize((kept + kBits - 1) / kBits);
-    // Nothing is due beyond the last one.
+    // Clear the bits beyond the last function.
     if (kept % kBits != 0) due_.back() &= bit(kept) - 1;
 }
 

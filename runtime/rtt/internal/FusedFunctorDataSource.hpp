@@ -18,20 +18,20 @@ namespace internal {
 
 namespace detail {
 
-/** What a function takes as one of its arguments. */
+/** The type of an argument of a function. */
 struct ArgumentType {
     const std::type_info* id;  ///< without reference and const
     bool isOutput;             ///< the function changes it
 };
 
-/** Arguments of other types, converted where possible; variables that the function changes are left alone. */
+/** The arguments, converted where possible; variables that the function changes stay as they are. */
 RTT_API std::vector<base::DataSourceBase::shared_ptr> convertedTo(
     const ArgumentType* types, std::size_t count, const std::vector<base::DataSourceBase::shared_ptr>& list);
-/** True if number and types fit; what the function changes must be assignable. */
+/** True if number and types fit; an argument that the function changes must be assignable. */
 RTT_API bool areArguments(const ArgumentType* types, std::size_t count,
                           const std::vector<base::DataSourceBase::shared_ptr>& list);
 /**
- * The arguments, converted where possible. Throws wrong_number_of_args_exception, wrong_types_of_args_exception or
+ * The arguments, converted as by convertedTo(). Throws wrong_number_of_args_exception, wrong_types_of_args_exception or
  * non_lvalue_args_exception if they do not fit.
  */
 RTT_API std::vector<base::DataSourceBase::shared_ptr> checkedArguments(
@@ -51,7 +51,7 @@ public:
 
     static bool accept(const List& list) { return areArguments(types.data(), types.size(), list); }
     static List convert(const List& list) { return convertedTo(types.data(), types.size(), list); }
-    /** False if one of them cannot be. */
+    /** False if one of them cannot be evaluated. */
     bool evaluate() const {
         return std::all_of(sources_.begin(), sources_.end(), [](const auto& source) { return source->evaluate(); });
     }
@@ -189,8 +189,8 @@ base::DataSourceBase* makeFunctorSource(F f, const std::vector<base::DataSourceB
 }  // namespace detail
 
 /**
- * A new source that calls `f`, a function pointer or a function object whose signature can be told, on the
- * arguments; null if their number or types do not fit. Arguments are converted, but not those that the function changes.
+ * A new source that calls `f`, a function pointer or a function object with a single signature, on the arguments; null
+ * if their number or types do not fit. Arguments are converted, except those that the function changes.
  */
 template <class F>
 base::DataSourceBase* newFunctorDataSource(F f, const std::vector<base::DataSourceBase::shared_ptr>& arguments) {

@@ -23,25 +23,25 @@ struct Global {
     std::atomic<State> state{Off};
 };
 
-// The engine is never destroyed: others may be sending while, and after, its thread is ended.
+// The engine is never destroyed: other threads may send while its thread ends, and later.
 Global& global() {
     static Global* const one = new Global;
     return *one;
 }
 
-// __os_exit() ends the thread before it takes away what the thread may use.
+// __os_exit() ends the thread before it destroys what the thread may use.
 const os::CleanupFunction releaseAtExit(&GlobalEngine::Release, os::StopEngines);
 
 }  // namespace
 
 ExecutionEngine* GlobalEngine::Instance() {
     Global& g = global();
-    // Acquire: pairs with the store below, so that the activity is complete. Sending must not lock. Nor must the thread that
-    // is ending start another one.
+    // Acquire: pairs with the store below, so that the activity is complete. Sending must not lock, and the thread that
+    // is ending must not start another one.
     if (g.state.load(std::memory_order_acquire) != Off) return &g.engine;
     std::lock_guard<std::mutex> lock(g.mutex);
     if (g.state == Off) {
-        // Given the engine when it is complete: who asked before the last Release() may be sending just now.
+        // It gets the engine once complete: a thread that got the engine before the last Release() may be sending now.
         Activity::Options options;
         options.name = "GlobalEngine";
         g.activity = std::make_unique<Activity>(options);
@@ -62,11 +62,11 @@ void GlobalEngine::Release() {
         g.state = Releasing;
         last.swap(g.activity);
     }
-    // Without the lock: what the thread is executing may come to Instance().
+    // Without the lock: the thread may be executing code that calls Instance().
     last->stop();
-    g.engine.setActivity(nullptr);  // whoever is triggering it is waited for before it is destroyed
+    g.engine.setActivity(nullptr);  // waits for threads that are triggering it
     last.reset();
-    g.engine.setFatalTask();  // disposes of what nobody executes any more
+    g.engine.setFatalTask();  // disposes of messages that are no longer executed
     g.state = Off;
 }
 

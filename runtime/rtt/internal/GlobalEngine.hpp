@@ -9,14 +9,14 @@ namespace RTT {
 class ExecutionEngine;
 namespace internal {
 
-/** The engine for those who are no component: caller of their operations, and executor of sent operations that are for the
-    client's thread. Its thread is started with the first use. Thread safe. */
+/** The engine of threads that are not a component's: the caller of their operations, and the executor of sent
+    operations that run in the client's thread. The first use starts its thread. Thread safe. */
 class RTT_API GlobalEngine {
 public:
     /** Always the same engine. Real-time safe, except for the first use and the first after Release(). */
     static ExecutionEngine* Instance();
-    /** Ends its thread, and refuses calls meanwhile; the next Instance() starts it anew. Blocks until what is being executed
-        ends. Does nothing in its own thread, or while another thread is in here. */
+    /** Ends its thread, and refuses calls meanwhile; the next Instance() starts it anew. Blocks until the message in
+        progress ends. Does nothing in its own thread, or while another thread is in Release(). */
     static void Release();
 };
 

@@ -10,11 +10,11 @@ namespace RTT::internal {
 
 namespace {
 
-// Initial-exec: a signal handler must not allocate what it reads.
+// Initial-exec: a signal handler reads it and must not allocate.
 thread_local const HookInProgress* innermostHook __attribute__((tls_model("initial-exec"))) = nullptr;
 std::atomic<const HookWatch*> hookWatch{nullptr};
 
-// Not through the virtual function: the component may be under destruction.
+// Not a virtual call: the component may be under destruction.
 const char* nameOf(const base::TaskCore* task) {
     return task ? task->base::TaskCore::getName().c_str() : "GlobalEngine";
 }
@@ -32,7 +32,7 @@ HookInProgress::HookInProgress(const char* name, const char* what) noexcept
 }
 
 void HookInProgress::enter() noexcept {
-    // A signal handler of this thread finds the object complete.
+    // A signal handler of this thread must find the object complete.
     std::atomic_signal_fence(std::memory_order_release);
     innermostHook = this;
     // Acquire: pairs with setWatch().

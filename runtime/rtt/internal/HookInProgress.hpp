@@ -13,42 +13,41 @@ namespace internal {
 
 class HookInProgress;
 
-/** Told, in the thread that executes it, of the begin and the end of each hook. */
+/** Called before and after each hook, in the thread that executes it. */
 struct HookWatch {
     void (*begin)(const HookInProgress& hook);
-    /** The component may be gone: look at no more than the object's address. */
+    /** The component may be gone: use no more than the object's address. */
     void (*end)(const HookInProgress& hook);
 };
 
 /**
- * While one exists, this thread executes what others wrote for a component: a hook, an operation, a callback, a function.
- * They nest. For those who want to know whose code a thread is in: who reports crashes, and `deployer --rt-check`.
- * Real-time safe. Lives on the stack.
+ * While one exists, this thread executes user code of a component: a hook, an operation, a callback, a function. They
+ * nest. Crash reports and `deployer --rt-check` use it to name that code. Real-time safe. Lives on the stack.
  */
 class RTT_API HookInProgress {
 public:
-    /** A null task is the engine that executes for the process. */
+    /** A null task is the GlobalEngine. */
     HookInProgress(const base::TaskCore* of, const char* what) noexcept;
-    /** For a component that does not exist yet, or no more. Both texts outlive this object. */
+    /** For a component that does not exist yet, or no longer exists. Both texts outlive this object. */
     HookInProgress(const char* name, const char* what) noexcept;
     ~HookInProgress();
     HookInProgress(const HookInProgress&) = delete;
     HookInProgress& operator=(const HookInProgress&) = delete;
 
-    /** Of this thread; null: none. May be called in a signal handler. */
+    /** Of this thread; null if there is none. May be called in a signal handler. */
     static const HookInProgress* innermost() noexcept { return top(); }
-    /** Null: nobody watches, which is so at first. What it points to stays for ever. Any thread. */
+    /** Null, as at first, for no watch. `watch` is never destroyed. Any thread. */
     static void setWatch(const HookWatch* watch) noexcept;
 
     const char* const component;
     const char* const hook;            /**< "updateHook()", "configureHook()" …, "a message" … */
     const base::TaskCore* const task;  /**< null if there is none */
-    const HookInProgress* const outer; /**< of this thread; null: none */
+    const HookInProgress* const outer; /**< of this thread; null if there is none */
 
 private:
     static const HookInProgress* top() noexcept;
     void enter() noexcept;
-    const HookWatch* watch_ = nullptr;  // who was told of the begin
+    const HookWatch* watch_ = nullptr;  // the one whose begin() was called
 };
 
 }  // namespace internal

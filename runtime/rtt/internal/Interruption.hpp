@@ -14,7 +14,7 @@
 namespace RTT {
 namespace internal {
 
-/** Thrown to the script whose statement was interrupted. No script catches it, and C++ code that is called does not see it. */
+/** Thrown to the script whose statement was interrupted. No script catches it, and no called C++ code sees it. */
 class RTT_API Interrupted : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -22,13 +22,13 @@ public:
 };
 
 /**
- * While one lives, other threads can interrupt what its thread does: the command of a console, which may not end. Scripts that the
- * thread executes, and calls of other components that they wait for, are ended; C++ code is not. They nest, the innermost counts.
- * In a thread that has none nothing is interrupted. Lives on the stack.
+ * While one exists, other threads can interrupt its thread, such as a command of a console that may not end. This ends
+ * scripts that the thread executes, and their waiting for calls of other components, but no C++ code. They nest; the
+ * innermost counts. A thread without one is never interrupted. Lives on the stack.
  */
 class RTT_API Interruption {
 public:
-    /** Where nobody is there who could interrupt it, scripts are not to wait for ever: not `patient`. */
+    /** Without `patient` scripts do not wait for ever, because no user is there to interrupt them. */
     explicit Interruption(bool patient = true);
     ~Interruption();
     Interruption(const Interruption&) = delete;
@@ -41,11 +41,11 @@ public:
 
     /** Null if there is none. Real-time safe. */
     static Interruption* ofThisThread() noexcept;
-    /** The same; null unless its innermost Region is a script. */
+    /** The same, but null unless its innermost Region is a script. */
     static const Interruption* ofScript() noexcept;
 
-    /** While one lives, `told` is called by ask(), in the thread of that, and at once if that was before. Does nothing in a thread
-        without Interruption. */
+    /** While one exists, ask() calls `told`, in the thread that asks; the constructor does if ask() was called before.
+        Has no effect in a thread without Interruption. */
     class RTT_API Listener {
     public:
         explicit Listener(std::function<void()> told);
@@ -60,11 +60,11 @@ public:
         Listener* const outer_;
     };
 
-    /** What the thread executes while one lives: a script, or C++ code that is called by one. Real-time safe. */
+    /** What the thread executes while one exists: a script, or C++ code that a script calls. Real-time safe. */
     class Region {
     public:
         enum Kind { Native, Script };
-        /** Nothing is done if that is null. */
+        /** Has no effect if `interruption` is null. */
         Region(Interruption* interruption, Kind kind) noexcept
             : of_(interruption), outer_(of_ ? of_->region_ : Native) {
             if (of_) of_->region_ = kind;
@@ -80,14 +80,14 @@ public:
         const Kind outer_;
     };
 
-    /** Who waits looks at asked() so often, in nanoseconds. */
+    /** The period, in nanoseconds, in which a waiting thread looks at asked(). */
     static constexpr std::int64_t kLook = 50000000;
 
 private:
     Interruption* const outer_;
     const bool patient_;
     std::atomic<bool> asked_{false};
-    Region::Kind region_ = Region::Native;  // of its own thread
+    Region::Kind region_ = Region::Native;  // touched only by its own thread
     std::mutex mutex_;
     Listener* listeners_ = nullptr;  // guarded by mutex_; the innermost first
 };

@@ -44,11 +44,11 @@ public:
     }
 
 private:
-    /** Where calls come from that are not kept. */
+    /** In place of spare calls, for a signature whose calls are not kept. */
     struct Pool {};
     typedef std::conditional_t<keepsCalls<R(Args...)>, std::shared_ptr<SpareCalls<Sent>>, Pool> Spares;
-    /** Gives a call back at its end, unless the caller was interrupted and it still waits. This may be gone then, see
-        enqueueAndWait(), so it refers to nothing here. */
+    /** Gives a call back at its end, unless the caller was interrupted and the call still waits. It refers to nothing
+        in the LocalOperationCaller, which may be gone by then, see enqueueAndWait(). */
     struct Held {
         Held(const Spares& from, CalleeBase* callee, std::remove_reference_t<Args>&... args)
             : spares(from), call(take(callee, args...)) {}

@@ -34,7 +34,7 @@ bool Mailbox::put(Item item) {
         if (lead == 0) {
             if (tail_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
                 cell.item.store(pack(item), std::memory_order_relaxed);
-                // Release: whoever sees this number sees the item.
+                // Release: a thread that sees this number sees the item.
                 cell.sequence.store(position + 1, std::memory_order_release);
                 return true;
             }
@@ -56,7 +56,7 @@ bool Mailbox::take(Item& item) {
         if (lead == 0) {
             if (head_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
                 std::uintptr_t packed = cell.item.load(std::memory_order_relaxed);
-                // Either this or withdraw() has it.
+                // Either this thread or withdraw() gets the item.
                 if (kindOf(packed) >= Kind::AddFunction) packed = cell.item.exchange(packed & kKindBits);
                 item = unpack(packed);
                 // Release: the producer of the next round overwrites the item after we have read it.
@@ -72,7 +72,7 @@ bool Mailbox::take(Item& item) {
 }
 
 bool Mailbox::withdraw(Item item) {
-    // A cell that was taken holds its item no more, so one that is found waits to be taken.
+    // take() clears the cell, so an item that is found still waits.
     for (std::uint32_t i = 0; i != kCapacity; ++i) {
         std::uintptr_t packed = pack(item);
         if (cells_[i].item.compare_exchange_strong(packed, packed & kKindBits)) return true;

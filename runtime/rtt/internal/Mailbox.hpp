@@ -14,12 +14,12 @@ namespace RTT {
 namespace internal {
 
 /**
- * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, and, when the
- * component has failed for good, whoever clears up. Neither blocks nor allocates; both are real-time safe.
+ * Bounded first-in-first-out queue of an ExecutionEngine. Any thread puts; the engine's thread takes, or the thread
+ * that clears up after the component has failed for good. Both are real-time safe: they neither block nor allocate.
  *
- * Items come out in the order in which producers entered. A producer that is stopped between entering and filling its cell
- * (a few instructions; only a scheduler does that) hides what was put after it until it goes on: the mailbox then is empty
- * to the consumer, and the producer that was stopped wakes the component when it has filled the cell.
+ * Items come out in the order in which producers entered. A producer that the scheduler stops between entering and
+ * filling its cell (a few instructions) hides later items until it continues: the mailbox looks empty to the consumer.
+ * That producer wakes the component when it has filled the cell.
  *
  * Each cell carries a sequence number that tells whose turn it is; the numbers wrap around:
  *   sequence == position              free for the producer that wins position
@@ -31,20 +31,20 @@ public:
     enum class Kind : std::uint8_t { Message, Port, AddFunction, RemoveFunction };
     struct Item {
         Kind kind;
-        void* what;  ///< aligned to 4 bytes at least; null: was withdrawn
+        void* what;  ///< aligned to 4 bytes at least; null if withdrawn
     };
     static constexpr std::uint32_t kCapacity = 128;
 
     Mailbox();
     /** False if full. */
     bool put(Item item);
-    /** False if empty, or if the next item is just being put. */
+    /** False if empty, or if a producer is just putting the next item. */
     bool take(Item& item);
-    /** Takes an AddFunction or a RemoveFunction back; it then comes out as null. False if it is not there any more. */
+    /** Takes an AddFunction or a RemoveFunction back; it then comes out as null. False if it has left the queue. */
     bool withdraw(Item item);
-    /** A momentary truth. */
+    /** May be outdated at once. */
     bool empty() const;
-    /** What take() would give; false if it would give nothing. For the thread that takes. */
+    /** The item that take() would give; false if there is none. For the thread that takes. */
     bool peek(Item& item) const;
 
 private:

@@ -13,7 +13,7 @@ namespace internal {
 /** Throws std::logic_error: there is neither a result nor a default value of its type. */
 [[noreturn]] RTT_API void throwNoValue();
 
-/** The value of type T that stands for "there is none": a default one. Throws for types that have none. */
+/** The value of type T that means "there is none": a default value. Throws for types that have none. */
 template <class T>
 struct NA {
     static T na() {

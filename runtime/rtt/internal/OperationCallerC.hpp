@@ -9,17 +9,16 @@ namespace RTT {
 namespace internal {
 
 /**
- * Calls an operation whose signature is known at run time only. Give it all arguments first:
- * `OperationCallerC(part, "add", engine).argC(2).arg(x).ret(sum).call()`. Keeps what it was made for when the operation is
- * removed or replaced, as OperationCaller does. Real-time safe: calling again what was
- * called before, if the operation is.
+ * Calls an operation whose signature is known only at run time. Give it all arguments first: `OperationCallerC(part,
+ * "add", engine).argC(2).arg(x).ret(sum).call()`. Like an OperationCaller, it keeps calling the operation that it was
+ * made for when that is removed or replaced. The second and later calls are real-time safe if the operation is.
  */
 class RTT_API OperationCallerC {
 public:
     typedef base::DataSourceBase::shared_ptr Source;
 
     OperationCallerC() = default;
-    /** `name` is for messages only. Null is allowed: not ready then. */
+    /** `name` is for messages only. With a null `part` it is never ready. */
     OperationCallerC(const OperationInterfacePart* part, const std::string& name, ExecutionEngine* caller);
     ~OperationCallerC();
     OperationCallerC(const OperationCallerC&) = default;
@@ -36,7 +35,7 @@ public:
         return arg(Source(new ReferenceDataSource<T>(variable)));
     }
 
-    /** Where call() puts the result; converted if the types know how. */
+    /** Where call() puts the result, converted if the types allow that. */
     OperationCallerC& ret(Source variable);
     OperationCallerC& ret(base::AttributeBase* attribute);
     template <class T>
@@ -44,17 +43,17 @@ public:
         return ret(Source(new ReferenceDataSource<T>(variable)));
     }
 
-    /** False, and an error, if something is wrong with the arguments or one of them cannot be evaluated; the operation is not
-        called then. Throws what the operation throws. */
+    /** False, with an error logged and without a call, if the arguments do not fit or one of them cannot be evaluated.
+        Throws what the operation throws. */
     bool call();
-    /** As above; the handle is not ready then. */
+    /** The same, but then gives a handle that is not ready. */
     SendHandleC send();
-    /** True if call() can be called. */
+    /** True if the arguments fit. */
     bool ready() const;
-    /** Throws what is wrong with the arguments, see FactoryExceptions.hpp. */
+    /** Throws if the arguments do not fit, see FactoryExceptions.hpp. */
     void check() const;
 
-    /** The source whose evaluation calls, or sends; null if something is wrong. */
+    /** The source whose evaluation calls, or sends; null if the arguments do not fit. */
     Source getCallDataSource();
     Source getSendDataSource();
     const OperationInterfacePart* getOrp() const { return part_.get(); }

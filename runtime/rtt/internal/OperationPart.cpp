@@ -140,7 +140,7 @@ Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& a
     for (std::size_t i = 0; i != args.size(); ++i) {
         const Value value = valueOf(table_->types[i + 1]);
         checkAssigned(args[i], value, i + 1);
-        // What is handed to another thread is copied to values of its type.
+        // Arguments for another thread are copied to values of their type.
         if (subscriber && !value.type->buildValue()) throwWrongType(i + 1, value, args[i]);
     }
     const auto slot = std::make_shared<detail::ActionSlot>(action, args, subscriber);

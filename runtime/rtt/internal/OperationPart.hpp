@@ -11,7 +11,7 @@
 namespace RTT {
 namespace internal {
 
-/** An operation of this process for those who learn its signature at run time. */
+/** An operation of this process, for callers that learn its signature at run time. */
 class RTT_API OperationPart final : public SignedPart {
 public:
     typedef base::DataSourceBase::shared_ptr Source;
@@ -27,9 +27,9 @@ public:
     base::DisposableInterface::shared_ptr getLocalOperation() const override { return caller_; }
 
     const Caller& caller() const { return caller_; }
-    /** Callers in C++ that have this signature call `other`, in the thread of the operation; nobody else knows it. */
+    /** C++ callers with this signature call `other`, in the thread of the operation. Other callers do not see it. */
     void overload(const std::type_info& signature, Caller other);
-    /** What callers of a signature call: an overload, or the operation itself. */
+    /** The overload for a signature, or the operation itself. */
     const Caller& callerOf(const std::type_info& signature) const;
     /** The first overload, or the operation itself. */
     const Caller& firstCaller() const { return overloads_.empty() ? caller_ : overloads_.front().caller; }
@@ -41,8 +41,8 @@ public:
     Source produceCollect(const Args& args, boost::intrusive_ptr<DataSource<bool>> blocking) const override;
     Handle produceSignal(base::ActionInterface* action, const Args& args, ExecutionEngine* subscriber) const override;
 
-    /** The same operation with another function of the same signature; null if that has another one. Whoever listens to
-        this listens to the new one. The caller owns it. */
+    /** The same operation with another function; null if the function has another signature. Subscribers to this
+        operation are subscribed to the new one. The caller owns it. */
     OperationPart* reimplemented(const base::OperationBase& by) const;
 
 private:

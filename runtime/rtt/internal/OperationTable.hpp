@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What users of an operation who do not know its signature need of it: one constant table per signature. The code that
+// What users of an operation need if they do not know its signature: one constant table per signature. The code that
 // works on these tables is not a template, because every operation of every component would pay for it.
 #ifndef ORO_INTERNAL_OPERATION_TABLE_HPP
 #define ORO_INTERNAL_OPERATION_TABLE_HPP
@@ -29,9 +29,9 @@ struct OperationTable {
     void (*invoke)(base::OperationCallerInterface& caller, void* const* arguments, void* result);
     /** Sends; null if refused. */
     SentCall::shared_ptr (*send)(base::OperationCallerInterface& caller, void* const* arguments);
-    /** A new source, of the type of the result, that evaluates the call. */
+    /** A new source of the result's type that evaluates the call. */
     base::DataSourceBase* (*makeSource)(GenericCall&& call);
-    /** What `send` makes. */
+    /** The type of the call that `send` makes. */
     const std::type_info* sentType;
 };
 
@@ -61,7 +61,7 @@ struct OperationTableOf<R(A...)> {
 
 private:
     typedef base::OperationCallerBase<R(A...)> Caller;
-    // A source gives its value to more than one call, so an argument to be moved from is copied.
+    // A source gives its value to several calls, so a value that would be moved from is copied.
     template <class Arg>
     using Passed = std::conditional_t<std::is_rvalue_reference_v<Arg>, ValueOf<Arg>, Arg>;
 

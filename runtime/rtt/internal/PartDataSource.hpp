@@ -9,7 +9,7 @@
 namespace RTT {
 namespace internal {
 
-/** A part, stored inside the value of another source. Changes are reported to the parent. */
+/** A part stored inside the value of another source. Reports changes to that parent. */
 template <typename T>
 class PartDataSource : public PlacedDataSource<T> {
 public:
@@ -20,7 +20,7 @@ public:
         : PlacedDataSource<T>(new PartPlace(std::addressof(ref), parent.get(), types::typeOps<T>())) {}
 };
 
-/** An array inside the value of another source; its value is a view on the array. Read-only if that source is. */
+/** A view on an array inside the value of another source. Read-only if that source is. */
 template <typename E>
 class ArrayPartDataSource : public AssignableDataSource<types::carray<E>> {
 public:

@@ -10,8 +10,8 @@
 namespace RTT {
 namespace internal {
 
-/** A value of type T that another source holds. The place says where it is; only what must know T is here, as every type
-    of a typekit has its own copy of this code. */
+/** A value of type T that another source holds. The place says where it is. Only code that must know T is here, because
+    every type of a typekit has its own copy of it. */
 template <typename T>
 class PlacedDataSource : public AssignableDataSource<T> {
 public:

@@ -75,13 +75,13 @@ void PortCallbacks::remove(base::PortInterface* port, bool executesMessages) {
     replace(port, nullptr, executesMessages);
 }
 
-// A round is odd from the first announcement to the beginning of the callback. Who finds it odd relies on others only if one
-// of them has queued the port in this very round: who has stopped before that may have a lower priority than we have.
+// A round is odd from the first announcement to the beginning of the callback. A thread that finds it odd relies on
+// another one only if that has queued the port in this round: a thread stopped before that may have a lower priority.
 std::uint64_t PortCallbacks::announce(base::PortInterface* port, bool running) {
     Reclaimer::Guard guard;
     Entry* entry = find(port);
     if (!entry) return 0;
-    entry->whileRunning.store(running, std::memory_order_relaxed);  // seen with `round`
+    entry->whileRunning.store(running, std::memory_order_relaxed);  // ordered by `round`
     // Acquire-release with call(): if the round has not ended, the callback has yet to begin and will see our sample.
     const std::uint64_t round = entry->round.fetch_or(1, std::memory_order_acq_rel) | 1;
     return entry->queuedRound.load(std::memory_order_acquire) == round ? 0 : round;
@@ -89,7 +89,7 @@ std::uint64_t PortCallbacks::announce(base::PortInterface* port, bool running) {
 
 void PortCallbacks::queued(base::PortInterface* port, std::uint64_t announcement) {
     Reclaimer::Guard guard;
-    // If the round has ended meanwhile this says nothing; at worst it hides that the port is queued in the next one.
+    // If the round has ended meanwhile this has no effect; at worst it hides that the port is queued in the next one.
     if (Entry* entry = find(port)) entry->queuedRound.store(announcement, std::memory_order_release);
 }
 
@@ -104,11 +104,11 @@ PortCallbacks::EntryPtr PortCallbacks::hold(base::PortInterface* port) const {
 PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortInterface* port)
     : entry_(callbacks.hold(port)) {
     if (!entry_) return;
-    entry_->thread.store(pthread_self(), std::memory_order_relaxed);  // seen with `executing`
+    entry_->thread.store(pthread_self(), std::memory_order_relaxed);  // ordered by `executing`
     entry_->executing.fetch_add(1, std::memory_order_seq_cst);
 }
 
-// Release: all that the callback did happens before what follows waitFor().
+// Release: everything the callback did happens before what follows waitFor().
 PortCallbacks::Execution::~Execution() {
     if (entry_) entry_->executing.fetch_sub(1, std::memory_order_release);
 }

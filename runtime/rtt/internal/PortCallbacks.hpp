@@ -22,8 +22,8 @@ class PortInterface;
 namespace internal {
 
 /**
- * What a component does when its event ports have data. Ports are added and removed by the component while other
- * threads announce data; announcing never locks: it reads a table that is replaced as a whole.
+ * The callbacks of a component's event ports. The component adds and removes ports while other threads announce data.
+ * Announcing never locks: it reads a table that is replaced as a whole.
  */
 class RTT_API PortCallbacks {
 public:
@@ -34,43 +34,43 @@ public:
     PortCallbacks(const PortCallbacks&) = delete;
     PortCallbacks& operator=(const PortCallbacks&) = delete;
 
-    /** Both wait until a callback of the port that is executing has returned, so that the port and what the callback uses
-        may be destroyed then; except within that callback, and if it is itself waiting here (detail::Waiting). With
-        `executesMessages` those of the components that this thread is executing are executed meanwhile. Not real-time
-        safe. */
+    /** Both wait until an executing callback of the port has returned, so that the port and whatever the callback uses
+        may be destroyed then. They do not wait within that callback, or if its thread is waiting here too
+        (detail::Waiting). With `executesMessages` the components that this thread is executing execute their messages
+        meanwhile. Not real-time safe. */
     void set(base::PortInterface* port, const Callback& callback);
     void remove(base::PortInterface* port, bool executesMessages = false);
 
-    /** Marks the port as waiting for its callback; `running`: the component was running when it asked for that. Zero if
-        somebody has queued it already, or if it is unknown; otherwise the caller is to queue it, to wake the
-        component, and then to tell queued(). Any thread; real-time safe. */
+    /** Marks the port as waiting for its callback; `running` says whether the component was running at that time. Zero
+        if the port is queued already, or unknown; otherwise the caller must queue it, wake the component, and then call
+        queued(). Any thread; real-time safe. */
     std::uint64_t announce(base::PortInterface* port, bool running);
-    /** From here on nobody else needs to queue the port before its callback begins. Any thread; real-time safe. */
+    /** From here on no other thread needs to queue the port before its callback begins. Any thread; real-time safe. */
     void queued(base::PortInterface* port, std::uint64_t announcement);
     enum class Announced { Not, WhileRunning, WhileStopped };
-    /** While it lives, set() and remove() of this port wait, like for its callback. In the component's thread; real-time
+    /** While it exists, set() and remove() of this port wait, as for its callback. In the component's thread; real-time
         safe. */
     class RTT_API Execution;
-    /** Calls the callback of a port that waits for it; nothing happens if it does not (several had queued it). What was
-        announced while the component was running is dropped when it no longer is: it may be on its way to
-        destruction. In the component's thread. */
+    /** Calls the callback of a port that waits for it; does nothing for another port, which several threads had queued.
+        Drops an announcement made while the component was running if it no longer is: it may be about to be destroyed.
+        In the component's thread. */
     void call(base::PortInterface* port, bool running);
-    /** The next port that waits for its callback; null if there is none. The ports have numbers: `last` is that of the
-        previous one, 0 at first. */
+    /** The next port that waits for its callback; null if there is none. `last` is the number of the previous one, 0 at
+        first. */
     base::PortInterface* nextAnnounced(std::uint64_t& last) const;
 
 private:
     struct Entry {
         base::PortInterface* port;
-        std::uint64_t number = 0;  // in order of creation, from 1; the table is sorted by it
+        std::uint64_t number = 0;  // from 1, in order of creation; the table is sorted by it
         Callback callback;
-        // Odd: the port waits for its callback. Never the same odd number twice, nor that of another port.
+        // Odd: the port waits for its callback. No odd number is used twice, or for another port.
         std::atomic<std::uint64_t> round{0};
-        std::atomic<std::uint64_t> queuedRound{0};  // the port was queued in this one
+        std::atomic<std::uint64_t> queuedRound{0};  // in which the port was queued
         std::atomic<bool> whileRunning{false};
         std::atomic<bool> removed{false};
-        std::atomic<int> executing{0};               // more than one if the callback comes back to itself
-        std::atomic<pthread_t> thread{pthread_t()};  // that executes it
+        std::atomic<int> executing{0};               // above one if the callback is nested
+        std::atomic<pthread_t> thread{pthread_t()};  // executes the callback
     };
     typedef std::shared_ptr<Entry> EntryPtr;
     typedef std::vector<EntryPtr> Table;
@@ -81,8 +81,8 @@ private:
     static void waitFor(Entry& entry, bool executesMessages);
 
     std::mutex mutex_;
-    std::uint64_t entries_ = 0;                 // made so far
-    std::atomic<const Table*> table_{nullptr};  // read under an internal::Reclaimer::Guard
+    std::uint64_t entries_ = 0;                 // the number of entries made
+    std::atomic<const Table*> table_{nullptr};  // read within a Reclaimer::Guard
 };
 
 class RTT_API PortCallbacks::Execution {
@@ -92,7 +92,7 @@ public:
     Execution(const Execution&) = delete;
     Execution& operator=(const Execution&) = delete;
 
-    /** What the component was when the port was announced last; `Not` if the port has been removed. */
+    /** The state of the component at the last announcement of the port; `Not` if the port has been removed. */
     Announced announced() const;
 
 private:

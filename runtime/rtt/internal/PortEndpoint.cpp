@@ -9,7 +9,7 @@
 namespace RTT::internal {
 
 bool PortEndpoint::signal() {
-    // Most input ports are polled. Relaxed: a port whose signals are switched on while others write gets those of later samples.
+    // Most input ports are polled. Relaxed: a port that switches signals on gets those of later samples.
     if (!signals()) return input_.load(std::memory_order_relaxed) != nullptr;
     const Reclaimer::Guard guard;
     base::InputPortInterface* port = input_.load(std::memory_order_acquire);
@@ -37,7 +37,7 @@ void PortEndpoint::disconnect(bool) {
     if (base::PortInterface* port = port_.load(std::memory_order_acquire)) port->disconnect();
 }
 
-// The links of an endpoint would name only one of its channels; it keeps none.
+// An endpoint keeps no links: they would name only one of its channels.
 bool PortEndpoint::connectTo(shared_ptr const& output, bool) { return output && output->connectFrom(this); }
 
 bool PortEndpoint::connectFrom(shared_ptr const&) { return true; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The element that stands for a port at the end of its channels.
+// The element that represents a port at the end of its channels.
 #ifndef ORO_INTERNAL_PORT_ENDPOINT_HPP
 #define ORO_INTERNAL_PORT_ENDPOINT_HPP
 
@@ -12,7 +12,7 @@ class InputPortInterface;
 }
 namespace internal {
 
-/** Outlives its port: channels that still hold it find the port gone. One per port, shared by all its channels. */
+/** One per port, shared by all its channels. Outlives the port: channels that still hold it find the port gone. */
 class RTT_API PortEndpoint final : public base::ChannelElementBase {
 public:
     explicit PortEndpoint(base::PortInterface& port) : port_(&port) { setQuiet(true); }
@@ -20,7 +20,7 @@ public:
     base::PortInterface* getPort() const override { return port_.load(std::memory_order_acquire); }
     std::string getElementName() const override { return "PortEndpoint"; }
 
-    /** New data lies in a channel of this (input) port: tells the port. */
+    /** A channel of this input port has new data: signals the port. */
     bool signal() override;
     using base::ChannelElementBase::inputReady;
     bool inputReady(shared_ptr const& caller) override;
@@ -32,12 +32,12 @@ public:
     bool connectTo(shared_ptr const& output, bool mandatory = true) override;
     bool connectFrom(shared_ptr const& input) override;
 
-    /** For the input port itself; it is set once, so that signal() need not ask for the port's kind. */
+    /** For the input port itself. Set once, so that signal() need not ask for the port's kind. */
     void setInputPort(base::InputPortInterface* port) { input_.store(port, std::memory_order_release); }
-    /** Whether signal() tells the port; that it need not is known here without looking at the port. */
+    /** Whether signal() signals the port. Kept here, so that signal() need not look at the port. */
     void setSignals(bool on) { setQuiet(!on); }
     bool signals() const { return !isQuiet(); }
-    /** The port goes away. Its destructor waits for those that are in signal(). */
+    /** For the port's destructor, which then waits for threads in signal(). */
     void detach();
 
 private:

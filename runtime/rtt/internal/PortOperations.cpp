@@ -12,7 +12,7 @@ PortCallee::~PortCallee() = default;
 
 namespace {
 
-/** Serves all signatures; the caller and the table know which it is. */
+/** Serves all signatures: the caller and the table know the signature. */
 class SampleOperation final : public base::OperationBase {
 public:
     SampleOperation(const std::string& name, base::OperationCallerInterface* caller, const OperationTable& table,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The operations of ports that take or give samples. Made by hand, because every port of every component has them: all that
-// is left to templates is what their callers narrow them to.
+// The operations of ports that take or give samples. Every port of every component has them, so as little of them as
+// possible is a template.
 #ifndef ORO_INTERNAL_PORT_OPERATIONS_HPP
 #define ORO_INTERNAL_PORT_OPERATIONS_HPP
 
@@ -15,7 +15,7 @@ class OperationBase;
 }
 namespace internal {
 
-/** What the operations of a port call. May outlive the port. */
+/** The function of a port's operations. May outlive the port. */
 class RTT_API PortCallee final : public CalleeBase {
 public:
     explicit PortCallee(const base::PortInterface& port) : link_(port) {}
@@ -30,7 +30,7 @@ private:
 
 template <class Signature>
 class PortCaller;
-/** Calls in the thread of the caller; is not sent. */
+/** Calls in the thread of the caller; cannot be sent. */
 template <class R, class... Args>
 class PortCaller<R(Args...)> final : public base::OperationCallerBase<R(Args...)> {
 public:
@@ -57,10 +57,10 @@ private:
     }
 };
 
-/** What the tables below have in common for all types. */
+/** The part of the tables below that is common to all types. */
 class RTT_API PortOperation {
 public:
-    /** Adds "read", "write" or "last" to the service of `port`. Takes ownership of `caller`. */
+    /** These add "read", "write" or "last" to the service of `port`. They take ownership of `caller`. */
     static void addRead(Service& object, base::PortInterface& port, base::OperationCallerInterface* caller,
                         const OperationTable& table);
     static void addWrite(Service& object, base::PortInterface& port, base::OperationCallerInterface* caller,
@@ -98,7 +98,7 @@ struct PortTables {
                                              &PortOperation::refuse,
                                              &PortOperation::makeWrite,
                                              &typeid(TypedCall<WriteStatus(const T&)>)};
-    // Its sources ask the port themselves.
+    // No invoke function: its sources ask the port themselves.
     static constexpr OperationTable last = {
         0, lastTypes, nullptr, &PortOperation::refuse, &makeLast, &typeid(TypedCall<T()>)};
 };

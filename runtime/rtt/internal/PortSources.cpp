@@ -13,7 +13,7 @@ PortLink::PortLink(const base::PortInterface& port)
 PortLink::PortLink(const PortLink&) = default;
 PortLink::~PortLink() = default;
 
-// Within the Guard the port's destructor waits for us.
+// The port's destructor waits while this thread is within the Guard.
 FlowStatus PortLink::read(void* sample) const {
     const Reclaimer::Guard guard;
     auto* const port = static_cast<base::InputPortInterface*>(endpoint_->getPort());

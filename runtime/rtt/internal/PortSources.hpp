@@ -12,7 +12,7 @@
 namespace RTT {
 namespace internal {
 
-/** A port, for those who may outlive it. Belongs to one thread at a time. */
+/** A port, for users that may outlive it. Only one thread at a time may use a link. */
 class RTT_API PortLink {
 public:
     explicit PortLink(const base::PortInterface& port);
@@ -20,14 +20,14 @@ public:
     ~PortLink();
     PortLink& operator=(const PortLink&) = delete;
 
-    // As real-time safe as the functions of the port. `sample` is of its type.
+    // As real-time safe as the functions of the port. `sample` points to a value of the port's type.
     /** Of an input port; NoData if it is gone. */
     FlowStatus read(void* sample) const;
     /** Of an output port; NotConnected if it is gone. */
     WriteStatus write(const void* sample) const;
     /** The last value written to an output port; false if there is none, or the port is gone. */
     bool last(void* sample) const;
-    /** What an input port reads, or the last value of an output port. */
+    /** As read() for an input port, as last() for an output port; false if there is no value. */
     bool fetch(void* sample) const;
 
 private:
@@ -35,11 +35,11 @@ private:
     const bool input_;
 };
 
-/** The value that was read, or last written. When the port is gone, or has none, the one before stays. */
+/** The value that was read, or last written. Keeps its value when the port is gone, or has none. */
 class RTT_API PortPlace final : public ValuePlace {
 public:
-    /** `value` is a new variable of the port's type, which `reset` gives its first value again. With `orDefault` that stands
-        for a value that there is not, and evaluate() is always true; else it is false. */
+    /** `value` is a new variable of the port's type, and `reset` restores its first value. With `orDefault` evaluate()
+        uses that and is true if the port has no value; otherwise it is false then. */
     PortPlace(const PortLink& link, base::DataSourceBase* value, void (*reset)(void*), bool orDefault);
 
     bool evaluate() const override;
@@ -62,7 +62,6 @@ private:
     const bool or_default_;
 };
 
-/** A new source of the port's values. */
 template <typename T>
 [[gnu::cold, gnu::noinline]] base::DataSourceBase* makePortSource(const PortLink& link, bool orDefault) {
     return new PlacedDataSource<T>(new PortPlace(link, ValueDataSource<T>::make(), &types::resetValueAt<T>, orDefault));

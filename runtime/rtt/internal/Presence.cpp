@@ -13,10 +13,10 @@
 namespace RTT::internal {
 
 namespace {
-/** What a place has that is in use, for an object that is no more. */
+/** The content of a place that is in use, after forget(). */
 constexpr std::uintptr_t kForgotten = 2;
 
-/** Asked for while the library is being loaded: as soon as there are several threads, the kernel takes some 10 ms for it. */
+/** Asked while the library is being loaded: with several threads the kernel needs some 10 ms for it. */
 [[maybe_unused]] const bool askedEarly = detail::offersProcessBarrier();
 }  // namespace
 
@@ -27,11 +27,11 @@ __thread Presence::Record* Presence::record_ = nullptr;
 struct Presence::State {
     State() {
         pthread_key_create(&key, &State::threadEnds);
-        // Safe to switch on here only: no thread has entered anything before its first deeper(), which comes through here.
+        // Safe only here: no thread has entered anything before its first deeper(), which comes through here.
         asymmetric_ = detail::offersProcessBarrier();
     }
 
-    /** Never destroyed: threads may still be running while the process exits. */
+    /** Never destroyed: threads may still run while the process exits. */
     static State& instance() {
         alignas(State) static unsigned char place[sizeof(State)];
         static State* const state = new (place) State;
@@ -39,7 +39,7 @@ struct Presence::State {
     }
 
     static void threadEnds(void* first) {
-        // Another key's destructor may still use something: it takes a new record then, and this is called again.
+        // Another key's destructor may still enter an object: it then takes a new record, and this is called again.
         record_ = nullptr;
         for (auto* record = static_cast<Record*>(first); record;) {
             Record* const inner = record->inner;
@@ -62,7 +62,7 @@ struct Presence::State {
     pthread_key_t key;
 };
 
-// The first record of a thread, or one more when all places of the last one are taken.
+// The first record of a thread, or another one if all places of the last are taken.
 Presence::Record* Presence::deeper() noexcept {
     Record* const outer = record_;
     if (outer && outer->inner) return record_ = outer->inner;
@@ -103,8 +103,8 @@ void Presence::ring(Bell& bell) noexcept {
     os::detail::futexWakeAll(bell.rings);
 }
 
-// A user that leaves frees its place and then looks at the number of waiters. Either it finds this one, or this one finds the
-// free place.
+// A user that leaves frees its place and then reads the number of waiters. Either it finds this waiter, or this waiter
+// finds the free place.
 Presence::Waiter::Waiter(const void* what) noexcept : what_(reinterpret_cast<std::uintptr_t>(what)) {
     bellOf(what_).waiters.fetch_add(1);
     State::instance();
@@ -121,7 +121,7 @@ bool Presence::Waiter::others() const noexcept {
     };
     for (Record* record = State::instance().records.first(); record; record = record->next) {
         if (isOwn(record)) continue;
-        // Uses nest: behind the first free place of a thread there is none that began before this waiter's barrier.
+        // Uses nest: no use after a thread's first free place began before this waiter's barrier.
         for (const Place& place : record->places) {
             const std::uintptr_t word = place.load();
             if ((word & ~kKept) == what_) return true;

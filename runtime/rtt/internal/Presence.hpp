@@ -13,45 +13,45 @@ namespace RTT {
 namespace internal {
 
 /**
- * What each thread is using at this moment, so that a thread which takes an object away can wait for the others.
+ * Which objects each thread is using, so that a thread that takes one away can wait for the others.
  *
- * A user enters the object and then looks whether it is still there; it leaves when it has finished. The thread that takes the
- * object away marks it as gone and then waits with a Waiter. Either the user finds the mark, or the waiter finds the
- * user. The barrier that this needs between a store and a load is paid by the waiter alone (detail/process_barrier.hpp): a
- * user executes no locked instruction, and threads that use the same object write to no common memory.
+ * A user enters the object and then looks whether it is still there; it leaves when it has finished. The thread that
+ * takes the object away marks it as gone and then waits with a Waiter. Either the user finds the mark, or the waiter
+ * finds the user. Only the waiter pays for the barrier between store and load (detail/process_barrier.hpp): a user
+ * executes no locked instruction, and threads that use the same object write to no common memory.
  *
- * Only the address of the object counts. What is waited for is not touched by the user any more once it has left.
+ * Only the address of the object counts. A user does not touch the object once it has left.
  */
 class RTT_API Presence {
 public:
     typedef std::atomic<std::uint32_t> Word;
-    /** Where a thread says what it uses. */
+    /** Holds the address that a thread uses. */
     typedef std::atomic<std::uintptr_t> Place;
 
-    /** Has a record for this thread, which its first use would take otherwise; that may take memory. */
+    /** Takes a record for this thread, which may allocate; otherwise its first use would do that. */
     static void prepare() noexcept {
         if (!record_) deeper();
     }
-    /** This thread uses `what`, which has an even address, until it calls leave() with the result. Uses nest. Never blocks;
-        real-time safe, but one that nests deeper than before may take memory. */
+    /** This thread uses `what`, an even address, until it calls leave() with the result. Uses nest. Never blocks;
+        real-time safe, except that nesting deeper than before may allocate. */
     static Place& enter(const void* what) noexcept {
         Record* record = record_;
         if (__builtin_expect(!record || record->depth == kDepth, 0)) record = deeper();
         Place& place = record->places[record->depth++];
-        // Release: a waiter that finds this use, and not that the previous one has ended, must see what was done in that.
+        // Release: a waiter that finds this use, and missed the end of the previous one, must see what that one did.
         const auto word = reinterpret_cast<std::uintptr_t>(what);
         if (__builtin_expect(asymmetric_, 1)) {
             place.store(word, std::memory_order_release);
-            asm volatile("" ::: "memory");  // keeps the compiler's order; the waiter sees to the CPU's
+            asm volatile("" ::: "memory");  // orders the compiler; the waiter orders the CPU
         } else {
             place.exchange(word);
         }
         return place;
     }
-    /** Ends the use that this thread began last. True if it was marked with keep(). */
+    /** Ends the last use that this thread began. True if it was marked with keep(). */
     static bool leave(Place& place) noexcept {
         Record* const record = record_;
-        // Not one less than it was: the next use would have to wait until that is known.
+        // Computed, not decremented: the next use would have to wait for the old value.
         record->depth = static_cast<unsigned>(&place - record->places);
         const std::uintptr_t word = place.load(std::memory_order_relaxed);
         if (__builtin_expect(asymmetric_, 1)) {
@@ -66,25 +66,25 @@ public:
         return (word & kKept) != 0;
     }
 
-    /** Ends all that this thread has entered after the last `what`. */
+    /** Ends all uses that this thread began after its last use of `what`. */
     static void leaveDownTo(const void* what) noexcept;
-    /** Makes leave() true for each use of `what` by this thread that is not marked yet; returns their number. */
+    /** Marks each unmarked use of `what` by this thread, so that leave() returns true; returns their number. */
     static unsigned keep(const void* what) noexcept;
-    /** What this thread uses is no more `what`: something else may get its address. */
+    /** Clears `what` from the uses of this thread: another object may get its address. */
     static void forget(const void* what) noexcept;
 
-    /** A thread that waits until no other thread uses `what`. Takes some microseconds; lives on the stack. */
+    /** Waits until no other thread uses `what`. The constructor takes some microseconds. Lives on the stack. */
     class RTT_API Waiter {
     public:
         explicit Waiter(const void* what) noexcept;
         ~Waiter();
         Waiter(const Waiter&) = delete;
         Waiter& operator=(const Waiter&) = delete;
-        /** Another thread uses it. */
+        /** True if another thread uses it. */
         bool others() const noexcept;
-        /** Blocks until no other thread uses it; false if that is not so at the monotonic time `deadline` (ns). */
+        /** Blocks until no other thread uses it; false at the monotonic time `deadline` (ns). */
         bool wait(NANO_TIME deadline) const noexcept;
-        /** A futex that is changed and woken up after others() may have become false. */
+        /** A futex that changes and wakes its waiters when others() may have become false. */
         const Word& word() const noexcept;
 
     private:
@@ -95,17 +95,17 @@ private:
     static constexpr unsigned kDepth = 12;  // as many as fit into two cache lines
     static constexpr std::uintptr_t kKept = 1;
 
-    /** One per thread; a thread that uses more at once has several. */
+    /** One per thread; a thread with more than kDepth uses at once has several. */
     struct alignas(64) Record {
         Place places[kDepth] = {};  // 0: free
-        // The rest but `used` is touched by the owning thread only, `next` before the record is published.
+        // Only the owning thread touches the rest except `used`; it sets `next` before it publishes the record.
         unsigned depth = 0;
         std::atomic<bool> used{false};
         Record* outer = nullptr;
-        Record* inner = nullptr;  // kept for the next time
+        Record* inner = nullptr;  // kept for reuse
         Record* next = nullptr;
     };
-    /** Where threads wait, which makes leave() expensive meanwhile; shared by objects whose addresses collide. */
+    /** Where threads wait; leave() is expensive meanwhile. Shared by objects whose addresses collide. */
     struct Bell {
         Word waiters{0};
         Word rings{0};

@@ -28,11 +28,11 @@ struct ReclaimerState {
 
     ReclaimerState() {
         pthread_key_create(&key_, &ReclaimerState::threadEnds);
-        // Safe to switch on here only: nobody can be inside before the first attach(), which comes through instance().
+        // Safe only here: no thread can be inside before the first attach(), which comes through instance().
         Reclaimer::asymmetric_ = detail::offersProcessBarrier();
     }
 
-    /** Never destroyed: threads may still be running, and ports be destroyed, while the process exits. */
+    /** Never destroyed: threads may still run, and ports be destroyed, while the process exits. */
     static ReclaimerState& instance() {
         alignas(ReclaimerState) static unsigned char place[sizeof(ReclaimerState)];
         static ReclaimerState* state = new (place) ReclaimerState;
@@ -40,20 +40,21 @@ struct ReclaimerState {
     }
 
     Record* attach() {
-        // A thread that retires something after this sees the record; one that did before has unlinked it before we look.
+        // A thread that retires an object after this sees the record; one that did before has unlinked it before we
+        // look.
         Record* const record = records_.take();
         Reclaimer::record_ = record;
         pthread_setspecific(key_, record);
         return record;
     }
 
-    /** Makes all that other threads did before visible here, and all that we did before to what they do from now on. */
+    /** Makes what other threads did before visible here, and what we did before visible to what they do from now on. */
     static void barrier() {
-        if (!Reclaimer::asymmetric_) return;  // then the addition to epoch_ that came before does it, see enter()
+        if (!Reclaimer::asymmetric_) return;  // then the previous addition to epoch_ does it, see enter()
         detail::processBarrier();
     }
 
-    /** True if anything was destroyed; that may have retired more. */
+    /** True if it destroyed an object, which may have retired others. */
     bool collectOnce() {
         std::vector<Retired> unused;
         {
@@ -74,7 +75,7 @@ struct ReclaimerState {
         return !unused.empty();
     }
 
-    /** The smallest epoch announced; the maximum if nobody is inside. */
+    /** The smallest announced epoch; the maximum if no thread is inside. */
     std::uint64_t oldestInside() const {
         std::uint64_t oldest = ~std::uint64_t(0);
         for (Record* r = records_.first(); r; r = r->next) {
@@ -85,7 +86,7 @@ struct ReclaimerState {
     }
 
     static void threadEnds(void* record) {
-        // Another key's destructor may still use a port: it attaches anew then, and we are called again.
+        // Another key's destructor may still use a port: it then attaches anew, and this is called again.
         Reclaimer::record_ = nullptr;
         Records::giveBack(static_cast<Record*>(record));
     }
@@ -103,7 +104,7 @@ Reclaimer::Record* Reclaimer::attach() noexcept { return ReclaimerState::instanc
 void Reclaimer::retire(void* object, void (*destroy)(void*)) {
     ReclaimerState& state = ReclaimerState::instance();
     const std::lock_guard<std::mutex> lock(state.mutex_);
-    // Who announces a larger epoch than this has loaded it after this change, so after the caller unlinked the object.
+    // A thread that announces a larger epoch has loaded it after this change, so after the caller unlinked the object.
     const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
     state.retired_.push_back({object, destroy, epoch});
 }
@@ -124,7 +125,7 @@ void Reclaimer::synchronize() {
         for (;;) {
             const std::uint64_t inside = r->epoch.load(std::memory_order_seq_cst);
             if (inside == 0 || inside > epoch || r->waiting.load(std::memory_order_seq_cst)) break;
-            // Sleep, do not spin: the thread inside may have a lower priority than we have.
+            // Sleep, do not spin: the thread inside may have a lower priority.
             std::this_thread::sleep_for(std::chrono::microseconds(20));
         }
     }

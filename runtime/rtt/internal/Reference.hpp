@@ -15,7 +15,7 @@ public:
 
     /** Refers to the value at `ref`, which must be of the source's type and outlive it. */
     virtual void setReference(void* ref) = 0;
-    /** Refers to the value of `source`; no change, and false, if that is of another type or cannot be changed. */
+    /** Refers to the value of `source`; false, without a change, if that has another type or is read-only. */
     virtual bool setReference(base::DataSourceBase::shared_ptr source) = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace RTT {
 namespace internal {
 
-/** Read-only second name for another source. */
+/** A read-only alias of another source. */
 template <typename T>
 class AliasDataSource : public DataSource<T> {
 public:
@@ -33,7 +33,7 @@ protected:
     typename DataSource<T>::shared_ptr alias_;
 };
 
-/** Second name for an assignable source. */
+/** An alias of an assignable source. */
 template <typename T>
 class AliasAssignableDataSource : public AssignableDataSource<T> {
 public:
@@ -91,7 +91,7 @@ private:
     typename DataSource<T>::shared_ptr alias_;
 };
 
-/** The same with a value that can be changed. */
+/** The same for an assignable source. */
 template <typename T>
 class ActionAliasAssignableDataSource : public AliasAssignableDataSource<T> {
 public:
@@ -123,7 +123,7 @@ private:
     std::unique_ptr<base::ActionInterface> action_;
 };
 
-/** A reference that is bound after construction; using it before is a programming error. */
+/** A reference that is bound after construction. Using it earlier is a programming error. */
 template <typename T>
 class LateReferenceDataSource : public AssignableDataSource<T> {
 public:
@@ -133,7 +133,7 @@ public:
     explicit LateReferenceDataSource(value_t* ptr = nullptr) : mptr(ptr) {}
 
     void setPointer(value_t* ptr) { mptr = ptr; }
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
@@ -158,7 +158,7 @@ public:
     explicit LateConstReferenceDataSource(const value_t* ptr = nullptr) : mptr(ptr) {}
 
     void setPointer(const value_t* ptr) { mptr = ptr; }
-    bool evaluate() const override { return true; }  // get() would copy the value for nothing
+    bool evaluate() const override { return true; }  // get() would make a useless copy
     typename DataSource<T>::result_t get() const override { return *mptr; }
     typename DataSource<T>::result_t value() const override { return *mptr; }
     typename DataSource<T>::const_reference_t rvalue() const override { return *mptr; }
@@ -174,8 +174,8 @@ private:
 };
 
 /**
- * Owns the elements that a view type such as carray<E> looks at.
- * T needs value_type, count(), and T(value_type*, std::size_t).
+ * Owns the elements that a view type such as carray<E> refers to. T needs value_type, count(), and T(value_type*,
+ * std::size_t).
  */
 template <typename T>
 class ArrayDataSource : public AssignableDataSource<T> {

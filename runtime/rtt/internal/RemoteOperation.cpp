@@ -41,25 +41,25 @@ struct Prepared {
     ExecutionEngine* const caller;
 };
 
-/** Lets go of the prepared call at the end. */
+/** Releases the prepared call at the end. */
 struct Claim {
     std::atomic<bool>& busy;
     const bool mine;
-    // Acquire: pairs with the release below; who claims it next sees it as we leave it.
+    // Acquire: pairs with the release below, so that the next claim sees the call as this one left it.
     explicit Claim(std::atomic<bool>& flag) : busy(flag), mine(!flag.exchange(true, std::memory_order_acquire)) {}
     ~Claim() {
         if (mine) busy.store(false, std::memory_order_release);
     }
 };
 
-/** A copy, which other than the component's own does not forget who that was. */
+/** A copy: unlike the component's own caller it does not forget the component. */
 base::OperationCallerInterface::shared_ptr localOf(const OperationInterfacePart& part) {
     const base::DisposableInterface::shared_ptr held = part.getLocalOperation();
     const auto* const local = dynamic_cast<const base::OperationCallerInterface*>(held.get());
     return base::OperationCallerInterface::shared_ptr(local ? local->cloneFor(nullptr) : nullptr);
 }
 
-/** An operation as a caller of a certain signature sees it. */
+/** An operation as seen by a caller with a certain signature. */
 class RemoteOperation final : public base::OperationCallerInterface {
 public:
     RemoteOperation(OperationInterfacePart::shared_constptr part, const CallerSignature& s, ExecutionEngine* caller)
@@ -95,9 +95,9 @@ public:
 
 private:
     const OperationInterfacePart::shared_constptr part_;
-    const base::OperationCallerInterface::shared_ptr local_;  // null if its component is elsewhere
+    const base::OperationCallerInterface::shared_ptr local_;  // null if the component is in another process
     std::unique_ptr<Prepared> prepared_;
-    std::atomic<bool> busy_{false};  // somebody is using it
+    std::atomic<bool> busy_{false};  // a thread uses prepared_
 };
 
 std::string signatureOf(const OperationInterfacePart& part) {
@@ -110,7 +110,7 @@ std::string signatureOf(const OperationInterfacePart& part) {
     return text + ")";
 }
 
-/** As signatureOf(part) writes it; what no typekit knows has its C++ name. */
+/** As signatureOf(part) writes it; a type that no typekit knows has its C++ name. */
 std::string nameOf(const CallerValue& value) {
     const types::TypeInfo* const known = types::TypeInfoRepository::Instance()->getTypeById(value.type);
     const std::string name = known ? known->getTypeName() : boost::core::demangle(value.type->name());
@@ -150,7 +150,7 @@ base::OperationCallerInterface* copyRemoteOperation(const base::DisposableInterf
 }
 
 void callRemoteOperation(const base::OperationCallerInterface::shared_ptr& held, void* const* arguments, void* result) {
-    // The caller may be bound to something else by a message that is executed while it waits.
+    // While the call waits, a message may bind the caller to another operation.
     const base::OperationCallerInterface::shared_ptr kept = held;
     auto* const remote = dynamic_cast<RemoteOperation*>(kept.get());
     if (remote && remote->ready()) remote->call(arguments, result);

@@ -15,19 +15,19 @@ namespace RTT {
 class OperationInterfacePart;
 namespace internal {
 
-/** What a caller hands over at one place, or expects as result. */
+/** An argument that a caller passes, or the result that it expects. */
 struct CallerValue {
     const std::type_info* type;  ///< without reference and const
-    bool isConstant;             ///< an argument by const reference, which nobody may change
+    bool isConstant;             ///< an argument by const reference, which must not be changed
     bool isOutput;               ///< an argument by reference, which is changed
 };
 
-/** The signature of a caller: one constant table each, the code that works on it is not a template. */
+/** The signature of a caller as a constant table, so that the code that works on it is not a template. */
 struct CallerSignature {
     const std::type_info* type;
     unsigned arity;
     const CallerValue* values;  ///< the result, then the arguments
-    /** Assigns a result; null if there is none that can be assigned, or it has no default value. */
+    /** Assigns a result; null if there is none, or it cannot be assigned or has no default value. */
     void (*assignResult)(void* to, const void* from);
 };
 
@@ -55,24 +55,24 @@ struct CallerSignatureOf<R(A...)> {
     static constexpr CallerSignature signature = {&typeid(R(A...)), sizeof...(A), values, resultAssigner<R>()};
 };
 
-/** Has `part` called with another signature than its own: what is to be held for that. Null, and an error that names both
-    signatures, if it cannot be. */
+/** A new object that calls `part` with another signature than its own. Null, with an error logged that names both
+    signatures, if that is impossible. */
 RTT_API base::OperationCallerInterface* makeRemoteOperation(const OperationInterfacePart* part,
                                                             const CallerSignature& signature, ExecutionEngine* caller);
-/** Another one like `held`; null, and an error, if that was not made for this signature. */
+/** Another object like `held`; null, with an error logged, if that was made for another signature. */
 RTT_API base::OperationCallerInterface* copyRemoteOperation(const base::DisposableInterface& held,
                                                             const CallerSignature& signature, ExecutionEngine* caller,
                                                             const std::string& name);
 /**
- * Calls `held`, which is null or was made by one of the above, with pointers to the arguments, and assigns the result if
- * there is one. Does nothing if it is null or not ready. Throws what the operation throws; SendError if it was not executed;
- * std::runtime_error if it was, but its result could not be converted. `held` may be reset meanwhile.
- * Allocates after a change of the caller, and while it is being called already: by another thread, or further up the stack.
- * Copies of the arguments and of the result are kept until the next call.
+ * Calls `held`, which one of the functions above made, with pointers to the arguments, and assigns the result if there
+ * is one. Does nothing if it is null or not ready. Throws what the operation throws; SendError if it was not executed;
+ * std::runtime_error if it was, but its result could not be converted. `held` may be reset meanwhile. Allocates after a
+ * change of the caller, and if a call is in progress already, in another thread or further up the stack. Keeps copies
+ * of the arguments and of the result until the next call.
  */
 RTT_API void callRemoteOperation(const base::OperationCallerInterface::shared_ptr& held, void* const* arguments,
                                  void* result);
-/** The same without waiting; `call` has copies of the arguments, and room for the result. False if it was refused. Allocates. */
+/** The same without waiting; `call` holds copies of the arguments and the result. False if refused. Allocates. */
 RTT_API bool sendRemoteOperation(const base::OperationCallerInterface::shared_ptr& held, SentCall& call, unsigned arity,
                                  void* result);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Owned samples of a type known only by its TypeOps.
+// Owned samples of a type that is known only by its TypeOps.
 #ifndef ORO_INTERNAL_SAMPLE_BOX_HPP
 #define ORO_INTERNAL_SAMPLE_BOX_HPP
 
@@ -13,7 +13,7 @@
 namespace RTT {
 namespace internal {
 
-/** Assigns one sample to another; the branch saves the indirect call for the common small plain types. */
+/** Assigns one sample to another. The branches save the indirect call for plain types. */
 inline void assignSample(const types::TypeOps& ops, void* to, const void* from) {
     if (!ops.trivial)
         ops.assign(to, from);
@@ -23,12 +23,12 @@ inline void assignSample(const types::TypeOps& ops, void* to, const void* from) 
         std::memcpy(to, from, ops.size);
 }
 
-/** A fixed number of samples in one block, each with its own place for a header. Not thread-safe by itself. */
+/** A fixed number of samples in one block, each with room for a header. Not thread-safe by itself. */
 class RTT_API SampleArray {
 public:
-    /** Constructs all samples as copies of `first`, or as default values if that is null (then ops.construct must exist).
-        `header` bytes lie in front of each sample; they are not constructed. Slots begin at multiples of `spacing` bytes,
-        a power of two, and of the type's own alignment. */
+    /** Constructs all samples as copies of `first`, or as default values if that is null (then ops.construct must
+        exist). Leaves `header` unconstructed bytes in front of each sample. Slots begin at multiples of `spacing`
+        bytes, a power of two, and of the type's own alignment. */
     SampleArray(const types::TypeOps& ops, std::size_t count, const void* first, std::size_t header = 0,
                 std::size_t spacing = 1);
     ~SampleArray();

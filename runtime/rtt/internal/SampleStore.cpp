@@ -41,7 +41,7 @@ void SampleStore::grow(const void* sample, std::size_t extent) {
     try {
         resizeElements(sample, false);
     } catch (...) {
-        // The sample is written. What could not be sized now tells its reason when a sample comes to it.
+        // The sample is written. An element that could not be sized reports its error when a sample is assigned to it.
     }
 }
 

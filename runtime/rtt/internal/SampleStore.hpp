@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where samples wait between a writer and a reader: one interface, written once for all types over TypeOps.
+// The storage between a writer and a reader: one interface, implemented once for all types by TypeOps.
 //
 //   kind             lock policy  small plain samples          all others
 //   DATA             LOCK_FREE    detail/data_versioned.cpp    detail/data_counted.cpp
@@ -25,7 +25,7 @@ struct TypeOps;
 namespace internal {
 class SampleBox;
 
-/** What a storage is to be; the part of a ConnPolicy that matters here. */
+/** The kind of storage wanted: the part of a ConnPolicy that matters here. */
 struct StoreSpec {
     enum Kind { Data, Buffer, CircularBuffer };
     enum Lock { Unsync, Locked, LockFree };
@@ -37,38 +37,38 @@ struct StoreSpec {
     bool held = false;           ///< readHeld() will be used
 };
 
-/** Storage of samples. LockFree and Locked ones may be used by any number of threads in any role, Unsync ones by one
-    thread at a time. write(), read() and clear() are real-time safe as far as assigning a sample is, except that Locked
-    ones take a mutex; they allocate nothing themselves. A sample that is larger than all before, see types::SampleExtent,
-    is also assigned to the elements that are free then, or to 64 of them, so that the next ones fit where they come to lie. */
+/** Storage of samples. Any number of threads may use a LockFree or a Locked one in any role; only one thread at a time
+    may use an Unsync one. write(), read() and clear() allocate nothing themselves and are as real-time safe as the
+    assignment of a sample, except that a Locked store takes a mutex. A sample that is larger than all before
+    (types::SampleExtent) is also assigned to up to 64 free elements, so that later samples fit into them. */
 class RTT_API SampleStore {
 public:
-    /** `first` (may be null) is what the preallocated samples are copied from. Null if the type cannot be default
-        constructed and no first sample is given. */
+    /** The preallocated samples are copies of `first`, which may be null. Null if the type has no default constructor
+        and no first sample is given. */
     static std::unique_ptr<SampleStore> make(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
     virtual ~SampleStore();
     SampleStore(const SampleStore&) = delete;
     SampleStore& operator=(const SampleStore&) = delete;
 
-    /** Failure: a full buffer, or more threads at once than a lock-free storage was made for. */
+    /** Fails if a buffer is full, or if more threads use a lock-free storage at once than it was made for. */
     virtual WriteStatus write(const void* sample) = 0;
     virtual FlowStatus read(void* sample, bool copyOld) = 0;
     virtual void clear() = 0;
 
-    /** Assigns `sample` to all free preallocated elements so that later assignments need not allocate. With `reset`
-        forgets all samples; without, does nothing if there was a sizing sample before that was as large. May run while
-        others use the storage. Not real-time safe. */
+    /** Assigns `sample` to all free preallocated elements, so that later assignments need not allocate. With `reset` it
+        drops all stored samples; without, it does nothing after a sizing sample at least as large. Other threads may
+        use the storage meanwhile. Not real-time safe. */
     void setSample(const void* sample, bool reset);
-    /** The last sizing sample; false, and nothing copied, if there was none. Not real-time safe. */
+    /** Copies the last sizing sample; false if there was none. Not real-time safe. */
     bool getSample(void* sample) const;
 
     virtual std::size_t capacity() const { return 1; }
-    /** Samples not read yet; an estimate while others use the storage. */
+    /** The number of unread samples; an estimate while other threads use the storage. */
     virtual std::size_t size() const = 0;
-    /** Samples refused or thrown away because the buffer was full. */
+    /** The number of samples refused or dropped because the buffer was full. */
     virtual std::size_t dropped() const { return 0; }
 
-    /** The oldest sample, untouched until release(); null if none. At most one held per thread. For StoreSpec::held. */
+    /** The oldest sample, unchanged until release(); null if none. At most one per thread. For StoreSpec::held. */
     virtual const void* readHeld() { return nullptr; }
     virtual void release(const void*) {}
 
@@ -77,10 +77,10 @@ public:
 protected:
     explicit SampleStore(const types::TypeOps& ops) : ops_(ops) {}
     static constexpr std::size_t kAtOnce = 64;
-    /** Assign `sample` to the free elements: to all, waiting a little for those in use, or to kAtOnce without waiting. */
+    /** Assigns `sample` to free elements: to all, waiting a little for those in use, or to kAtOnce without waiting. */
     virtual void resizeElements(const void* sample, bool all) = 0;
     std::size_t extentOf(const void* sample) const { return ops_.extent ? ops_.extent(sample) : 0; }
-    /** To be called when `sample`, of that extent, was written. */
+    /** Call it after writing `sample`, which has that extent. */
     void keepSized(const void* sample, std::size_t extent) {
         if (__builtin_expect(extent > largest_.load(std::memory_order_relaxed), 0)) grow(sample, extent);
     }
@@ -88,7 +88,7 @@ protected:
     const types::TypeOps& ops_;
 
 private:
-    /** True if it is larger than all before. */
+    /** True if `extent` is larger than all before. */
     bool noteExtent(std::size_t extent);
     void grow(const void* sample, std::size_t extent);
 

@@ -20,7 +20,7 @@ OperationInterfacePart::Args withHandle(const SendHandleC::Source& handle,
 
 DataSource<bool>::shared_ptr constant(bool value) { return new ConstantDataSource<bool>(value); }
 
-/** The source that collects. Throws what is wrong with the arguments. */
+/** The source that collects. Throws if the arguments do not fit. */
 SendHandleC::Source collecting(const SendHandleC& handle, const OperationInterfacePart::Args& variables, bool wait) {
     if (!handle.getSendHandleDataSource() || !handle.getOrp()) throw invalid_handle_exception();
     return handle.getOrp()->produceCollect(withHandle(handle.getSendHandleDataSource(), variables), constant(wait));

@@ -19,7 +19,7 @@ public:
     typedef base::DataSourceBase::shared_ptr Source;
 
     SendHandleC() = default;
-    /** `handle` is what `part->produceHandle()` makes. */
+    /** `part->produceHandle()` makes the handle. */
     SendHandleC(Source handle, const OperationInterfacePart* part, const std::string& name);
     ~SendHandleC();
     SendHandleC(const SendHandleC&) = default;
@@ -33,16 +33,16 @@ public:
         return arg(Source(new ReferenceDataSource<T>(variable)));
     }
 
-    /** Waits for the end. SendFailure, and an error, if the operation was not sent or `arg()` was called too often or too
-        rarely. Throws std::runtime_error if the operation threw. */
+    /** Waits for the end. SendFailure, with an error logged, if the operation was not sent or the number of `arg()`
+        calls is wrong. Throws std::runtime_error if the operation threw. */
     SendStatus collect() { return fetch(true); }
     /** The same without waiting: SendNotReady before the end. */
     SendStatus collectIfDone() { return fetch(false); }
-    /** True if there is a sent operation and as many variables as it gives values, or none. */
+    /** True if an operation was sent and there is a variable for each of its values, or none at all. */
     bool ready() const;
-    /** Throws what is wrong with the arguments. */
+    /** Throws if the arguments do not fit. */
     void check() const;
-    /** Whether the destructor waits for the end. Default: no, the operation ends all the same. */
+    /** Whether the destructor waits for the end; false at first. The operation completes either way. */
     void setAutoCollect(bool on) { auto_collect_ = on; }
 
     const Source& getSendHandleDataSource() const { return handle_; }

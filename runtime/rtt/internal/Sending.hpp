@@ -12,26 +12,26 @@ namespace internal {
 class CalleeBase;
 class SentCall;
 
-/** What a thread is about to send, for somebody who wants to know how it ends. */
+/** Announces a call that this thread is about to send, to a watcher that learns how it ends. */
 struct RTT_API Sending {
-    /** Lives until the call was sent, or another one is announced. */
+    /** Must exist until the call was sent, or another one is announced. */
     class RTT_API Watcher {
     public:
         virtual ~Watcher();
-        /** What is queued instead of the call, whose reference it takes over: it has to execute it, or to dispose it. */
+        /** The object to queue instead of the call, whose reference it takes over and which it executes or disposes. */
         virtual base::DisposableInterface* queued(SentCall& call) = 0;
     };
 
     const CalleeBase* callee = nullptr;
     Watcher* watcher = nullptr;
 
-    /** The next call of that function that this thread queues is watched; null: none. Real-time safe. */
+    /** Has the next call of `next.callee` that this thread queues watched; a null watcher ends that. Real-time safe. */
     static void announce(Sending next) noexcept;
-    /** For whoever queues a call of the function: once for each announcement; null if nobody watches. Real-time safe. */
+    /** For code that queues a call of `callee`: the watcher, once per announcement; null if none. Real-time safe. */
     static Watcher* take(const CalleeBase* callee) noexcept;
 };
 
-// Initial-exec: a real-time thread asks for it with each call that it sends, and must not allocate then.
+// Initial-exec: a real-time thread reads it with each call that it sends, and must not allocate then.
 inline thread_local Sending announced __attribute__((tls_model("initial-exec")));
 
 inline Sending::Watcher* Sending::take(const CalleeBase* callee) noexcept {

@@ -43,8 +43,8 @@ bool SentCall::beginAgain() {
     return true;
 }
 
-// It is the thread that waits, so what counts is the engine it executes: it may be executing an operation of the caller
-// for a third component, which others then call.
+// The thread waits, so the engine that it executes counts, not that of `caller`: it may be executing an operation of
+// the caller on behalf of a third component, which other threads call meanwhile.
 void SentCall::setEngines(ExecutionEngine* caller, ExecutionEngine* executor) {
     executor_ = executor;
     if (!caller) return;
@@ -58,19 +58,19 @@ void SentCall::setProvider(const boost::intrusive_ptr<const EngineGate>& provide
 }
 
 void SentCall::finish(State state) {
-    // After the state is stored the caller may be gone, with its engine; the gate, and this, are ours until deref().
+    // Once the state is stored the caller and its engine may be gone; the gate and this object stay until deref().
     if (state_.exchange(state) & kParked) os::detail::futexWakeAll(state_);
     if (waiting_) waiting_->waitPoint.notify();
     deref();
 }
 
 void SentCall::executeAndDispose() {
-    // Not what the script of this thread called: it serves others while it waits.
+    // This thread's script did not call this: it serves other components while it waits.
     const Interruption::Region foreign(Interruption::ofThisThread(), Interruption::Region::Native);
     const FailureReport::Pause others;
     const boost::intrusive_ptr<const EngineGate> provider = provider_;
     std::optional<EngineGate::Visit> visit;
-    // Nor by the thread that destroys the component, if that executes messages meanwhile.
+    // A thread that destroys the component and executes messages meanwhile must not run it either.
     if (provider && (visit.emplace(*provider), provider->retired())) return dispose();
     try {
         run();
@@ -91,9 +91,9 @@ void SentCall::threw(const char* what) {
             what);
         if (!blamed_) log(Error) << *error_ << endlog();
     } catch (const std::exception&) {
-        // No memory for the text. That it threw, the caller has to learn all the same.
+        // No memory for the text; the state still says that it threw.
     }
-    // The component is in its new state before the caller learns of it.
+    // The component enters its new state before the caller learns of the exception.
     if (executor_) executor_->enterException();
     if (blamed_ && provider_) blame(*provider_, callee(), what);
     finish(Threw);
@@ -104,9 +104,9 @@ void SentCall::dispose() { finish(Disposed); }
 namespace {
 
 constexpr std::int64_t kPatience = 100000000, kLook = 1000000;  // in ns
-constexpr unsigned kPause = 100;                                // in us, for a thread that executes no component
+constexpr unsigned kPause = 100;                                // in us, for a thread that does not execute a component
 
-/** What an operation threw elsewhere, for the engine of its component. */
+/** Takes an exception, thrown in another thread, to the engine of the operation's component. */
 class Thrown final : public SentCall {
 public:
     Thrown(CalleeBase* callee, const char* what) : SentCall(callee), what_(what) {}
@@ -115,14 +115,14 @@ public:
 
 private:
     void run() override {
-        // Another one of these may have come first.
+        // Another exception may have arrived first.
         const base::TaskCore* const task = executor() ? executor()->getTaskCore() : nullptr;
         if (!task || !task->base::TaskCore::inException()) throw std::runtime_error(what_);
     }
     const std::string what_;
 };
 
-/** False if the engine of the component has to do it. */
+/** False if the engine of the component has to execute it. */
 bool executedHere(const EngineGate& owner, SentCall& thrown) {
     const EngineGate::Visit visit(owner);
     ExecutionEngine* const engine = visit.engine();
@@ -131,7 +131,7 @@ bool executedHere(const EngineGate& owner, SentCall& thrown) {
     thrown.setEngines(nullptr, engine);
     const EngineGate::Stand here(&owner);
     const bool active = visit.activity() && visit.activity()->isActive();
-    thrown.ref();  // taken by the engine, or by this thread
+    thrown.ref();  // given to the engine, or to executeAndDispose()
     if (!here && active && ExecutionEngine::process(owner, &thrown)) return false;
     thrown.executeAndDispose();
     return true;
@@ -153,7 +153,7 @@ void blame(const EngineGate& owner, CalleeBase* callee, const char* what) {
                 usleep(kPause);
         }
     } catch (const std::bad_alloc&) {
-        // The caller learns what the operation threw, all the same.
+        // The caller learns of the exception anyway.
     }
 }
 
@@ -180,7 +180,7 @@ SendStatus SentCall::collect() {
         const auto done = [this] { return state() != Waiting; };
         const EngineGate* const own = EngineGate::ofThisThread();
         if (own && own != waiting_.get()) {
-            // Sent by another component, so nobody will tell this thread's engine of the end: it looks at the call as well.
+            // Another component sent it, so the end does not notify this thread's engine: wait for the state as well.
             std::uint32_t waiting = Waiting;
             state_.compare_exchange_strong(waiting, Waiting | kParked);
             own->engine()->waitForMessages(done, os::detail::kForever, &state_);
@@ -194,11 +194,11 @@ SendStatus SentCall::collect() {
     return status();
 }
 
-// On the call itself: many threads that are no components may wait, each for its own, and none shall wake the others.
+// Waits on the call itself, so that threads that execute no component do not wake each other.
 void SentCall::park() {
     const Interruption* const interruption = Interruption::ofScript();
-    // Main may wait for a component in whose name it calls. If the component's activity ends meanwhile, main has to execute the
-    // call itself, and nothing wakes it for that.
+    // The main thread may wait for a component on whose behalf it calls. If the component's activity ends meanwhile,
+    // main has to execute the call itself, and nothing wakes it for that.
     const bool mayStand = waiting_->engine() == executor_ && os::MainThread::Instance()->isSelf();
     std::uint32_t seen = state_.load(std::memory_order_acquire);
     while ((seen & ~kParked) == Waiting) {
@@ -258,7 +258,7 @@ bool OperationCallerInterface::enqueue(internal::SentCall& call) const {
         thread_ == OwnThread && owner_ ? *owner_ : *internal::GlobalEngine::Instance()->gate();
     call.setEngines(caller_, gate.engine());
     if (owner_ && owner_.get() != &gate) call.setProvider(owner_, generic_);
-    call.ref();  // the queue's
+    call.ref();  // for the queue
     DisposableInterface* queued = &call;
     if (internal::Sending::Watcher* const watcher = internal::Sending::take(callee())) queued = watcher->queued(call);
     if (ExecutionEngine::process(gate, queued)) return true;
@@ -273,12 +273,12 @@ internal::SentCall* OperationCallerInterface::enqueueNew(internal::SentCall* cal
 
 namespace {
 
-// No virtual functions here: the sub-class of a component may be under destruction, its engine and its TaskCore are not.
+// No virtual calls here: a component's subclass may be under destruction, but its engine and its TaskCore exist.
 
-/** The component that provides an operation, and what keeps it from executing calls; for messages. */
+/** Names the component that provides an operation, and what keeps it from executing calls. */
 std::string whyRefused(const internal::EngineGate& gate) {
     const internal::EngineGate::Visit visit(gate);
-    ExecutionEngine* const engine = visit.engine();  // asked again, it may be gone
+    ExecutionEngine* const engine = visit.engine();  // read once: later it may be null
     if (!engine) return "the component that provides it was destroyed";
     const TaskCore* const task = engine->getTaskCore();
     const std::string who = task ? "component '" + task->TaskCore::getName() + "'" : std::string("the GlobalEngine");
@@ -290,7 +290,7 @@ std::string whyRefused(const internal::EngineGate& gate) {
 void warnIfInactive(const internal::EngineGate& gate) {
     const internal::EngineGate::Visit visit(gate);
     base::ActivityInterface* const activity = visit.activity();
-    ExecutionEngine* const engine = visit.engine();  // asked again, it may be gone
+    ExecutionEngine* const engine = visit.engine();  // read once: later it may be null
     if (!activity || activity->isActive() || !engine || !engine->getTaskCore()) return;
     log(Warning) << "a call waits until the activity of component '" << engine->getTaskCore()->TaskCore::getName()
                  << "' is started, which is to execute it" << endlog();
@@ -304,7 +304,7 @@ void OperationCallerInterface::enqueueAndWait(internal::SentCall& call) const {
                         internal::describe(callee()) +
                             ", which is executed in its component's thread, was called without a caller: set the "
                             "caller's engine (this->engine() in a component, GlobalEngine::Instance() elsewhere)");
-    // This may be gone afterwards: the caller is bound to something else by a message that is executed while it waits.
+    // `this` may be gone afterwards: a message that is executed meanwhile may bind the caller to another operation.
     const boost::intrusive_ptr<const internal::EngineGate> owner = owner_;
     const boost::intrusive_ptr<internal::CalleeBase> function = callee_;
     const bool accepted = enqueue(call);

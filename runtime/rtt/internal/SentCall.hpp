@@ -23,7 +23,7 @@ namespace internal {
 
 class EngineGate;
 
-/** Where a call is collected that was not queued here. */
+/** Collects a call that was queued elsewhere. */
 class RTT_API RemoteCollect {
 public:
     virtual ~RemoteCollect();
@@ -31,8 +31,8 @@ public:
     virtual SendStatus collect(bool wait) = 0;
 };
 
-/** One call on its way through the queue of an engine, and its result afterwards. Referred to by the queue and by the
-    handles of the caller. Memory comes from CallPool. */
+/** A call on its way through the queue of an engine, and its result afterwards. The queue and the caller's handles
+    refer to it. Memory comes from CallPool. */
 class RTT_API SentCall : public base::DisposableInterface {
 public:
     typedef boost::intrusive_ptr<SentCall> shared_ptr;
@@ -50,33 +50,32 @@ public:
     CalleeBase* callee() const { return callee_.get(); }
     State state() const { return static_cast<State>(state_.load(std::memory_order_acquire) & ~kParked); }
 
-    /** Makes a call that has ended a new one. False if somebody else still holds it. */
+    /** Prepares a finished call for reuse. False if another reference to it exists. */
     bool beginAgain();
-    /** The engine of the component that collects, null if none, and the one that executes. */
+    /** The engine of the component that collects, null if there is none, and the engine that executes. */
     void setEngines(ExecutionEngine* caller, ExecutionEngine* executor);
 
-    /** The component whose function this is, if the engine of another executes it: not after it was destroyed. Such a call is
-        disposed, and while one is executed, the component is not destroyed. `blamed`: it enters Exception if this throws. */
+    /** The component of the function, if another engine executes it. It is not destroyed while the call is executed;
+        after its destruction the call is disposed. `blamed`: it enters Exception if the call throws. */
     void setProvider(const boost::intrusive_ptr<const EngineGate>& provider, bool blamed);
 
-    /** This call is executed by somebody else. */
+    /** For a call that is executed elsewhere. */
     void collectFrom(std::unique_ptr<RemoteCollect> remote);
 
-    /** What collecting gives now. */
     SendStatus status() const;
     /** Waits for the end, in the thread of the caller. Throws as checkError() does. */
     SendStatus collect();
     /** The same without waiting. */
     SendStatus collectIfDone();
-    /** Throws std::runtime_error, with the text of what the operation threw, if it threw. */
+    /** If the operation threw: throws std::runtime_error with the text of that exception. */
     void checkError() const;
 
-    /** Where the result lies; null if there is none. */
+    /** The address of the result; null if there is none. */
     virtual const void* resultAddress() const = 0;
-    /** Where the copy of an argument lies; counted from 0. */
+    /** The address of the copy of an argument, counted from 0. */
     virtual void* argumentAddress(unsigned index) = 0;
 
-    // The destructor is virtual, so the size that counts is that of the sub-class.
+    // The destructor is virtual, so the size is that of the subclass.
     static void* operator new(std::size_t size) { return CallPool::take(size); }
     static void operator delete(void* block) { CallPool::give(block); }
     // Arguments of larger alignment (Eigen with AVX) do not fit into the pool's blocks.
@@ -101,17 +100,17 @@ private:
     std::atomic<std::uint32_t> state_{Waiting};
     const boost::intrusive_ptr<CalleeBase> callee_;
     ExecutionEngine* executor_ = nullptr;
-    std::unique_ptr<std::string> error_;  // set before the state says so
+    std::unique_ptr<std::string> error_;  // set before the state becomes Threw
     std::unique_ptr<RemoteCollect> remote_;
-    boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null: sent without a caller
+    boost::intrusive_ptr<const EngineGate> waiting_;  // of the engine whose thread waits; null if sent without a caller
     boost::intrusive_ptr<const EngineGate> provider_;
     bool blamed_ = false;
 };
 
 /**
- * An operation of that component threw in another thread than the component's: logs it, and the component enters Exception,
- * unless it is in that state. Its hooks are executed in its thread, as those of an operation which is executed there; this
- * waits for that, but for a component that is busy no longer than 100 ms. Without an active thread they are executed here.
+ * For an operation of a component that threw outside the component's thread: logs it and puts the component into
+ * Exception, unless it is in that state already. The component's thread executes the hooks, as if the operation ran
+ * there; this waits for that, up to 100 ms if the component is busy. Without an active thread, this one executes them.
  */
 RTT_API void blame(const EngineGate& owner, CalleeBase* callee, const char* what);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How the core asks for services that plugins bring, without knowing the plugin loader.
+// The core's way to services of plugins, without a dependency on the plugin loader.
 #ifndef ORO_INTERNAL_SERVICE_LOADER_HPP
 #define ORO_INTERNAL_SERVICE_LOADER_HPP
 
@@ -16,7 +16,7 @@ namespace internal {
 typedef bool (*ServiceLoaderHook)(const std::string& service, TaskContext* component);
 
 RTT_API void setServiceLoader(ServiceLoaderHook hook);
-/** False as well if no loader has been set. */
+/** False, with an error logged, also if no loader has been set. */
 RTT_API bool loadServicePlugin(const std::string& service, TaskContext* component);
 
 }  // namespace internal

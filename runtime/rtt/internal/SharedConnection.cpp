@@ -39,7 +39,7 @@ void SharedConnectionBase::deref() {
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) SharedConnectionRepository::Instance().forget(*this);
 }
 
-// Relaxed: the repository's lock, held by its callers, orders what is in the connection; the count only must not leave 0.
+// Relaxed: the repository's lock, which callers hold, orders the content; the count must only not leave 0.
 SharedConnectionBase::shared_ptr SharedConnectionBase::revive() {
     int count = references_.load(std::memory_order_relaxed);
     while (count != 0)
@@ -76,7 +76,7 @@ std::string SharedConnectionRepository::uniqueName() {
     return name;
 }
 
-/** The last reference is gone, and revive() gives out none for it any more. */
+/** The last reference is gone, and revive() gives out no more. */
 void SharedConnectionRepository::forget(SharedConnectionBase& connection) {
     {
         const std::lock_guard<std::mutex> lock(repositoryMutex());

@@ -22,7 +22,7 @@ class PortInterface;
 }
 namespace internal {
 
-/** Lives as long as a port is connected to it or somebody holds it. */
+/** Exists as long as a port is connected to it or a pointer refers to it. */
 class RTT_API SharedConnectionBase {
 public:
     typedef boost::intrusive_ptr<SharedConnectionBase> shared_ptr;
@@ -49,14 +49,14 @@ private:
         bool input;
     };
     void removeMember(const base::PortInterface& port);
-    /** A reference, unless the last one is gone already. */
+    /** A new reference; null if the last one is gone already. */
     shared_ptr revive();
 
     base::ChannelElementBase::shared_ptr storage_;
     ConnPolicy policy_;
     const types::TypeOps& ops_;
     const types::Schema& schema_;
-    std::vector<Member> members_;  // under the lock of all connections
+    std::vector<Member> members_;  // guarded by the lock of all connections
     std::atomic<int> references_{0};
 };
 
@@ -70,9 +70,9 @@ public:
 
     /** Null if there is none of that name. */
     SharedConnectionBase::shared_ptr get(const std::string& name);
-    /** `connection`, or the one that has its name already. */
+    /** `connection`, or the existing one of the same name. */
     SharedConnectionBase::shared_ptr add(SharedConnectionBase::shared_ptr connection);
-    /** A name no shared connection has had. */
+    /** A name that no shared connection has had. */
     std::string uniqueName();
 
 private:

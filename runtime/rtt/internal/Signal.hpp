@@ -19,8 +19,8 @@ namespace internal {
 template <class Signature>
 class Signal;
 
-/** Calls all connected functions, in the thread that emits and in the order of connection. Functions may connect and
-    disconnect while it emits; that counts from the next emission. Emitting is real-time safe if the functions are. */
+/** Calls all connected functions, in the emitting thread and in order of connection. Functions may connect and
+    disconnect meanwhile; new ones are called from the next emission on. Real-time safe if the functions are. */
 template <class R, class... Args>
 class Signal<R(Args...)> : public SignalBase {
 public:
@@ -39,7 +39,7 @@ public:
     int arity() const override { return static_cast<int>(sizeof...(Args)); }
 
 private:
-    // Each function has a value of its own, so an argument to be moved from is copied.
+    // Each function gets its own value, so an argument that would be moved from is copied.
     template <class Arg>
     using Passed = std::conditional_t<std::is_rvalue_reference_v<Arg>, std::decay_t<Arg>, Arg>;
     struct Slot final : Connection {

@@ -10,7 +10,7 @@
 namespace RTT {
 namespace internal {
 
-/** The functions that are called, in order of connection. Held by the signal and by whoever is emitting. */
+/** The functions to call, in order of connection. The signal and emitting threads refer to it. */
 struct SignalBase::List {
     std::vector<ConnectionPtr> connections;
     mutable std::atomic<int> references{1};
@@ -68,7 +68,7 @@ void SignalBase::add(const ConnectionPtr& connection, bool connect) {
     if (connect) connection->connect();
 }
 
-// Referred to, not guarded while it is used: what is called may take its time, and may connect and disconnect.
+// Counted, not guarded while in use: called functions may take long, and may connect and disconnect.
 boost::intrusive_ptr<const SignalBase::List> SignalBase::snapshot() const {
     if (!connected_.load(std::memory_order_relaxed)) return nullptr;
     const Reclaimer::Guard guard;
@@ -90,9 +90,9 @@ void SignalBase::change(const ConnectionPtr& connection, bool present) {
         for (const ConnectionPtr& other : previous->connections)
             if (other != connection) next->connections.push_back(other);
     if (present) next->connections.push_back(connection);
-    // Release: who emits sees what is in the list.
+    // Release: an emitting thread sees the content of the list.
     connected_.store(next->connections.empty() ? nullptr : next.release(), std::memory_order_release);
-    // The signal's own reference goes when nobody can be about to take another one.
+    // The signal drops its own reference when no thread can be about to take another one.
     if (previous)
         Reclaimer::retire(const_cast<List*>(previous),
                           [](void* list) { intrusive_ptr_release(static_cast<const List*>(list)); });

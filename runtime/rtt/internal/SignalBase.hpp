@@ -18,7 +18,7 @@ namespace internal {
 /** The connections of a signal, without the type of their functions. */
 class RTT_API SignalBase {
 public:
-    /** One function that is, or was, or will be called. */
+    /** One function with its subscription, which may be ended and renewed. */
     class RTT_API Connection : public std::enable_shared_from_this<Connection> {
     public:
         virtual ~Connection();
@@ -27,7 +27,7 @@ public:
         bool connect();
         bool disconnect();
         bool connected() const { return connected_.load(std::memory_order_acquire); }
-        /** The signal lets go of it. */
+        /** Detaches it from its signal for good. */
         void orphan();
 
     private:
@@ -45,7 +45,7 @@ public:
 
     /** The number of arguments of the functions. */
     virtual int arity() const = 0;
-    /** Adds a function; if not connected now, its handle can do it later. Not real-time safe. */
+    /** Adds a function; without `connect` its handle can connect it later. Not real-time safe. */
     void add(const ConnectionPtr& connection, bool connect);
     /** Calls all connected functions, with pointers to the arguments. Never locks; real-time safe if the functions are. */
     void emitErased(void* const* arguments) const;
@@ -59,8 +59,8 @@ private:
     void change(const ConnectionPtr& connection, bool present);
 
     std::mutex mutex_;
-    std::atomic<const List*> connected_{nullptr};  // null: none. A list never changes, it is replaced.
-    std::vector<std::weak_ptr<Connection>> made_;  // those too that are not connected just now
+    std::atomic<const List*> connected_{nullptr};  // null: none. A list never changes; it is replaced.
+    std::vector<std::weak_ptr<Connection>> made_;  // connected or not
 };
 
 }  // namespace internal

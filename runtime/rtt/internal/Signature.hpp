@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The signature of anything that can be called.
+// Finds the signature of anything that can be called.
 #ifndef ORO_INTERNAL_SIGNATURE_HPP
 #define ORO_INTERNAL_SIGNATURE_HPP
 

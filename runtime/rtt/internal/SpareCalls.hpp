@@ -14,8 +14,8 @@
 namespace RTT {
 namespace internal {
 
-/** True for values that can be assigned whatever they hold, and that refer to nothing: numbers, texts, and vectors and arrays of
-    such. Of others it is not known: a struct may have constants in its vectors, and a map of a matrix writes through. */
+/** True for values that own what they hold and can always be assigned: numbers, texts, and vectors and arrays of such.
+    Others may differ: a struct may have constants in its vectors, and a map of a matrix writes through. */
 template <class T>
 struct IsPlainValue : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T>> {};
 template <class Char, class Traits, class Allocator>
@@ -25,7 +25,7 @@ struct IsPlainValue<std::vector<T, Allocator>> : IsPlainValue<T> {};
 template <class T, std::size_t N>
 struct IsPlainValue<std::array<T, N>> : IsPlainValue<T> {};
 
-/** True for signatures whose arguments have memory of their own, so that copies of them are worth being kept. */
+/** True for signatures whose arguments own memory, so that keeping their copies saves allocations. */
 template <class Signature>
 constexpr bool keepsCalls = false;
 template <class R, class... Args>
@@ -34,9 +34,9 @@ constexpr bool keepsCalls<R(Args...)> =
     (std::is_void_v<R> || IsPlainValue<ValueOf<R>>::value);
 
 /**
- * Calls that were executed, for the next ones of the same caller: copying the arguments into them takes no memory if they
- * are no larger than before. Two, because the thread that executed the last one may still be about to let go of it. Any thread;
- * real-time safe but for the first call.
+ * Executed calls, kept for the next ones of the same caller: copying arguments into them allocates nothing if the
+ * arguments are no larger than before. There are two, because the thread that executed the last call may not have
+ * released it yet. Any thread; real-time safe except the first call.
  */
 template <class Sent>
 class SpareCalls {
@@ -60,7 +60,7 @@ public:
         if (!used_.exchange(true)) give(new Sent(callee, args...));
         return new Sent(callee, args...);
     }
-    /** One that was executed to its end, or never queued. */
+    /** For a call that has finished, or was never queued. */
     void give(typename Sent::shared_ptr call) {
         for (auto& slot : slots_) {
             Sent* empty = nullptr;

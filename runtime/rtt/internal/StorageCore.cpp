@@ -12,7 +12,7 @@
 namespace RTT::internal {
 
 namespace {
-// One for all: readers come and go seldom, and only storages with several readers have a list.
+// One for all storages: readers come and go rarely, and only storages with several readers have a list.
 std::mutex& readersMutex() {
     static std::mutex mutex;
     return mutex;
@@ -43,7 +43,7 @@ void StorageCore::addReader(base::ChannelElementBase& reader) {
         for (const ChannelArray::Entry& entry : entries)
             if (entry.channel == &reader) return;
         entries.push_back({&reader, true});
-        // Release: who finds the list, by the acquire load in signalReaders(), sees what is in it.
+        // Release: a thread that finds the list, by the acquire load in signalReaders(), sees its content.
         readers_.store(ChannelArray::make(entries.data(), entries.size()), std::memory_order_release);
     }
     ChannelArray::retire(old);

@@ -15,10 +15,10 @@ namespace RTT {
 namespace internal {
 struct ChannelArray;
 
-/** Storage, its policy, and, for storages with several readers (PerOutputPort and Shared), the list of whom to tell. */
+/** A storage, its policy and, with several readers (PerOutputPort and Shared), the list of readers to signal. */
 class RTT_API StorageCore {
 public:
-    /** Completes the defaults of the policy. Without a store, and with an error logged, if it is not valid. */
+    /** Completes the defaults of the policy. Has no store, with an error logged, if the policy is invalid. */
     StorageCore(const types::TypeOps& ops, const ConnPolicy& policy, const void* first);
     ~StorageCore();
 
@@ -30,7 +30,7 @@ public:
     void addReader(base::ChannelElementBase& reader);
     void removeReader(const base::ChannelElementBase* reader);
     bool signalReaders() const;
-    /** What `element`, which has this, does in writeErased(). */
+    /** Implements writeErased() of `element`, which owns this. */
     WriteStatus write(const void* sample, base::ChannelElementBase& element) {
         const WriteStatus status = store_->write(sample);
         if (__builtin_expect(status == WriteSuccess, 1))
@@ -38,7 +38,7 @@ public:
         return status;
     }
     // The rare functions of the element that this belongs to.
-    /** The new element, or null, and it deleted, if its storage could not be made. */
+    /** The new element; null, and the element deleted, if its storage could not be made. */
     static base::ChannelElementBase::shared_ptr heldIfReady(base::ChannelElementBase* made);
     static std::string elementName();
     static WriteStatus writeTyped(base::ChannelElementBase& element, const void* sample);
@@ -47,7 +47,7 @@ public:
 private:
     std::unique_ptr<SampleStore> store_;
     ConnPolicy policy_;
-    std::atomic<const ChannelArray*> readers_{nullptr};  // changed under a lock of its own
+    std::atomic<const ChannelArray*> readers_{nullptr};  // changed with readersMutex() held
 };
 
 }  // namespace internal

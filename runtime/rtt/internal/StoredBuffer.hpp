@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The buffer classes over the storage that connections use.
+// Implements the buffer classes by the storage that connections use.
 #ifndef ORO_INTERNAL_STORED_BUFFER_HPP
 #define ORO_INTERNAL_STORED_BUFFER_HPP
 
@@ -13,7 +13,7 @@
 namespace RTT {
 namespace internal {
 
-/** Push() and Pop() of one sample are real-time safe as far as assigning a T is and the lock policy says. */
+/** Push() and Pop() of one sample are as real-time safe as the assignment of a T and the lock policy. */
 template <class T>
 class StoredBuffer : public base::BufferInterface<T> {
 public:
@@ -31,7 +31,7 @@ public:
         }
         return taken;
     }
-    // A connection that has been read empty says OldData; a loop over Pop() ends at 0, which is NoData.
+    // A store without new samples gives OldData, but a loop over Pop() ends at 0, which is NoData.
     FlowStatus Pop(reference_t item) override { return store_->read(&item, false) == NewData ? NewData : NoData; }
     size_type Pop(std::vector<value_t>& items) override {
         items.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The data object classes over the storage that connections use.
+// Implements the data object classes by the storage that connections use.
 #ifndef ORO_INTERNAL_STORED_DATA_OBJECT_HPP
 #define ORO_INTERNAL_STORED_DATA_OBJECT_HPP
 
@@ -13,7 +13,7 @@
 namespace RTT {
 namespace internal {
 
-/** Get() and Set() are real-time safe as far as assigning a T is and the lock policy says. */
+/** Get() and Set() are as real-time safe as the assignment of a T and the lock policy. */
 template <class T>
 class StoredDataObject : public base::DataObjectInterface<T> {
 public:

@@ -8,7 +8,7 @@
 namespace RTT {
 namespace internal {
 
-/** Raises a flag until the end of the scope, unless somebody else has raised it: then it converts to false. */
+/** Raises a flag until the end of the scope; converts to false if the flag is raised already. */
 class TryFlag {
 public:
     explicit TryFlag(std::atomic<bool>& flag) noexcept : flag_(flag.exchange(true) ? nullptr : &flag) {}
@@ -23,7 +23,7 @@ private:
     std::atomic<bool>* const flag_;
 };
 
-/** Keeps an activity active within initialize() and finalize(), which may throw: not any more at the end of the scope. */
+/** Keeps an activity active until the end of the scope, for initialize() and finalize(), which may throw. */
 class ActiveWhile {
 public:
     explicit ActiveWhile(std::atomic<bool>& active) noexcept : active_(&active) { active = true; }
@@ -32,7 +32,7 @@ public:
     }
     ActiveWhile(const ActiveWhile&) = delete;
     ActiveWhile& operator=(const ActiveWhile&) = delete;
-    /** It stays active. */
+    /** Keeps it active after the scope, too. */
     void stay() noexcept { active_ = nullptr; }
 
 private:

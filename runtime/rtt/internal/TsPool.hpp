@@ -13,11 +13,11 @@ namespace RTT {
 namespace internal {
 
 /**
- * A fixed number of objects that any number of threads take and give back; neither blocks nor allocates, both are real-time
- * safe. An object keeps what was assigned to it, its memory too, so that pools of vectors stay allocated.
+ * A fixed number of objects that any number of threads take and give back. Both are real-time safe: they neither block
+ * nor allocate. An object keeps its value and memory, so pools of vectors stay allocated.
  *
- * The free objects are a chain of indices. Its beginning carries a count of the changes: without it, a thread that was stopped
- * between reading and replacing it would not see that the same object was taken and given back meanwhile.
+ * The free objects are a chain of indices. Its head carries a count of the changes. Without it, a thread stopped
+ * between reading and replacing the head would not notice that the same object was taken and given back.
  */
 template <class T>
 class TsPool {
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /** False for what is no object of this pool. An object is given back once only. */
+    /** False if `value` is not an object of this pool. Give an object back only once. */
     bool deallocate(T* value) {
         const std::less<const T*> before{};
         if (!value || before(value, values_.get()) || !before(value, values_.get() + size_)) return false;
@@ -59,12 +59,12 @@ public:
         return true;
     }
 
-    /** Gives all objects this value and back to the pool; while no other thread uses it. */
+    /** Takes all objects back and gives them this value. Only while no other thread uses the pool. */
     void data_sample(const T& sample) {
         for (std::size_t index = 0; index < size_; ++index) values_[index] = sample;
         clear();
     }
-    /** Takes all objects back; while no other thread uses the pool. */
+    /** Takes all objects back. Only while no other thread uses the pool. */
     void clear() {
         for (std::size_t index = 0; index < size_; ++index)
             next_[index].store(index + 1 < size_ ? static_cast<std::uint32_t>(index + 1) : kNone,
@@ -73,7 +73,7 @@ public:
     }
 
     size_type capacity() const { return size_; }
-    /** How many objects are free; while no other thread uses the pool. */
+    /** The number of free objects. Only while no other thread uses the pool. */
     size_type size() const {
         size_type count = 0;
         for (std::uint32_t index = static_cast<std::uint32_t>(first_.load(std::memory_order_acquire));

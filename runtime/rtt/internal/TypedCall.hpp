@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A sent call with its arguments and its result. Hand-made tuple and optional: they are instantiated for every operation
-// of every component, and these cost the compiler a fraction of the standard ones.
+// A sent call with its arguments and its result. It has a tuple and an optional of its own, which cost the compiler a
+// fraction of the standard ones: they are instantiated for every operation of every component.
 #ifndef ORO_INTERNAL_TYPED_CALL_HPP
 #define ORO_INTERNAL_TYPED_CALL_HPP
 
@@ -22,7 +22,7 @@ constexpr bool isOutput = std::is_lvalue_reference_v<Arg> && !std::is_const_v<st
 template <class Arg>
 using ValueOf = std::remove_cv_t<std::remove_reference_t<Arg>>;
 
-/** Holds the result of a function: a value, the address of a referred one, or nothing. */
+/** Holds the result of a function: a value, the address that a reference refers to, or nothing. */
 template <class R>
 class ResultStore {
 public:
@@ -71,7 +71,7 @@ public:
     const void* address() const { return nullptr; }
 };
 
-/** Copies of the arguments, told apart by their position. */
+/** A copy of an argument; the position makes the type unique. */
 template <std::size_t, class T>
 struct Argument {
     T value;
@@ -89,7 +89,7 @@ T& argumentAt(Argument<I, T>& argument) {
 
 template <class Signature>
 class CallValues;
-/** A call with copies of its arguments and room for its result, which somebody else executes. */
+/** A call with copies of its arguments and room for its result, without the code that executes it. */
 template <class R, class... Args>
 class CallValues<R(Args...)> : public SentCall {
 public:
@@ -119,7 +119,7 @@ public:
     typedef boost::intrusive_ptr<TypedCall> shared_ptr;
     using CallValues<R(Args...)>::CallValues;
 
-    /** The same call with other arguments; false if somebody else still holds it. */
+    /** Reuses the call with other arguments; false if another reference to it exists. */
     bool begin(const std::remove_reference_t<Args>&... args) {
         return this->beginAgain() && (assign(std::index_sequence_for<Args...>(), args...), true);
     }
@@ -132,7 +132,7 @@ private:
     void run() override { runWith(std::index_sequence_for<Args...>()); }
     template <std::size_t... I>
     void runWith(std::index_sequence<I...>) {
-        // Arguments by value are moved: only those by reference are looked at again.
+        // Arguments by value are moved; only those by reference are read again.
         this->result.take([this]() -> R {
             return (*static_cast<Callee<R(Args...)>*>(this->callee()))(
                 static_cast<Args&&>(argumentAt<I>(this->arguments))...);

@@ -62,7 +62,7 @@ bool ElementPlace::evaluate() const { return parent->evaluate() && index_->evalu
 std::size_t ElementPlace::position() const {
     const void* value = index_->getRawConstPointer();
     if (*index_->getTypeId() == typeid(unsigned int)) return *static_cast<const unsigned int*>(value);
-    // A negative index becomes one beyond any end.
+    // A negative index becomes one beyond the end of any container.
     return static_cast<std::size_t>(static_cast<long long>(*static_cast<const int*>(value)));
 }
 
@@ -107,7 +107,7 @@ void* ElementPlace::forChange() {
 
 void ElementPlace::assign(const void* value) {
     evaluate();
-    // Kept for updated(), which may follow and stores it again where elements have no address.
+    // If elements have no address, updated() may follow and store the spare value again.
     if (!ops_->at) spare_->assignValue(value);
     store(value);
 }

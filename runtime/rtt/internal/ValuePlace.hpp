@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where values are that another source holds: written once for all types.
+// Finds values that another source holds; implemented once for all types.
 #ifndef ORO_VALUE_PLACE_HPP
 #define ORO_VALUE_PLACE_HPP
 
@@ -16,7 +16,7 @@ class ActionInterface;
 }
 namespace internal {
 
-/** Finds a value inside that of another source, which is kept alive and told of changes. */
+/** Finds a value inside that of another source, keeps that source alive and reports changes to it. */
 class RTT_API ValuePlace {
 public:
     explicit ValuePlace(base::DataSourceBase* parent);
@@ -25,11 +25,11 @@ public:
     ValuePlace& operator=(const ValuePlace&) = delete;
 
     virtual bool evaluate() const = 0;
-    /** The value, never null, as it was evaluated last. */
+    /** The value of the last evaluation; never null. */
     virtual void* value() const = 0;
-    /** The same, evaluated first where that has no effect but finding the value. */
+    /** The same, but evaluates first if that has no effect except finding the value. */
     virtual void* get() const = 0;
-    /** The value for direct change; updated() follows. */
+    /** The value, to be changed in place; updated() follows. */
     virtual void* forChange() = 0;
     /** Null if the value can never be changed through this place. */
     virtual void* raw() { return forChange(); }
@@ -37,26 +37,25 @@ public:
     virtual void updated() = 0;
     virtual bool isAssignable() const = 0;
     virtual void reset() {}
-    /** True if value() is the same as long as this exists. */
+    /** True if value() never changes its result. */
     virtual bool isFixed() const = 0;
-    /** False if this is all of the parent's value. */
+    /** False if this is the whole value of the parent. */
     virtual bool isPart() const { return true; }
-    /** The caller owns what these two return. */
+    /** The caller owns the result of clone() and copy(). */
     virtual ValuePlace* clone() const = 0;
-    /** Null if a copied expression uses this place, too. */
+    /** Null if a copied expression shares this place. */
     virtual ValuePlace* copy(std::map<const base::DataSourceBase*, base::DataSourceBase*>& alreadyCloned) const = 0;
 
     const base::DataSourceBase::shared_ptr parent;
 };
 
-/** The distance between a part and the beginning of its parent's value. */
 class RTT_API PartOffset {
 public:
     PartOffset(void* at, base::DataSourceBase& parent);
 
-    /** Found anew if the parent's value may move, because it is an element of a container. */
+    /** Computed anew if the parent's value may move, as an element of a container does. */
     void* addressIn(base::DataSourceBase& parent) const { return parent.hasFixedAddress() ? at_ : movedIn(parent); }
-    /** The place of this part in a copy of the parent. */
+    /** The address of this part in a copy of the parent. */
     void* movedIn(base::DataSourceBase& copyOfParent) const;
 
 private:
@@ -64,7 +63,7 @@ private:
     std::ptrdiff_t offset_;
 };
 
-/** A part that is stored in the parent's value: a member of a struct, at any depth. */
+/** A part stored in the parent's value: a member of a struct, at any depth. */
 class RTT_API PartPlace final : public ValuePlace {
 public:
     PartPlace(void* at, base::DataSourceBase* parent, const types::TypeOps& ops);
@@ -86,13 +85,13 @@ private:
 };
 
 /**
- * An element of a container, found anew at each access, so that index and container may change.
- * Beyond the end a default value is read, and what is written is lost, as it is where elements cannot be changed.
+ * An element of a container, found anew at each access, so that index and container may change. Reading beyond the end
+ * gives a default value; writing there, or to elements that cannot be changed, has no effect.
  */
 class RTT_API ElementPlace final : public ValuePlace {
 public:
-    /** `index` is of type int or unsigned int, `spare` a new variable of the element's type, which `reset` gives its first
-        value again. */
+    /** `index` is of type int or unsigned int, `spare` is a new variable of the element's type; `reset` restores its
+        first value. */
     ElementPlace(base::DataSourceBase* parent, base::DataSourceBase* index, const types::SequenceOps* ops,
                  base::DataSourceBase* spare, void (*reset)(void*));
 
@@ -109,7 +108,7 @@ public:
 
 private:
     std::size_t position() const;
-    /** False, too, if the index is beyond the end. */
+    /** These two return false if the index is beyond the end. */
     bool load(void* element) const;
     bool store(const void* element) const;
     /** The element, or a copy of one that has no address. */
@@ -122,7 +121,7 @@ private:
     void (*const reset_)(void*);
 };
 
-/** All of the parent's value, which an action computes each time before it is read. It cannot be changed. */
+/** The whole value of the parent, read-only. An action computes it before each reading. */
 class RTT_API ActionPlace final : public ValuePlace {
 public:
     /** Takes ownership of the action. */

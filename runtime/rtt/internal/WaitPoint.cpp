@@ -13,7 +13,7 @@ void WaitPoint::wait(std::uint32_t ticket, std::int64_t deadline) {
     } while (this->ticket() == ticket);
 }
 
-// Who is woken by something else leaves the bit behind: the next notify() makes a system call for nobody.
+// A waiter that something else wakes leaves the bit behind: the next notify() then makes a useless system call.
 bool WaitPoint::arm(std::uint32_t ticket, std::uint32_t& asleep) {
     asleep = ticket | kAsleep;
     std::uint32_t found = ticket;
@@ -22,8 +22,8 @@ bool WaitPoint::arm(std::uint32_t ticket, std::uint32_t& asleep) {
 }
 
 void WaitPoint::wake() {
-    // Others may have found the bit as well; the one that clears it wakes. If that bit was set by a later sleeper, the
-    // earlier ones were woken when theirs was cleared, and the later one looks again and sleeps on.
+    // Several notifiers may find the bit; the one that clears it wakes. If a later sleeper set that bit, the earlier
+    // ones were woken when theirs was cleared, and the later one looks again and continues to sleep.
     if (word_.fetch_and(~kAsleep) & kAsleep) os::detail::futexWakeAll(word_);
 }
 

@@ -12,16 +12,16 @@ namespace RTT {
 namespace internal {
 
 /**
- * Where threads wait for something an engine is told.
+ * Where threads wait for a notification of an engine.
  *
  * A waiter: `auto ticket = point.ticket(); if (!condition) point.wait(ticket);` A notifier changes the condition and
  * then calls notify().
  *
- * One word holds the number of notifications and, in its lowest bit, whether somebody sleeps. No wake-up is lost: the
- * waiter sets the bit only if the number still is that of its ticket, in one atomic operation. A notification before that
- * makes it fail; a later one finds the bit. If the notification came before the ticket, the waiter has seen its condition:
- * the acquire load of the ticket pairs with the release of the addition. At most one system call for each time somebody
- * went to sleep: the notifier that finds the bit clears it.
+ * One word holds the number of notifications and, in its lowest bit, whether a thread sleeps. No wake-up is lost: the
+ * waiter sets the bit only if the number is still that of its ticket, in one atomic operation. A notification before
+ * that makes it fail; a later one finds the bit. If the notification came before the ticket, the waiter has seen its
+ * condition: the acquire load of the ticket pairs with the release of the addition. A thread that went to sleep costs
+ * at most one system call: the notifier that finds the bit clears it.
  */
 class RTT_API WaitPoint {
 public:
@@ -29,16 +29,16 @@ public:
     /** Sleeps until a notify() after ticket(), or until the monotonic time in ns. Blocks. */
     void wait(std::uint32_t ticket, std::int64_t deadline = INT64_MAX);
     /**
-     * For a thread that waits here and elsewhere (os::detail::futexWaitAny): announces a sleeper. False if there was a
-     * notify() after ticket(); otherwise it may sleep while word() is `asleep`.
+     * Announces a sleeper, for a thread that waits here and elsewhere (os::detail::futexWaitAny). False if there was a
+     * notify() after ticket(); otherwise the thread may sleep while word() is `asleep`.
      */
     bool arm(std::uint32_t ticket, std::uint32_t& asleep);
     const std::atomic<std::uint32_t>& word() const { return word_; }
-    /** Wakes all waiters. Real-time safe; a system call only if somebody sleeps. */
+    /** Wakes all waiters. Real-time safe; makes a system call only if a thread sleeps. */
     void notify() {
         if (word_.fetch_add(kStep) & kAsleep) wake();
     }
-    /** Lets no waiter fall asleep that does not know yet, but wakes nobody. */
+    /** Keeps waiters with an older ticket from falling asleep, but wakes none. */
     void mark() { word_.fetch_add(kStep); }
 
 private:

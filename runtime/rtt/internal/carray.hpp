@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where older code looks for the view on arrays.
+// The place where older code looks for the view on arrays.
 #ifndef ORO_INTERNAL_CARRAY_HPP
 #define ORO_INTERNAL_CARRAY_HPP
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Connecting two ports, or ports and a shared connection.
+// Connects two ports, or ports and a shared connection.
 #include <rtt/internal/ConnFactory.hpp>
 
 #include <rtt/Logger.hpp>
@@ -44,7 +44,7 @@ bool refuseOther(const PortInterface& owner, const ConnPolicy& wanted, const Con
     return false;
 }
 
-/** Takes for a storage what fills it before the connection is there, and tells nobody: it may have readers already. */
+/** Fills a storage before the connection exists, without a signal to readers that the storage may already have. */
 class Filling final : public base::ChannelElementBase {
 public:
     explicit Filling(StorageCore& core) : core_(core) {}
@@ -66,7 +66,7 @@ bool fill(base::ChannelElementBase& storage, OutputPortInterface& output, bool i
     return output.initialise(filling, init);
 }
 
-/** False, and an error, if the plugins of the ports were built with different definitions of their type. */
+/** False, with an error logged, if the plugins of the ports were built with different definitions of their type. */
 bool sameSchema(const PortInterface& a, const PortInterface& b) {
     const std::string difference = sampleDifference(a, b);
     if (difference.empty()) return true;
@@ -76,7 +76,7 @@ bool sameSchema(const PortInterface& a, const PortInterface& b) {
     return false;
 }
 
-/** False, and an error, if the two can never be connected directly. */
+/** False, with an error logged, if the two can never be connected directly. */
 bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
     if (!output.isLocal())
         log(Error) << "output port " << output.getFullName()
@@ -95,8 +95,8 @@ bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
 }
 
 bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const ConnPolicy& policy) {
-    // The first stream fills in the name and the size of samples, the second one joins it. The sender comes first: a
-    // receiver may wait for the sample that sizes it.
+    // The first stream fills in the name and the size of samples; the second one joins it. The sender comes first,
+    // because a receiver may wait for the sample that sizes it.
     const ConnPolicy both = policy;
     if (!ConnFactory::createStream(output, both)) return false;
     if (ConnFactory::createStream(input, both)) return true;
@@ -105,7 +105,7 @@ bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const Con
     return false;
 }
 
-/** Says of which ports the error before was. */
+/** Names the ports to which the previous error belongs. */
 bool notConnected(const OutputPortInterface& output, const InputPortInterface& input) {
     log(Error) << "therefore output port " << output.getFullName() << " is not connected to input port "
                << input.getFullName() << endlog();
@@ -127,7 +127,7 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
     if (!checkEnds(output, input)) return false;
 
     for (;;) {
-        ElementPtr storage = input.buildStorage(wanted);  // checks and completes the policy, too
+        ElementPtr storage = input.buildStorage(wanted);  // also checks and completes the policy
         if (!storage) return notConnected(output, input);
         ConnPolicy policy = storage->getConnPolicy() ? *storage->getConnPolicy() : wanted;
         PortInterface& owner = policy.buffer_policy == PerOutputPort ? static_cast<PortInterface&>(output) : input;
@@ -136,8 +136,8 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
         if (shared && !sameStorage(policy, existing)) return refuseOther(owner, policy, existing);
         if (shared) storage = shared;
 
-        // Nobody signals yet: the storage is filled before the reader can see it. A value written between this and join()
-        // was written before the connection was there.
+        // Without a signal: the storage is filled before the reader can see it. A value written between this and join()
+        // was written before the connection existed.
         if (!fill(*storage, output, policy.init)) return false;
         if (!input.channelReady(storage, policy)) {
             log(Error) << "input port " << input.getFullName()
@@ -150,7 +150,7 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
         if (obstacle == ConnectionManager::Retry) continue;
         if (obstacle == ConnectionManager::AlreadyConnected) return connected(output, input, "already");
         if (obstacle != ConnectionManager::None) return refuseMix(output, input, policy);
-        // The other readers of a shared buffer have been told when this value was written.
+        // The other readers of a shared buffer were signalled when this value was written.
         if (policy.init && output.hasLastWrittenValue()) (void)input.getEndpoint()->signal();
         if (policy.type != ConnPolicy::DATA && policy.size == 0)
             log(Warning) << "the connection of output port " << output.getFullName() << " with input port "
@@ -161,7 +161,7 @@ bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterfa
 
 namespace {
 
-/** The shared connection that the ports are to join; null, with an error, if there can be none. */
+/** The shared connection for the ports to join; null, with an error logged, if there can be none. */
 SharedConnectionBase::shared_ptr findOrMakeShared(PortInterface& port, SharedConnectionBase::shared_ptr given,
                                                   ConnPolicy const& policy) {
     if (!given && !policy.name_id.empty()) given = SharedConnectionRepository::Instance().get(policy.name_id);
@@ -220,7 +220,7 @@ bool ConnFactory::createSharedConnection(OutputPortInterface* output, InputPortI
     PortInterface& any = output ? static_cast<PortInterface&>(*output) : *input;
     if (connection && policy.name_id.empty()) policy.name_id = connection->getName();
     connection = findOrMakeShared(any, connection, policy);
-    // Written only if it changes: the same policy may serve connections made by several threads.
+    // Assigned only if it changes: several threads may be connecting with the same policy.
     if (wanted.name_id != policy.name_id) wanted.name_id = policy.name_id;
     if (!connection) return false;
 

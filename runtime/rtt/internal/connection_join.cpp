@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How a new connection gets into the lists of its ports, and which connections one port can have side by side.
+// Adds a new connection to the lists of its ports, and decides which connections one port can have at the same time.
 #include <rtt/internal/ConnectionManager.hpp>
 
 #include <rtt/base/InputPortInterface.hpp>
@@ -22,8 +22,8 @@ std::mutex& GraphLock::mutex() {
 
 namespace {
 
-/** What a buffer policy means at one end: PerOutputPort is an ordinary connection for the reader, PerInputPort for the
-    writer. */
+/** The effect of a buffer policy at one end: for the reader PerOutputPort is an ordinary connection, for the writer
+    PerInputPort is. */
 int policyAt(bool input, const ConnPolicy& policy) {
     if (policy.buffer_policy == Shared) return Shared;
     const int own = input ? PerInputPort : PerOutputPort;
@@ -76,7 +76,7 @@ ConnectionManager::Obstacle ConnectionManager::join(ConnectionManager& output, C
     storage->connectFrom(output.port_->endpoint_);
     storage->connectTo(input.port_->endpoint_, policy.mandatory);
     linkTo(*storage, *input.port_, true);
-    // The reader first: what the writer then writes can be read.
+    // The reader first, so that samples of the writer can be read at once.
     input.add({boost::shared_ptr<ConnID>(new LocalConnID(output.port_)), storage, policy, nullptr});
     output.add({boost::shared_ptr<ConnID>(new LocalConnID(input.port_)), storage, policy, nullptr});
     return None;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Joining a transport's topic, queue or other stream.
+// Joins a transport's topic, queue or other stream.
 #include <rtt/internal/ConnFactory.hpp>
 
 #include <rtt/Logger.hpp>
@@ -21,7 +21,7 @@ std::string describe(const base::PortInterface& port) {
     return port.asInput() ? "input port " + port.getFullName() : "output port " + port.getFullName();
 }
 
-/** Gets what sizes a new channel, as a value of the port's type. */
+/** Receives the sizing sample for a new channel, as a value of the port's type. */
 class SizingSample final : public base::ChannelElementBase {
 public:
     explicit SizingSample(const types::TypeInfo& type) : value_(type.buildValue()) {}
@@ -35,7 +35,7 @@ private:
     base::DataSourceBase::shared_ptr value_;
 };
 
-/** How many bytes a sample like those of the port takes; what setDataSample() said, if nothing was written yet. */
+/** The size in bytes of a sample like the last one written to the port, or like that of setDataSample() before. */
 int marshalledSize(base::OutputPortInterface& port, const types::TypeMarshaller& marshaller) {
     const boost::intrusive_ptr<SizingSample> sizing(new SizingSample(*port.getTypeInfo()));
     (void)port.initialise(*sizing, false);
@@ -46,7 +46,7 @@ int marshalledSize(base::OutputPortInterface& port, const types::TypeMarshaller&
     return size;
 }
 
-/** False, with an error logged, if the typekit, for which the transport was made, sees the port's type differently. */
+/** False, with an error logged, if the transport's typekit has another definition of the port's type. */
 bool isSeenAlike(const base::PortInterface& port, const types::TypeInfo& type) {
     const types::TypeThunks* const thunks = type.getThunks();
     if (!thunks || !thunks->schema || !port.sampleSchema()) return true;

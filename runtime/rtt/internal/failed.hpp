@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How operations say why they return false.
+// For operations: reports why they return false.
 #ifndef ORO_INTERNAL_FAILED_HPP
 #define ORO_INTERNAL_FAILED_HPP
 
@@ -12,15 +12,15 @@
 namespace RTT {
 namespace internal {
 
-/** Gives the reason to the script that called, which reports it with the place of the call; without such a script, to the log.
+/** Gives the reason to the calling script, which reports it with the place of the call, or logs it if there is none.
     Returns false. */
 inline bool failed(const std::string& why) {
     if (!FailureReport::give(why)) log(Error) << why << endlog();
     return false;
 }
 
-/** What `call` returns, which reports by itself why it fails, and may execute code of others: that does not give reasons to the
-    script that called us. */
+/** Returns the result of `call`, which itself reports why it fails. It may execute code of other components, which
+    gives no reasons to our calling script. */
 template <class Call>
 bool reported(const std::string& why, Call call) {
     bool done = false;
@@ -32,7 +32,7 @@ bool reported(const std::string& why, Call call) {
     return done;
 }
 
-/** What `call` returns; if that is false, failed() with `why`, if it is not empty, and the errors that were logged meanwhile. */
+/** Returns the result of `call`. If it is false, calls failed() with `why`, if any, and the errors logged meanwhile. */
 template <class Call>
 bool doneOr(const std::string& why, Call call) {
     bool done = false;
@@ -47,8 +47,8 @@ bool doneOr(const std::string& why, Call call) {
     return true;
 }
 
-/** What `call` returns, which logs why it fails, and may execute code of others. A script that called gets `why`, and what was
-    logged. */
+/** Returns the result of `call`, which logs why it fails and may execute code of other components. A calling script
+    gets `why` and the logged errors. */
 template <class Call>
 bool toldOr(const std::string& why, Call call) {
     if (!FailureReport::isWanted()) return call();

@@ -11,8 +11,8 @@ namespace RTT {
 namespace internal {
 
 /**
- * Logs a text that begins with the place it is about, `file:line:column: `. Nothing is put in front, so that editors find the
- * place; everything else of it is as of a line of that level. Any thread; real-time safe where Logger is.
+ * Logs a text that begins with a place, `file:line:column: `, with nothing in front, so that editors find the place.
+ * Otherwise it is a normal line of that level. Any thread; as real-time safe as Logger.
  */
 RTT_API void logLocated(LoggerLevel level, const std::string& text);
 

@@ -71,7 +71,7 @@ private:
     Result (*function_)(Arg1, Arg2, Arg3);
 };
 
-/** Beside those of the standard library for one and two arguments. */
+/** Complements the overloads of the standard library for one and two arguments. */
 template <class Arg1, class Arg2, class Arg3, class Result>
 pointer_to_ternary_function<Arg1, Arg2, Arg3, Result> ptr_fun(Result (*function)(Arg1, Arg2, Arg3)) {
     return pointer_to_ternary_function<Arg1, Arg2, Arg3, Result>(function);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Forward declarations of what stands behind the interfaces and is named by user code.
+// Forward declarations of implementation classes that user code names.
 #ifndef ORO_RTT_INTERNAL_FWD_HPP
 #define ORO_RTT_INTERNAL_FWD_HPP
 

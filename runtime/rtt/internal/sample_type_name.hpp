@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How messages call the type of samples, and whether two ports mean the same by it.
+// The name of the type of samples in messages, and whether two ports have the same definition of it.
 #ifndef ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
 #define ORO_INTERNAL_SAMPLE_TYPE_NAME_HPP
 
@@ -20,8 +20,8 @@ namespace internal {
 RTT_API std::string sampleTypeName(const base::PortInterface& port);
 RTT_API std::string sampleTypeName(const types::TypeOps& ops);
 
-/** Empty if the two local ports can exchange samples. Plugins may have been built with different versions of a header:
-    a sentence that names the first difference then. For ports whose types have the same C++ name. Not real-time safe. */
+/** Empty if the two local ports can exchange samples. If their plugins were built with different versions of a header:
+    a sentence that names the first difference. For ports whose types have the same C++ name. Not real-time safe. */
 RTT_API std::string sampleDifference(const base::PortInterface& a, const base::PortInterface& b);
 
 }  // namespace internal

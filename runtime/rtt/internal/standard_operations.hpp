@@ -13,9 +13,8 @@ namespace internal {
 
 struct StandardOperation {
     const char* name;
-    bool isQuery;  ///< executes no code of the component
-    bool
-        isUnmistakable;  ///< no component has another one with almost this name; short names are none: `step` is no `stop`
+    bool isQuery;         ///< executes no code of the component
+    bool isUnmistakable;  ///< other operations have no similar name, as `step` is to `stop`
 };
 
 inline constexpr StandardOperation kStandardOperations[] = {
@@ -28,7 +27,7 @@ inline constexpr StandardOperation kStandardOperations[] = {
     {"update", false, false},
 };
 
-/** Null if it is none. */
+/** Null if `name` is not one of them. */
 inline const StandardOperation* standardOperation(const std::string& name) {
     const auto found = std::find_if(std::begin(kStandardOperations), std::end(kStandardOperations),
                                     [&](const StandardOperation& each) { return name == each.name; });
