@@ -46,7 +46,7 @@ void ActionSlot::call(void* const* arguments) const {
             return;
         }
     }
-    // Refused: the subscriber has failed for good or is gone, and cannot react.
+    // If refused, the subscriber has failed for good or is gone, and cannot react.
     auto event = std::make_unique<Event>(shared_from_this(), variables_, arguments);
     if (ExecutionEngine::process(*subscriber_, event.get())) (void)event.release();
 }

@@ -31,7 +31,7 @@ private:
 
     const std::unique_ptr<base::ActionInterface> action_;
     const Sources variables_;
-    const boost::intrusive_ptr<const EngineGate> subscriber_;  // null: whatever thread emits
+    const boost::intrusive_ptr<const EngineGate> subscriber_;  // null: the emitting thread executes
 };
 
 }  // namespace detail

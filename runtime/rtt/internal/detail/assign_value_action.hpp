@@ -9,7 +9,7 @@
 namespace RTT {
 namespace internal {
 
-/** Assignment between two sources of the same C++ type, whatever that is. */
+/** Assigns between two sources of the same C++ type, which need not be known here. */
 class AssignValueAction : public base::ActionInterface {
 public:
     typedef base::DataSourceBase::shared_ptr SourcePtr;

@@ -4,19 +4,19 @@
 //
 // Samples lie in a pool of slots; a ring of words {turn, slot} says which ones are in the buffer and in what order.
 // A writer first fills a slot of its own and then enters it into the ring; a reader first takes a slot out and then
-// copies it. So whoever stops in the middle of a copy holds a slot, never a place in the ring, and hinders nobody.
+// copies it. So a thread that stops while it copies holds a slot, never a place in the ring, and hinders no other.
 //
 //   enter at tail t                                    take out at head h
 //   t - head_ < room, else full                        word of ring[h] has turn h, else empty or h is stale
 //   word of ring[t]: turn t-P -> {t, slot}  CAS  (W1)  head_: h -> h+1                 CAS  (R1)
-//   tail_: t -> t+1  CAS, anybody may help             the slot is the reader's
+//   tail_: t -> t+1  CAS, any thread may help          the slot is the reader's
 //
-// A full circular buffer has room for one more: it takes the new sample first and gives up the oldest then, so readers
+// A full circular buffer has room for one more: it takes the new sample first and then drops the oldest, so readers
 // never find it empty.
 //
 // P, the length of the ring, is at least `room`, so the word with turn t-P was taken out (head_ > t-P) before
-// W1 replaces it, and a word cannot change before R1 took it. W1 is a release, loading the word an acquire: the
-// reader sees the sample. A turn is a position modulo 2^40; to be fooled a thread must sleep for exactly that many.
+// W1 replaces it, and a word cannot change before R1 took it. W1 is a release, loading the word an acquire: the reader
+// sees the sample. A turn is a position modulo 2^40: only a thread that sleeps for exactly that many is fooled.
 //
 // The slot read last stays out of the pool as `last_`, for readers of an empty buffer (OldData). Slots are counted:
 // owner 1, `last_` 1 (taken over from the reader), and each reader of an old sample 1. That reader counts first, then
@@ -54,7 +54,7 @@ class LockFreeBuffer final : public SampleStore {
     typedef std::atomic<std::uint32_t> Count;
     struct Header {
         Count count{0};
-        std::atomic<std::size_t> extent{0};  // the largest that the slot had; changed by its owner only
+        std::atomic<std::size_t> extent{0};  // the largest so far; only the owner changes it
     };
 
 public:
@@ -66,7 +66,7 @@ public:
           room_(circular_ ? capacity_ + 1 : capacity_),
           ringMask_(powerOfTwo(room_) - 1),
           ring_(new std::atomic<Word>[ringMask_ + 1]),
-          // in the buffer, last read, one in the hands of each thread and one that it gives up
+          // those in the buffer, the last read, one that each thread uses and one that it drops
           samples_(ops, room_ + 2 + (circular_ ? 2 : 1) * spec.maxThreads, first, sizeof(Header)) {
         for (std::size_t i = 0; i < samples_.count(); ++i) new (samples_.header(i)) Header;
         for (Word i = 0; i <= ringMask_; ++i)
@@ -108,7 +108,7 @@ public:
     }
 
     void clear() override {
-        const Word end = tail_.load(std::memory_order_acquire);  // what others write meanwhile may stay
+        const Word end = tail_.load(std::memory_order_acquire);  // samples written meanwhile may stay
         while (head_.load(std::memory_order_acquire) < end) {
             const Word slot = takeOut();
             if (slot == kNoSlot) break;
@@ -152,7 +152,7 @@ private:
         dropped_.fetch_add(1, std::memory_order_relaxed);
         return WriteFailure;
     }
-    /** Only if it really was full at one moment: head_ was the same before and after looking at tail_. */
+    /** True only if it was full at one moment: head_ was the same before and after reading tail_. */
     bool full() const {
         Word head = head_.load(std::memory_order_acquire);
         for (;;) {
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /** At first only slots that are large enough, then any. */
+    /** Tries slots that are large enough first, then any. */
     Word claim(std::size_t extent) {
         const Word freed = freed_.load(std::memory_order_relaxed);
         if (isLarge(freed, extent) && claimSlot(freed)) return freed;
@@ -224,7 +224,7 @@ private:
     }
     Word wordAt(Word p) const { return ring_[p & ringMask_].load(std::memory_order_acquire); }
     bool moveHead(Word h) { return head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel); }  // R1
-    /** If there are more samples than there may be. */
+    /** Drops the oldest sample if the buffer holds too many. */
     void giveUpOldest() {
         const Word h = head_.load(std::memory_order_acquire);
         if (tail_.load(std::memory_order_acquire) <= h + capacity_) return;
@@ -246,7 +246,7 @@ private:
         }
         if (slotOf(old) != kNoSlot) release(slotOf(old));
     }
-    /** The status, or -1 if another reader came in between. */
+    /** The status, or -1 if another reader interfered. */
     int readLast(void* sample, bool copyOld) {
         const Word last = last_.load(std::memory_order_acquire);
         const Word slot = slotOf(last);
@@ -262,7 +262,7 @@ private:
     void resizeElements(const void* sample, bool all) override {
         std::size_t left = all ? samples_.count() : kAtOnce;
         for (std::size_t i = 0; i < samples_.count() && left > 0; ++i) {
-            std::uint32_t free = 0;  // those in use are sized already, or by their next write
+            std::uint32_t free = 0;  // one in use is sized already, or by its next write
             if (!count(i).compare_exchange_strong(free, 1, std::memory_order_acquire)) continue;
             AtEnd giveBack([&] { release(Word(i)); });
             assign(i, sample, extentOf(sample));
@@ -280,7 +280,7 @@ private:
     std::atomic<std::size_t> dropped_{0};
     alignas(64) std::atomic<Word> head_{0};
     std::atomic<Word> last_{kNoSlot};
-    // Where writers look first, so that large samples stay in the caches; next to head_, which they look at anyway.
+    // Writers try it first, so that large samples stay in the caches; next to head_, which they read anyway.
     std::atomic<Word> freed_{0};
 };
 

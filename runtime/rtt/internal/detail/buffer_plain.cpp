@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// BUFFER and CIRCULAR_BUFFER, LOCKED and UNSYNC: a ring with one place more than its capacity, in which the sample read
-// last stays for readers of the empty buffer. A Locked one holds its mutex while a sample is assigned.
+// BUFFER and CIRCULAR_BUFFER, LOCKED and UNSYNC: a ring with one place more than its capacity, which keeps the sample
+// read last for readers of the empty buffer. A Locked one holds its mutex while it assigns a sample.
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 #include <rtt/internal/detail/store_lock.hpp>
@@ -78,7 +78,7 @@ private:
         if (filled_ == capacity_) {
             ++dropped_;
             if (!circular_ || capacity_ == 0) return WriteFailure;
-            // The oldest goes; its place becomes the spare one, so what was read last is gone with the next write into it.
+            // The oldest is dropped. The next write goes to the spare place, and overwrites the sample read last.
             advance();
             hasLast_ = false;
         }
@@ -86,7 +86,7 @@ private:
         ++filled_;
         return WriteSuccess;
     }
-    /** A free one; if there is none, because somebody never releases, the next one in turn. */
+    /** A free place, or the next one in turn if there is none because a reader never releases. */
     std::size_t placeToHold() {
         for (std::size_t i = 0; i < held_.count(); ++i)
             if (!inUse_[i]) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// BUFFER and CIRCULAR_BUFFER, LOCK_FREE, for small trivially copyable samples: one atomic read-modify-write per write of
-// the home thread, two per write of others, one per read. Any number of writers and readers.
+// BUFFER and CIRCULAR_BUFFER, LOCK_FREE, for small trivially copyable samples: one atomic read-modify-write per write
+// of the home thread, two per write of another thread, one per read. Any number of writers and readers.
 //
-// As in buffer_lock_free.cpp samples lie in slots, and a ring of words {turn, slot} tells their order. But here samples
-// are atomic words too, so a reader may copy one that it does not own and learn afterwards whether it was valid:
+// As in buffer_lock_free.cpp, samples lie in slots, and a ring of words {turn, slot} holds their order. But here
+// samples are atomic words too, so a reader may copy one that it does not own and then learn whether it is valid:
 //
 //   writer, with a spare slot s                        reader
 //   words of s            release each       (W1)      h    = head_               acquire     (R1)
@@ -14,24 +14,25 @@
 //   tail_ = t+1           release            (W4)
 //   `old` is the spare slot now
 //
-// P, the length of the ring, is more than `room`, so W2 says that head_ > t-P+1: the sample in `old` was taken, and the one
-// after it, too. So if R4 succeeds, head_ was h during R3, nobody had the slot as a spare, and the copy is whole.
-// Conversely, if R3 sees a word of the slot's next owner, its acquire pairs with that W1, and the W3 by which that one got
-// the slot and the W2 before happened before: R4 finds another head_ and fails. R2 pairs with W3 and so sees W1.
+// P, the length of the ring, is more than `room`, so W2 implies head_ > t-P+1: the sample in `old` was taken, and the
+// one after it, too. So if R4 succeeds, head_ was h during R3, no writer had the slot as a spare, and the copy is
+// whole. Conversely, if R3 sees a word of the slot's next owner, its acquire pairs with that W1, and the W3 by which
+// that owner got the slot, and its W2, happened before: R4 finds another head_ and fails. R2 pairs with W3 and so sees
+// W1.
 // Each R4 succeeds for one reader, so each sample is new for exactly one.
-// A reader that stops anywhere owns nothing; a writer has one slot in its hands, which nobody else needs: the home thread
-// (home_thread.hpp) always the same spare, others one of the shared ones, see claim().
+// A reader that stops anywhere owns nothing. A writer that stops owns one slot that no other thread needs: the home
+// thread (home_thread.hpp) its own spare, others one of the shared ones, see claim().
 //
-// The sample before head_ is still there: it is what an empty buffer gives as OldData. Copied in the same way, it is
-// valid if head_ is still h afterwards.
+// The sample before head_ is still there: an empty buffer gives it as OldData. Copied in the same way, it is valid if
+// head_ is still h afterwards.
 //
-// tail_ is a hint, at most the true tail: W3 decides. It may be set back by a writer that stopped before W4; the next
-// one starts at head_ then and passes the words that have later turns. With tail_ comes, by W4, what its writer knew of
-// head_, so that a new tail_ and an old head_ do not look like a full buffer. Writers may look at an old value of head_ as long as
-// it leaves room: it only grows.
-// A full circular buffer takes the new sample first and gives up the oldest then, so readers never find it empty and the
-// sample before head_ was read, not given up, whenever the buffer is empty.
-// A turn is a position modulo 2^40; to be fooled a thread must sleep for exactly that many.
+// tail_ is a hint, at most the true tail: W3 decides. A writer that stopped before W4 may set it back; the next one
+// then starts at head_ and passes the words that have later turns. By W4, tail_ comes with what its writer knew of
+// head_, so a new tail_ and an old head_ do not look like a full buffer. Writers may use an old value of head_ as long
+// as it leaves room: it only grows.
+// A full circular buffer takes the new sample first and then drops the oldest. So readers never find it empty, and
+// whenever the buffer is empty, the sample before head_ was read, not dropped.
+// A turn is a position modulo 2^40: only a thread that sleeps for exactly that many is fooled.
 #include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/stores.hpp>
@@ -64,8 +65,8 @@ std::size_t powerOfTwo(std::size_t atLeast) {
 }
 
 struct Slot {
-    std::size_t spare = 0;  // whence readHeld() took it
-    AtomicWord words[1];    // really as many as the sample needs
+    std::size_t spare = 0;  // the index in spares_, for a sample held by readHeld()
+    AtomicWord words[1];    // in fact as many as a sample needs
 };
 
 class WordBuffer final : public SampleStore {
@@ -125,7 +126,7 @@ public:
     }
 
     void clear() override {
-        const Word end = head_.load(std::memory_order_acquire) + size();  // what others write meanwhile may stay
+        const Word end = head_.load(std::memory_order_acquire) + size();  // samples written meanwhile may stay
         Word h = head_.load(std::memory_order_acquire);
         while (h < end && hasTurn(ring_[h & ringMask_].load(std::memory_order_acquire), h)) {
             takeOut(h);
@@ -136,7 +137,7 @@ public:
         }
     }
 
-    // The sample held is a copy in a spare slot, so that others need not ask whether the one before head_ is held.
+    // The held sample is a copy in a spare slot, so other threads need not check whether the one before head_ is held.
     const void* readHeld() override {
         const std::size_t spare = claim();
         if (spare == spareCount_) return nullptr;
@@ -184,9 +185,9 @@ private:
         return WriteFailure;
     }
 
-    /** Which of the spare slots is the caller's until it gives that, or another one, back; spareCount_ only with more threads in
-        here at once than the buffer was made for. Acquire and release: with the slot goes what its last owner knew of
-        head_. */
+    /** Claims a spare slot until the caller gives that one, or another, back. spareCount_ only if more threads are
+        inside at once than the buffer was made for. Acquire and release: the slot comes with what its last owner knew
+        of head_. */
     std::size_t claim() {
         for (int rounds = 0; rounds < 2; ++rounds) {
             for (std::size_t i = 0; i < spareCount_; ++i) {
@@ -202,14 +203,14 @@ private:
     Word claimed(std::size_t spare) const { return slotOf(spares_[spare].load(std::memory_order_relaxed)); }
     void giveBack(std::size_t spare, Word slot) { spares_[spare].store(slot, std::memory_order_release); }
 
-    /** By way of the spare `slot`, which is another one then. `head` is a position that head_ had. */
+    /** Writes to the spare `slot`, and exchanges it for another one. `head` is an earlier value of head_. */
     WriteStatus write(Word& slot, Word& head, const void* sample) {
         if (capacity_ == 0 || (!circular_ && full(head))) return drop();
         storeWords(at(slot).words, sample, ops_.size);  // W1
         return enter(slot, head) ? WriteSuccess : drop();
     }
-    /** Only if it really was full at one moment: head_ was the same before and after looking at tail_, which is never
-        too high. It may be too low; enter() finds out then. */
+    /** True only if it was full at one moment: head_ was the same before and after reading tail_, which is never too
+        high. If it is too low, enter() notices. */
     bool full(Word& head) const {
         for (;;) {
             if (tail_.load(std::memory_order_acquire) < head + capacity_) return false;
@@ -235,7 +236,7 @@ private:
                 head = now;
                 continue;
             }
-            if (!hasTurn(word, t - (ringMask_ + 1))) {  // others filled and emptied it since head_ was `head`
+            if (!hasTurn(word, t - (ringMask_ + 1))) {  // filled and emptied since head_ was `head`
                 head = head_.load(std::memory_order_acquire);
                 continue;
             }
@@ -249,12 +250,12 @@ private:
             return true;
         }
     }
-    /** Of a buffer that held the samples from `h` to before `t`, if these are more than it may hold. */
+    /** Drops the oldest sample if the buffer held too many, those from `h` to before `t`. */
     void giveUpOldest(Word h, Word t) {
         if (t > h + capacity_ && takeOut(h)) drop();
     }
 
-    /** R4; false if head_ is not `h` any more. */
+    /** R4; false if head_ is no longer `h`. */
     bool takeOut(Word h) {
         return head_.compare_exchange_strong(h, h + 1, std::memory_order_acq_rel, std::memory_order_relaxed);
     }
@@ -268,19 +269,19 @@ private:
     const std::size_t spareCount_, stride_;
     const std::unique_ptr<std::atomic<Word>[]> ring_, spares_;
     const std::unique_ptr<unsigned char[]> block_;
-    // Writers change these, readers those below: each on a cache line of its own.
+    // Writers change these, readers those below: each group has a cache line of its own.
     alignas(64) std::atomic<Word> tail_{0};
     HomeThread home_;
-    Word homeSlot_, homeHead_ = 0;  // the home thread's
+    Word homeSlot_, homeHead_ = 0;  // of the home thread
     std::atomic<std::size_t> dropped_{0};
     alignas(64) std::atomic<Word> head_{0};
-    std::atomic<Word> cleared_{0};  // what was before this position is forgotten
+    std::atomic<Word> cleared_{0};  // samples before this position are dropped
 };
 
 }  // namespace
 
 bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec) {
-    // The alignment, because readHeld() shows the words as a sample.
+    // The alignment matters because readHeld() shows the words as a sample.
     return fitsWords(ops) && ops.align <= alignof(AtomicWord) && spec.size <= kMaxCapacity;
 }
 

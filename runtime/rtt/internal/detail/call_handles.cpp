@@ -12,7 +12,7 @@ CollectSource::CollectSource(const OperationTable& table, Handle handle, Variabl
 
 SendStatus CollectSource::get() const {
     const SentCall::shared_ptr call = handle_->get();
-    // The handle of another operation has other results than those the variables were made for.
+    // The results of another operation's call would not fit the variables.
     const SentCall* const sent = call.get();
     const bool fits = sent != nullptr && (variables_.empty() || typeid(*sent) == *table_->sentType);
     if (!fits) return status_ = SendFailure;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Sources that send an operation and collect its results. A handle is a DataSource<SentCall::shared_ptr>, whatever the
-// signature.
+// Sources that send an operation and collect its results. For every signature a handle is a
+// DataSource<SentCall::shared_ptr>.
 #ifndef RTT_INTERNAL_DETAIL_CALL_HANDLES_HPP
 #define RTT_INTERNAL_DETAIL_CALL_HANDLES_HPP
 
@@ -12,7 +12,7 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Sends with each evaluation; the value is the handle, null if the operation was refused. Fails as CallSource does. */
+/** Sends with each evaluation; the value is the handle, null if the operation was refused. Fails like a CallSource. */
 class SendSource final : public DataSource<SentCall::shared_ptr> {
 public:
     explicit SendSource(GenericCall call) : call_(std::move(call)) {}
@@ -31,8 +31,8 @@ private:
     mutable SentCall::shared_ptr sent_;
 };
 
-/** Collects with each evaluation, and fills variables on success; the value is the status: CollectFailure if a variable
-    cannot be assigned. */
+/** Collects with each evaluation and assigns variables on success. The value is the status; CollectFailure if a
+    variable cannot be assigned. */
 class CollectSource final : public DataSource<SendStatus> {
 public:
     typedef DataSource<SentCall::shared_ptr>::shared_ptr Handle;
@@ -53,7 +53,7 @@ private:
     const OperationTable* table_;
     Handle handle_;
     Variables variables_;
-    DataSource<bool>::shared_ptr blocking_;  // null: yes
+    DataSource<bool>::shared_ptr blocking_;  // null means true
     mutable SendStatus status_ = SendNotReady;
 };
 

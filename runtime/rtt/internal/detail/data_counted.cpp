@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 // DATA, LOCK_FREE, for samples of any type.
 //
-// A pool of slots, each with one state word: a count of readers and two flags. Held: a writer owns the slot, or it is the
-// current one. Unread: its sample was not read yet. A slot is free when neither counted nor held.
+// A pool of slots, each with one state word: a count of readers and two flags. Held: a writer owns the slot, or it is
+// the current one. Unread: its sample was not read yet. A slot is free when it is neither counted nor held.
 //
 //   writer                                             reader
 //   state: free -> Held|Unread   CAS, acquire   (W1)   c = current_, acquire              (R1)
@@ -14,11 +14,11 @@
 //
 // If R2 comes before W3 in the order of changes of state[c], the count keeps W1 away until R4. If it comes after, it
 // synchronises with W3, so R3 sees W2 or a later publication; if that is c again, c is complete and held anew, and the
-// first case applies to it. So what R3 accepts stays complete until R4. If R3 fails the reader copies nothing; its short
-// visit in the count of a foreign slot only makes W1 pass over it. R3 fails only because a writer published, so the
-// system goes on.
+// first case applies to it. So a slot that R3 accepts stays complete until R4. If R3 fails the reader copies nothing;
+// its short visit in the count of a foreign slot only makes W1 pass over it. R3 fails only because a writer published,
+// so the system makes progress.
 // Each thread has at most one slot, and one is current: with max_threads + 2 slots, max_threads + 1 threads never fail.
-// A sample is new for the one reader that clears Unread: by its R4, or before it copies if it wants nothing but new ones.
+// A sample is new for the one reader that clears Unread: by its R4, or before it copies if it wants only new samples.
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 
@@ -38,7 +38,7 @@ constexpr std::size_t kNone = ~std::size_t(0);
 
 struct Header {
     std::atomic<State> state{0};
-    std::atomic<std::size_t> extent{0};  // the largest that the slot had; changed by its owner only
+    std::atomic<std::size_t> extent{0};  // the largest so far; only the owner changes it
 };
 
 class CountedData final : public SampleStore {
@@ -90,7 +90,7 @@ private:
             header(i).extent.store(extent, std::memory_order_relaxed);
     }
 
-    /** At first only slots that are large enough, then any. */
+    /** Tries slots that are large enough first, then any. */
     std::size_t claim(std::size_t extent) {
         const std::size_t n = samples_.count();
         std::size_t i = freed_.load(std::memory_order_relaxed);
@@ -128,7 +128,7 @@ private:
         return now & kUnread ? NewData : OldData;
     }
 
-    /** Who is not to see an old sample must know that it is the first one before it copies. */
+    /** A reader that must not copy an old sample has to know that it is the first one before it copies. */
     FlowStatus copyNewAndLeave(std::atomic<State>& s, const void* from, void* to) {
         const bool unread = (s.load(std::memory_order_relaxed) & kUnread) &&
                             (s.fetch_and(~kUnread, std::memory_order_acq_rel) & kUnread);
@@ -145,7 +145,7 @@ private:
     void resizeElements(const void* sample, bool all) override {
         const std::size_t end = all ? samples_.count() : std::min(kAtOnce, samples_.count());
         for (std::size_t i = 0; i < end; ++i) {
-            for (int tries = 0; tries < 1000; ++tries) {  // a slot in use that long is sized by its next write
+            for (int tries = 0; tries < 1000; ++tries) {  // a slot in use for longer is sized by its next write
                 if (claimSlot(i)) {
                     AtEnd giveBack([&] { unhold(i); });
                     assign(i, sample, extentOf(sample));
@@ -158,7 +158,7 @@ private:
     }
 
     SampleArray samples_;
-    // Where writers look first: large samples stay in the caches if the same few slots are used again and again.
+    // Writers try it first: large samples stay in the caches if the same few slots are reused.
     std::atomic<std::size_t> freed_{0};
     alignas(64) std::atomic<std::size_t> current_{kNone};
 };

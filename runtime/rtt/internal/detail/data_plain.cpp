@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// DATA, LOCKED and UNSYNC: one sample and what is known of it. A Locked one holds its mutex while a sample is assigned.
+// DATA, LOCKED and UNSYNC: one sample and its status. A Locked one holds its mutex while it assigns a sample.
 #include <rtt/internal/SampleBox.hpp>
 #include <rtt/internal/detail/stores.hpp>
 #include <rtt/internal/detail/store_lock.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// DATA, LOCK_FREE, for small trivially copyable samples: no atomic read-modify-write per write of the home thread, one per
-// write of others, one per new sample read.
+// DATA, LOCK_FREE, for small trivially copyable samples: no atomic read-modify-write per write of the home thread, one
+// per write of another thread, one per new sample read.
 //
 // Slots hold the sample in atomic words next to a version. `current_` names a slot and the version it had when it was
-// published. A reader copies the words of the current slot and takes them only if the slot had that version before
-// and after; otherwise the slot was taken for a newer sample and the reader starts again with the newer current one.
-// So readers own nothing, a stopped reader hinders nobody, and a reader starts again only because writers made progress.
+// published. A reader copies the words of the current slot and takes them only if the slot had that version before and
+// after; otherwise the slot was taken for a newer sample and the reader starts again with the newer current one. So
+// readers own nothing, a stopped reader hinders no thread, and a reader starts again only if writers made progress.
 //
 //   writer                                        reader
 //   owner: 0 -> 1        CAS, acquire      (W1)   seen    = read_               (R0)
@@ -17,15 +17,14 @@
 //   owner = 0            release           (W5)   read_: seen -> current  CAS   (R5)
 //
 // R1 reads from W4, so R3 sees at least the words of that version. If R3 sees a word of a later version, its acquire
-// pairs with W3, W2 of that version happened before, and R4 finds the version changed. R3's acquire also keeps R4
-// after it. Who takes a slot by W1 after its last owner's W5 sees that owner's W4 or a later publication; if the slot
-// is still current it is given back untouched; if not, nobody but its new owner can make it current again. Thus the
-// current slot is never written.
-// The home thread (home_thread.hpp) skips W1 and W5: it uses its own slots in turn, so the next one is not the one that it
-// published last, which is the only one of them that can be current.
-// New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader.
-// If it fails, another reader was first; the reader starts again and cannot return an older sample than that one.
-// The sole reader (sole_reader.hpp) makes a plain store in R5: no other thread takes samples meanwhile.
+// pairs with W3, W2 of that version happened before, and R4 finds the version changed. R3's acquire also keeps R4 after
+// it. A writer that claims a slot by W1, after its last owner's W5, sees that owner's W4 or a later publication. If the
+// slot is still current, the writer gives it back untouched; if not, only its new owner can make it current again. Thus
+// the current slot is never written. The home thread (home_thread.hpp) skips W1 and W5: it uses its own slots in turn,
+// so the next one is not the one that it published last, and only that one of them can be current. New or old: R5
+// succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader. If it fails,
+// another reader was first; this one starts again and cannot return an older sample. The sole reader (sole_reader.hpp)
+// uses a plain store in R5: no other thread takes samples meanwhile.
 #include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/sole_reader.hpp>
@@ -41,16 +40,16 @@ namespace {
 
 typedef SampleWord Word;
 constexpr unsigned kSlotBits = 16;
-constexpr std::size_t kHomeSlots = 3;  // the first ones
-constexpr Word kNone = ~Word(0);       // also: no slot ever has this version
+constexpr std::size_t kHomeSlots = 3;  // come first
+constexpr Word kNone = ~Word(0);       // no slot ever has this version
 
 struct Slot {
     std::atomic<std::uint32_t> owner{0};
     std::atomic<Word> version{0};  // written by the owner only
-    AtomicWord words[1];           // really as many as the sample needs
+    AtomicWord words[1];           // in fact as many as a sample needs
 };
 
-/** For samples of kSize bytes; 0: any. */
+/** For samples of kSize bytes, or of any size if that is 0. */
 template <std::size_t kSize>
 class VersionedData final : public SampleStore {
 public:
@@ -122,7 +121,7 @@ public:
 private:
     std::size_t bytes() const { return kSize == 0 ? ops_.size : kSize; }
     std::size_t words() const { return wordsFor(bytes()); }
-    /** Small slots share a cache line by two. */
+    /** Two small slots share a cache line. */
     static std::size_t strideFor(std::size_t size) { return size <= 32 ? 32 : (size + 63) / 64 * 64; }
     void publish(std::size_t i, const void* sample) {
         Slot& slot = at(i);
@@ -142,11 +141,11 @@ private:
 
     const std::size_t slots_, stride_;
     unsigned char* const block_;
-    // Writers change the first ones, readers the last one: each on a cache line of its own.
+    // Writers change the first ones, readers the last ones: each group has a cache line of its own.
     alignas(64) std::atomic<Word> current_{kNone};
     HomeThread home_;
-    std::size_t homeNext_ = 0;                   // the home thread's
-    std::atomic<std::size_t> hint_{kHomeSlots};  // where the last other writer was; only spreads them
+    std::size_t homeNext_ = 0;                   // of the home thread
+    std::atomic<std::size_t> hint_{kHomeSlots};  // the last slot of another writer; only spreads them
     alignas(64) std::atomic<Word> read_{kNone};
     SoleReader reader_;
 };

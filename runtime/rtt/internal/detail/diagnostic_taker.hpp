@@ -10,13 +10,13 @@
 namespace RTT {
 namespace internal {
 
-/** Receives what a part reports about files, in any thread. Returns true if that part must not write it elsewhere, too. */
+/** Receives diagnostics about files, in any thread. Returns true if they must not be written elsewhere. */
 using DiagnosticTaker = bool (*)(const oroforge::diag::Sink& sink);
 
-/** A program that writes a document of all reports sets this; null removes it. Any thread. */
+/** For a program that writes all diagnostics into a document; null removes the taker. Any thread. */
 RTT_API void setDiagnosticTaker(DiagnosticTaker taker) noexcept;
 
-/** Offers a report to the program. Returns true if the caller must not write it elsewhere, too. Any thread; not real-time safe. */
+/** Offers diagnostics to the program. True if the caller must not write them. Any thread; not real-time safe. */
 RTT_API bool takeDiagnostics(const oroforge::diag::Sink& sink);
 
 }  // namespace internal

@@ -7,12 +7,12 @@
 
 namespace RTT {
 
-/** Asks the thread of an engine to take a function out. Lives on the stack of the thread that waits for it. */
+/** Asks the thread of an engine to remove a function. Lives on the stack of the thread that waits for the removal. */
 class ExecutionEngine::Removal {
 public:
     enum State { Waiting, Removed, Disposed };
 
-    /** `waiting` is where that thread waits. */
+    /** The thread waits at the wait point of `waiting`. */
     Removal(base::ExecutableInterface* what, const internal::EngineGate& waiting)
         : function(what), waiting_(&waiting) {}
     Removal(const Removal&) = delete;
@@ -21,13 +21,13 @@ public:
     State state() const { return state_.load(); }
     void finish(State state) {
         const boost::intrusive_ptr<const internal::EngineGate> waiting =
-            waiting_;  // `this` is gone as soon as that is seen
+            waiting_;  // `this` is gone once the state is seen
         state_.store(state);
         waiting->waitPoint.notify();
     }
 
     base::ExecutableInterface* const function;
-    Removal* next = nullptr;  // in the engine's thread
+    Removal* next = nullptr;  // used by the engine's thread
 
 private:
     const boost::intrusive_ptr<const internal::EngineGate> waiting_;

@@ -13,8 +13,8 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Where a thread sleeps that waits for the messages of an engine and of all that it is executing, and perhaps for one word
-    more. */
+/** The sleep of a thread that waits for messages of an engine, of all engines that it is executing, and perhaps for a
+    word. */
 class EngineSleep {
 public:
     explicit EngineSleep(const EngineGate& gate, const Presence::Word* also = nullptr) : also_(also) {
@@ -22,12 +22,12 @@ public:
         for (const auto* step = EngineGate::Step::innermost(); step; step = step->outer())
             if (const ExecutionEngine* const engine = step->engine()) add(*engine->gate());
     }
-    /** Before what is waited for is tested. */
+    /** Call it before you test the condition. */
     void look() {
         for (unsigned i = 0; i != count_; ++i) points_[i].ticket = points_[i].gate->waitPoint.ticket();
         if (also_) seen_ = *also_;
     }
-    /** Until something has changed since look(). */
+    /** Sleeps until something has changed since look(). */
     void until(std::int64_t deadline) {
         if (count_ == 1 && !also_ && !more_) return points_[0].gate->waitPoint.wait(points_[0].ticket, deadline);
         os::detail::FutexWord words[os::detail::kMostFutexWords];
@@ -44,7 +44,7 @@ private:
     void add(const EngineGate& gate) {
         for (unsigned i = 0; i != count_; ++i)
             if (points_[i].gate.get() == &gate) return;
-        more_ = count_ == kMost;  // steps of that many components within each other
+        more_ = count_ == kMost;  // that many nested steps of components
         if (!more_) points_[count_++].gate.reset(&gate);
     }
     struct Point {

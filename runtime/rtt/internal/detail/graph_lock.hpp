@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The lock of all connecting and disconnecting.
+// The lock for connecting and disconnecting.
 #ifndef ORO_INTERNAL_DETAIL_GRAPH_LOCK_HPP
 #define ORO_INTERNAL_DETAIL_GRAPH_LOCK_HPP
 
@@ -10,8 +10,8 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Holds the one lock of all connections of the process: with one lock there is no order of locks to get wrong. Never
-    hold it while code of users or transports may run. */
+/** Holds the one lock of all connections of the process: a single lock has no wrong order. Never hold it while code of
+    users or transports may run. */
 class GraphLock {
 public:
     GraphLock() : lock_(mutex()) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Most stores have one writer. It gets slots of its own, and needs no atomic read-modify-write to claim one.
+// Most stores have one writer. It gets slots of its own and needs no atomic read-modify-write to claim one.
 #ifndef ORO_INTERNAL_DETAIL_HOME_THREAD_HPP
 #define ORO_INTERNAL_DETAIL_HOME_THREAD_HPP
 
@@ -12,15 +12,15 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Which thread a store's private slots belong to. Once chosen it stays: a thread that ended, or writes no more, leaves its
-    slots unused, and others go on as they would with many writers. What belongs to the home thread may be plain
-    variables: only it gets past here(), or a later thread with the same identity, which is ordered after it. */
+/** The thread that owns a store's private slots. Once chosen it stays: a thread that ended, or no longer writes, leaves
+    its slots unused, and others write as they would with many writers. Data of the home thread may be plain variables:
+    only it gets past here(), or a later thread with the same identity, which is ordered after it. */
 class HomeThread {
 public:
     bool here() const noexcept { return thread_.load(std::memory_order_relaxed) == thisThread(); }
 
-    /** To be called by a thread that is not at home here when it has written. Who does so often enough without another one
-        in between gets the place; a deployer that writes initial values does not. */
+    /** For another thread after it has written. One that writes often enough in a row becomes the home thread; a
+        deployer that writes initial values does not. */
     void wrote() noexcept {
         if (thread_.load(std::memory_order_relaxed)) return;
         const void* const me = thisThread();

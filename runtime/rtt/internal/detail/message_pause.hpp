@@ -18,8 +18,8 @@ namespace detail {
 
 constexpr std::int64_t kPauseNs = 20000;
 
-/** Sleeps for a moment, or until over() if it is told; executes the messages of the components that this thread is executing.
-    Sleeps, does not spin: the thread that is waited for may have a lower priority than this one. */
+/** Sleeps for a moment, or until a notification makes over() true; executes the messages of the components that this
+    thread is executing. It does not spin, because the other thread may have a lower priority. */
 inline void pauseForMessages(const boost::function<bool()>& over) {
     const EngineGate* const gate = EngineGate::ofThisThread();
     if (gate && gate->engine())

@@ -13,7 +13,7 @@ namespace RTT::internal::detail {
 
 namespace {
 
-/** The sources of what the operation gives, in its order; null: the caller does not take it. Empty if it takes nothing. */
+/** Where the operation's values go, in order; null for one that the caller does not take. Empty if it takes none. */
 std::vector<Source> collected(const OperationInterfacePart& part, const std::vector<Source>& values) {
     const OperationSignature signature = part.signature();
     std::vector<Source> given;
@@ -38,7 +38,7 @@ std::unique_ptr<PartSend> PartSend::make(const OperationInterfacePart& part, con
     std::unique_ptr<PartSend> made(new PartSend(signature, arguments, result));
     const Source handle = part.produceHandle();
     if (!handle) return nullptr;
-    // Before it is sent: what cannot be collected shall not run.
+    // Before sending: an operation that cannot be collected must not run.
     made->collectFrom(handle, part);
     const Source sending = part.produceSend(made->values_.arguments(), caller);
     if (!sending || !handle->update(sending.get())) return nullptr;

@@ -26,7 +26,7 @@ private:
     const std::vector<void*> arguments_;
     void* const result_;
     SendHandleC handle_;
-    std::vector<Assignment> conversions_;  // of values that are collected as another type
+    std::vector<Assignment> conversions_;  // of values collected as another type
 };
 
 }  // namespace detail

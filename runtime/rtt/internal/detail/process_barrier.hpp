@@ -8,21 +8,21 @@
 #include <unistd.h>
 
 /**
- * @file The expensive half of an asymmetric barrier. A thread that makes a store and then a load, thousands of times in a
- * second, only keeps the compiler from exchanging them; the thread that seldom makes the opposite has the kernel put a
- * barrier into all running threads of the process.
+ * @file The expensive half of an asymmetric barrier. A thread that stores and then loads, thousands of times in a
+ * second, only keeps the compiler from reordering the two; the thread that rarely does the opposite has the kernel put
+ * a barrier into all running threads of the process.
  */
 namespace RTT {
 namespace internal {
 namespace detail {
 
-/** False if the kernel has no membarrier(2): then both threads need a barrier of their own. */
+/** False if the kernel has no membarrier(2); both threads then need a barrier of their own. */
 inline bool offersProcessBarrier() noexcept {
     return syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
 }
 
-/** What the other threads did before is visible here, and what this thread did before, to all that they do from now on.
-    For a process to which it was offered. A system call of a few microseconds. */
+/** Makes what other threads did before visible here, and what this thread did before visible to what they do from now
+    on. Only if offersProcessBarrier(). A system call of a few microseconds. */
 inline void processBarrier() noexcept {
     while (syscall(SYS_membarrier, MEMBARRIER_CMD_PRIVATE_EXPEDITED, 0, 0) != 0)
         syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0);  // a forked child must ask again

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Functions of PropertyBag.hpp on paths, and on whole bags.
+// The functions of PropertyBag.hpp that work on paths and on whole bags.
 #include <rtt/Logger.hpp>
 #include <rtt/PropertyBag.hpp>
 #include "property_update.hpp"
@@ -37,7 +37,7 @@ void visitAll(const PropertyBag& bag, const std::string& prefix, const std::stri
     }
 }
 
-/** Separators at the beginning of a path name nothing. */
+/** Separators at the beginning of a path have no meaning. */
 std::string withoutSeparatorsInFront(std::string path, const std::string& separator) {
     while (!separator.empty() && path.compare(0, separator.size(), separator) == 0) path.erase(0, separator.size());
     return path;
@@ -46,7 +46,7 @@ std::string withoutSeparatorsInFront(std::string path, const std::string& separa
 std::string parentOf(const std::string& path, const std::string& separator) {
     auto at = path.rfind(separator);
     if (at == std::string::npos || separator.empty()) return std::string();
-    // Several separators are one.
+    // Consecutive separators count as one.
     while (at >= separator.size() && path.compare(at - separator.size(), separator.size(), separator) == 0)
         at -= separator.size();
     return path.substr(0, at);
@@ -101,7 +101,7 @@ bool removeProperty(PropertyBag& bag, const std::string& path, const std::string
 }
 
 bool refreshProperties(const PropertyBag& target, const PropertyBag& source, bool allprops) {
-    // The bag itself stays as it is, only values change.
+    // Only values change, not the bag.
     return internal::detail::updateBag(const_cast<PropertyBag&>(target), source, refreshing(allprops));
 }
 
@@ -156,7 +156,7 @@ void deletePropertyBag(PropertyBag& bag) {
 }
 
 void flattenPropertyBag(PropertyBag& bag, const std::string& separator) {
-    // New properties on the same data sources, so that what refers to the values stays valid.
+    // New properties on the same data sources, so that references to the values stay valid.
     PropertyBag::Properties flat;
     for (auto* property : bag) {
         PropertyBag* inner = bagOf(*property);

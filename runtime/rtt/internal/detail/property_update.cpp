@@ -26,7 +26,7 @@ bool isPlainBagType(const std::string& type) { return type.empty() || type == "P
 struct Trail {
     const Trail* outer;
     const PropertyBase& property;
-    std::size_t index = 0;  // stands for a name
+    std::size_t index = 0;  // in place of an empty name
 
     std::string path() const {
         return (outer ? outer->path() + '.' : std::string()) +
@@ -37,7 +37,7 @@ struct Trail {
 
 std::string pathOf(const Trail* outer, const PropertyBase& property) { return Trail{outer, property}.path(); }
 
-/** Sets the value whatever way there is. A conversion or composition that throws has failed. */
+/** Assigns, converts or composes the value. One that throws has failed. */
 bool setValue(const base::DataSourceBase::shared_ptr& target, const base::DataSourceBase::shared_ptr& source) {
     try {
         return types::detail::updateWithConversion(target, source);
@@ -72,7 +72,7 @@ bool mayBecome(const std::string& name, const PropertyBase& target) {
     return type && type == target.getTypeInfo();
 }
 
-/** A copy of the item; bags that name a type become a value of that type. Null, and a report, if that fails. */
+/** A copy of the item; bags that name a type become a value of that type. Null, with a report, if that fails. */
 PropertyBase* newItem(const PropertyBase& item, const BagUpdate& how) {
     const PropertyBag* bag = bagOf(item);
     if (!bag || bag->getType() == "Sequence") return item.clone();
@@ -107,7 +107,7 @@ bool updateBagAt(PropertyBag& target, const PropertyBag& source, const BagUpdate
     return (!how.addMissing || addMissingItems(target, source, how)) && good;
 }
 
-/** True if its elements have no names. */
+/** True if elements of the type have no names. */
 bool isSequence(const types::TypeInfo& type) {
     const auto names = type.getMemberNames();
     return std::find(names.begin(), names.end(), "capacity") != names.end();
@@ -115,7 +115,7 @@ bool isSequence(const types::TypeInfo& type) {
 
 std::string quotedValue(const base::DataSourceBase::shared_ptr& source) { return "'" + source->toString() + "'"; }
 
-/** Why a value that is no bag is refused: " cannot …". */
+/** Why a value that is not a bag is refused: " cannot …". */
 std::string refusal(const types::TypeInfo* type, const PropertyBase& source) {
     const types::Enumeration* const values = types::detail::enumerationOf(type);
     const auto given = source.getDataSource();
@@ -128,9 +128,9 @@ std::string refusal(const types::TypeInfo* type, const PropertyBase& source) {
     return " cannot take a value of type " + source.getType();
 }
 
-/** Finds those of the members given that do not fit `type`, and reports them; false if all of them fit. */
+/** Reports the given members that do not fit `type`; false if all of them fit. */
 bool reportMembers(const types::TypeInfo& type, const PropertyBag& members, const BagUpdate& how, const Trail& trail) {
-    // On a value of its own, of which every member may be tried.
+    // Every member is tried on a new value.
     const auto value = type.buildValue();
     if (!value) return false;
     const std::size_t first = isSequence(type) ? types::detail::firstElement(members) : 0;

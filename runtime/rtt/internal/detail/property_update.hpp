@@ -14,19 +14,19 @@ namespace detail {
 
 /** How one bag takes over the values of another. */
 struct BagUpdate {
-    bool addMissing = false;        ///< create in the target what it lacks
-    bool needAll = false;           ///< it is an error if the source lacks something of the target
-    bool fillDescriptions = false;  ///< take over descriptions where the target has none
-    /** Called for each error; `where` is the property of the source, or null if that is what is missing. */
+    bool addMissing = false;        ///< create items that the target lacks
+    bool needAll = false;           ///< an item of the target that the source lacks is an error
+    bool fillDescriptions = false;  ///< copy descriptions where the target has none
+    /** Called for each error; `where` is the property of the source, or null if the source lacks it. */
     std::function<void(const base::PropertyBase* where, const std::string& text)> report;
 };
 
-/** Finds properties by name, those of equal names in the order in which they appear. */
+/** Finds properties by name, and those of equal names in order. */
 class RTT_API NamePairing {
 public:
-    /** Uses the names in `bag` while it lives. */
+    /** Uses the names in `bag`, which must outlive it. */
     explicit NamePairing(const PropertyBag& bag);
-    /** Index of the next property of that name in the bag as it was; beyond its end if there is none left. */
+    /** The index of the next property of that name in the original bag; beyond its end if there is none left. */
     std::size_t next(const std::string& name);
 
 private:
@@ -34,17 +34,17 @@ private:
     std::vector<std::size_t> followers_;
 };
 
-/** Writes the text to the log, as an error. */
+/** Logs the text as an error. */
 void logUpdateError(const base::PropertyBase* where, const std::string& text);
 
-/** Goes on after errors, so that all are reported; false if there was one. */
+/** Continue after errors, so that all are reported; false if there was one. */
 RTT_API bool updateBag(PropertyBag& target, const PropertyBag& source, const BagUpdate& how);
 RTT_API bool updateOne(base::PropertyBase& target, const base::PropertyBase& source, const BagUpdate& how);
 
 /** Adds a copy of each item; bags that name a registered type become values of it. */
 RTT_API bool addCopies(PropertyBag& target, const PropertyBag& source, const BagUpdate& how);
 
-/** The bag behind a property of type PropertyBag, or null. */
+/** The value of a property of type PropertyBag; null for other types. */
 RTT_API PropertyBag* bagOf(const base::PropertyBase& property);
 
 }  // namespace detail

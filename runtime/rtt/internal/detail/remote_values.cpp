@@ -17,7 +17,7 @@ namespace RTT::internal::detail {
 
 namespace {
 
-/** A value of a type that the type system does not know, where it lies. */
+/** Refers to a value of a type that the type system does not know. */
 class AddressSource final : public base::DataSourceBase {
 public:
     typedef void (*Assign)(void* to, const void* from);
@@ -59,10 +59,10 @@ Source makeSource(const CallerValue& value, AddressSource::Assign assign) {
     return new AddressSource(*value.type, assign);
 }
 
-/** The caller does not want it back. */
+/** For arguments that the caller does not want back. */
 void discard(void*, const void*) {}
 
-/** Of a variable that makeSource() made. */
+/** Assigns the value of a variable that makeSource() made. */
 void assign(void* to, base::DataSourceBase& from) {
     from.getTypeInfo()->getOps()->assign(to, from.getRawConstPointer());
 }
@@ -107,7 +107,7 @@ void CallerSources::expectFrom(const Source& call) {
 }
 
 Outcome CallerSources::execute() const {
-    // Called first and converted then, so that it can be told which of the two failed.
+    // Calls first and then converts, to know which of the two failed.
     if (received_ || !convert_) {
         if (!call_->evaluate()) return Outcome::notExecuted;
         if (!convert_) return Outcome::done;
@@ -140,7 +140,7 @@ void CallerSources::give(void* const* arguments, void* result) const {
 void checkOutputs(const OperationInterfacePart& part, const CallerSignature& signature) {
     unsigned index = 0;
     for (const OperationSignature::Value& argument : part.signature().arguments) {
-        if (++index > signature.arity) return;  // the number of arguments is checked elsewhere
+        if (++index > signature.arity) return;  // reported elsewhere
         if (argument.isOutput() && signature.values[index].isConstant)
             throw std::runtime_error("argument " + std::to_string(index) +
                                      " is changed by it, the caller's is constant");

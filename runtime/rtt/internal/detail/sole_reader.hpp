@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Most stores have one reader. It takes samples without an atomic read-modify-write, until a second thread reads.
+// Most stores have one reader. It takes samples without an atomic read-modify-write until a second thread reads.
 #ifndef ORO_INTERNAL_DETAIL_SOLE_READER_HPP
 #define ORO_INTERNAL_DETAIL_SOLE_READER_HPP
 
@@ -15,7 +15,7 @@ namespace internal {
 namespace detail {
 
 /**
- * Which thread alone takes samples out of a store.
+ * Which thread, if any, is the only one that takes samples out of a store.
  *
  *   undecided    a thread counts itself in `inside_` while it reads; one that reads often enough in a row becomes the sole
  *                reader, unless another one is inside at that moment
@@ -23,12 +23,12 @@ namespace detail {
  *   ending       another thread reads
  *   shared       for good
  *
- * A thread that ends "sole" marks that first and then looks at `reading_`. The barrier that both need between their store and
- * their load is paid by it alone (process_barrier.hpp). Only when it has been paid the store is shared: others may come first.
+ * A thread that ends "sole" marks that first and then looks at `reading_`. It alone pays for the barrier that both need
+ * between store and load (process_barrier.hpp). The store is shared only after the barrier: others may come first.
  */
 class SoleReader {
 public:
-    /** One read of this thread. Real-time safe; the one that makes the store shared makes a system call. */
+    /** One read of this thread. Real-time safe; the read that makes the store shared makes a system call. */
     class Reading {
     public:
         explicit Reading(SoleReader& reader) noexcept : reader_(reader), alone_(reader.enterAlone()) {
@@ -42,9 +42,9 @@ public:
         }
         Reading(const Reading&) = delete;
         Reading& operator=(const Reading&) = delete;
-        /** No other thread takes samples meanwhile. */
+        /** True if no other thread takes samples meanwhile. */
         bool alone() const noexcept { return alone_; }
-        /** The thread that was the sole reader until now is taking a sample: this one must not. */
+        /** True if the previous sole reader is taking a sample: this thread must not take one. */
         bool late() const noexcept { return late_; }
 
     private:
@@ -64,7 +64,7 @@ private:
         const void* const me = thisThread();
         if (__builtin_expect(thread_.load(std::memory_order_relaxed) != me, 0)) return false;
         reading_.store(true, std::memory_order_relaxed);
-        asm volatile("" ::: "memory");  // keeps the compiler's order; a thread that ends "sole" sees to the CPU's
+        asm volatile("" ::: "memory");  // orders the compiler; a thread that ends "sole" orders the CPU
         if (__builtin_expect(thread_.load(std::memory_order_relaxed) == me, 1)) return true;
         reading_.store(false, std::memory_order_release);
         return false;
@@ -109,7 +109,7 @@ private:
     static constexpr char kMarks[2] = {};
     std::atomic<const void*> thread_{nullptr};
     std::atomic<bool> reading_{false};
-    // While it is undecided:
+    // Used while undecided:
     std::atomic<const void*> last_{nullptr};
     std::atomic<std::uint32_t> inside_{0}, inARow_{0}, reads_{0};
 };

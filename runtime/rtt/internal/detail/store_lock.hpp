@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What makes a storage LOCKED, or UNSYNC.
+// The locks of LOCKED and UNSYNC storages.
 #ifndef ORO_INTERNAL_DETAIL_STORE_LOCK_HPP
 #define ORO_INTERNAL_DETAIL_STORE_LOCK_HPP
 
@@ -15,7 +15,7 @@ struct NoMutex {
     void unlock() {}
 };
 
-/** Scope of a lock; unlike os::MutexLock it calls the mutex's own functions directly, not through its interface. */
+/** Holds a lock for a scope. Unlike os::MutexLock it calls the mutex's own functions, not those of its interface. */
 template <class Mutex>
 class Hold {
 public:

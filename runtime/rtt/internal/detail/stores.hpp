@@ -26,7 +26,7 @@ bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
 StorePtr makeWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
 StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 
-/** Runs a function at the end of the scope, also when assigning a sample throws. */
+/** Runs a function at the end of the scope, even if assigning a sample throws. */
 template <class F>
 class AtEnd {
 public:

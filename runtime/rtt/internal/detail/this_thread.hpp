@@ -9,8 +9,8 @@ namespace RTT {
 namespace internal {
 namespace detail {
 
-/** Never null, different for all threads that live. A new thread may have that of one that ended; all that the old one did
-    happens before the new one gets it. Real-time safe, see Reclaimer::Guard. */
+/** An identity of this thread, never null and unique among existing threads. A new thread may get that of one that
+    ended; everything the old one did happens before that. Real-time safe, see Reclaimer::Guard. */
 inline const void* thisThread() noexcept { return Reclaimer::thisThread(); }
 
 }  // namespace detail

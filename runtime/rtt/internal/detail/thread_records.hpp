@@ -11,10 +11,9 @@ namespace internal {
 namespace detail {
 
 /**
- * The records in which threads say what they are doing, for other threads to read. A thread takes one and leaves it to
- * another thread when it ends, so their number only grows with that of the threads that exist at the same time. A
- * `Record` has the members `std::atomic<bool> used{false}` and `Record* next = nullptr`. The first `kPool` of them need no
- * memory from the heap.
+ * Records in which threads announce what they are doing to other threads. A thread takes one and leaves it to another
+ * thread when it ends, so there are only as many as threads that existed at the same time. A `Record` has the members
+ * `std::atomic<bool> used{false}` and `Record* next = nullptr`. The first `kPool` of them need no heap.
  */
 template <class Record, std::size_t kPool>
 class ThreadRecords {
@@ -25,7 +24,7 @@ public:
         return record ? record : add();
     }
     static void giveBack(Record* record) { record->used.store(false, std::memory_order_release); }
-    /** The others follow by `next`. Contains all that were taken before, in the sequentially consistent order. */
+    /** The first of a list linked by `next`, with all records taken before, in the sequentially consistent order. */
     Record* first() const { return records_.load(); }
 
 private:
@@ -53,7 +52,7 @@ private:
         return record;
     }
 
-    /** Side by side: a thread that looks through a thousand of them would wait for memory most of the time. */
+    /** In blocks: a thread that walks a thousand scattered records would wait for memory most of the time. */
     Record* further(std::size_t i) {
         for (std::atomic<Block*>* link = &blocks_;; i -= kPool) {
             Block* block = link->load(std::memory_order_acquire);

@@ -15,9 +15,9 @@ namespace internal {
 namespace detail {
 
 /**
- * A thread that waits until others have told components of new samples, or have returned from the callbacks of ports. Lives
- * on its stack. Two that wait for what the other one is doing must not go on doing so, so nobody waits for a thread that
- * is in here: its callbacks are passed over, its deferred calls are taken from it.
+ * Exists while a thread waits until others have signalled new samples to components, or have returned from callbacks of
+ * ports. Lives on its stack. Two threads must not wait for each other, so none waits for a thread that is in here: its
+ * callbacks are passed over, its deferred calls are taken from it.
  */
 class RTT_API Waiting {
 public:
@@ -27,11 +27,11 @@ public:
     Waiting& operator=(const Waiting&) = delete;
 
     static bool has(pthread_t thread);
-    /** Gives up the deferred calls with this argument in all threads that are in here, other than this one: those that wait
-        and those that are being made. Returns their number. */
+    /** Cancels the deferred calls with this argument, waiting or in progress, in all other threads that are in here.
+        Returns their number. */
     static unsigned takeOver(const void* argument);
 
-    // The same for this thread's own, which others may be taking over.
+    // As the functions of DeferredCalls, for this thread's own calls, which others may be taking over.
     static unsigned cancel(const void* argument);
     static unsigned making(const void* argument);
     static unsigned abandon(const void* argument);
@@ -42,8 +42,8 @@ private:
 
     const pthread_t thread_ = pthread_self();
     DeferredCalls& calls_;
-    // What this thread had to call when it came here. It lies further down its stack, and the thread does not touch it
-    // without the lock until it has left; what it executes meanwhile has lists of its own.
+    // The calls that this thread had to make when it came here. The thread does not touch them without the lock until
+    // it has left; code that it executes meanwhile has lists of its own.
     DeferredCalls::Batch parked_;
 };
 
