@@ -23,7 +23,7 @@ public:
     ActionInterface& operator=(const ActionInterface&) = delete;
     virtual ~ActionInterface();
 
-    /** Evaluates what execute() needs. */
+    /** Evaluates the values for execute(). */
     virtual void readArguments() = 0;
     /** Runs the action; false if it failed. */
     virtual bool execute() = 0;

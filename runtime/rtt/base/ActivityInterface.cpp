@@ -27,9 +27,9 @@ void ActivityInterface::closeGate() noexcept {
 }
 
 void ActivityInterface::attach(RunnableInterface* newRunner) {
-    // A slave may be about to hand a message to the present runner, which may be destroyed after this.
+    // A slave may be about to hand a message to the current runner, which may be destroyed after this.
     gate_->close();
-    // A runner that others took may have been destroyed since.
+    // A runner that another activity took may have been destroyed since.
     if (attached_ && runner->getActivity() == this) runner->setActivity(nullptr);
     if (ActivityInterface* const other = newRunner ? newRunner->getActivity() : nullptr) other->attached_ = false;
     runner = newRunner;
@@ -45,7 +45,7 @@ void ActivityInterface::adopt(RunnableInterface* newRunner) {
         attach(newRunner);
 }
 
-// A thread that only stands for the one that executes is not within a step.
+// A thread that only acts as the executing one is not within a step.
 bool ActivityInterface::isWithin() {
     const Direct answer = beginDirect();
     if (answer == Direct::Entered) endDirect();
@@ -55,7 +55,7 @@ bool ActivityInterface::isWithin() {
 bool ActivityInterface::claimRunner() {
     ActivityInterface* const other = runner ? runner->getActivity() : this;
     if (other == this) return true;
-    // Stopped within its own step it would go on until that returns.
+    // If it were stopped within its own step, it would execute until that returns.
     const bool within = other && other->isWithin();
     if (within || (other && other->isActive() && !other->stop() && other->isActive())) {
         log(Error) << "cannot start an activity: what it is to execute belongs to another one, "
@@ -67,7 +67,7 @@ bool ActivityInterface::claimRunner() {
 }
 
 bool ActivityInterface::run(RunnableInterface* newRunner) {
-    // Within its own step a stopped one may lose its runner, which is being destroyed there.
+    // A stopped activity may lose its runner within its own step, which is destroying it.
     if (isActive() || (isRunning() && (newRunner || !isSelf()))) return false;
     attach(newRunner);
     return true;

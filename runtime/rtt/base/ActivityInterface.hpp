@@ -23,29 +23,29 @@ public:
     typedef boost::shared_ptr<ActivityInterface> shared_ptr;
 
     ActivityInterface();
-    /** Attaches `runner`; if another activity has it, that keeps it until start() or run(). See adopt(). */
+    /** Attaches `runner`; if another activity has it, that one keeps it until start() or run(). See adopt(). */
     explicit ActivityInterface(RunnableInterface* runner);
-    /** Detaches the runner. Sub-classes call closeGate() and stop the activity in their own destructor. */
+    /** Detaches the runner. Subclasses call closeGate() and stop the activity in their own destructors. */
     virtual ~ActivityInterface();
     ActivityInterface(const ActivityInterface&) = delete;
     ActivityInterface& operator=(const ActivityInterface&) = delete;
 
-    /** Takes another runnable, or none for null, also from another activity, which must not be active. False while this
+    /** Replaces the runnable, which may be null or belong to another activity that is not active. False while this
         activity is active. */
     virtual bool run(RunnableInterface* runner);
-    /** What it executes, or will from start() on if another activity has it now. */
+    /** The runnable that it executes, or will execute from start() on if another activity has it now. */
     RunnableInterface* getRunner() const { return runner; }
 
     virtual bool start() = 0;
     virtual bool stop() = 0;
-    /** Is executing, or, if periodic, scheduled for execution. */
+    /** True if it is executing or, if periodic, scheduled for execution. */
     virtual bool isRunning() const = 0;
-    /** Was started and not stopped. */
+    /** True if it was started and not stopped. */
     virtual bool isActive() const = 0;
 
     /** Seconds; 0 if not periodic. */
     virtual Seconds getPeriod() const = 0;
-    /** False if this activity cannot have that period. */
+    /** In seconds; false if this activity cannot have that period. */
     virtual bool setPeriod(Seconds period) = 0;
     virtual bool isPeriodic() const;
     virtual unsigned getCpuAffinity() const = 0;
@@ -53,54 +53,54 @@ public:
 
     /** Runs one cycle in the calling thread; false if this kind of activity has a thread that does it. */
     virtual bool execute() = 0;
-    /** Asks for execution because of a message or an event. Real-time safe. False if not possible. */
+    /** Requests execution because of a message or an event. Real-time safe. False if that is impossible. */
     virtual bool trigger() = 0;
-    /** Asks for execution as if the period were over. Real-time safe. False if not possible. */
+    /** Requests execution as if the period were over. Real-time safe. False if that is impossible. */
     virtual bool timeout() = 0;
-    /** The thread that executes, or the one that stands for it. */
+    /** The thread that executes, or the one that acts as it. */
     virtual os::ThreadInterface* thread() = 0;
 
     /**
-     * True if the caller is, at this moment, the one thread that may touch the runner: its own thread, or for an activity
-     * that borrows threads the one that is executing it. Real-time safe. Use it instead of thread()->isSelf().
+     * True if the caller is, at this moment, the one thread that may touch the runner: its own or, for an activity that
+     * borrows threads, the one that is executing it. Real-time safe. Use it instead of thread()->isSelf().
      */
     virtual bool isSelf() const;
 
     /** Whether this thread may touch the runner, see beginDirect(). */
     enum class Direct { Refused, Granted, Entered };
     /**
-     * For a call that this thread makes on the component without a message, because isSelf(). Granted: it may. Entered: it
-     * may, nobody else executes the runner meanwhile, and it calls endDirect() afterwards. Real-time safe: waits for no
-     * execution, at most some microseconds for another thread that asks at the same moment.
+     * For a call of this thread on the component without a message, because isSelf(). Granted: it may call. Entered: it
+     * may call, no other thread executes the runner meanwhile, and it calls endDirect() afterwards. Real-time safe:
+     * waits for no execution, and at most some microseconds for another thread that asks at the same moment.
      */
     virtual Direct beginDirect();
     /**
-     * The same for any thread, while no thread executes the runner and no thread is known that will: a sequential activity or a
-     * slave between two executions, a simulation that makes no steps. As beginDirect() for activities with a thread of their own.
+     * The same for any thread while no thread executes the runner or is known to do so soon: for a sequential activity
+     * or a slave between two executions, or a simulation without steps. Otherwise like beginDirect().
      */
     virtual Direct beginInStead();
     virtual void endDirect();
 
-    /** For those who keep a pointer to an activity that others may destroy, as a slave does: pass it before each use. */
+    /** For users of an activity that others may destroy, such as a slave: take a Pass before each use. */
     const std::shared_ptr<internal::AccessGate>& gate() const;
 
 protected:
     /**
-     * The last statement of a constructor: attaches `newRunner`, which may trigger this activity from then on. If another
-     * activity has it, that one goes on executing it and this one only remembers it for claimRunner().
+     * The last statement of a constructor: attaches `newRunner`, which may trigger this activity from then on. If
+     * another activity has it, that one continues to execute it and this one only remembers it for claimRunner().
      */
     void adopt(RunnableInterface* newRunner);
     /**
-     * For start(), before initialize(): takes the runner from the activity that has it, after stopping that one. True as
-     * well if it is attached already or there is none. False, with an error in the log, if the other one does not stop, or if
-     * this thread is executing it. Two activities of one runnable must not be started at the same time.
+     * For start(), before initialize(): takes the runner from the activity that has it, after stopping that one. Also
+     * true if it is attached already or there is none. False, with an error logged, if the other activity does not
+     * stop, or if this thread is executing it. Two activities of one runnable must not be started at the same time.
      */
     bool claimRunner();
-    /** Attaches without asking whether the activity is active. Waits for those who have passed the gate. */
+    /** Attaches even if the activity is active. Waits for threads that have passed the gate. */
     void attach(RunnableInterface* newRunner);
     /**
-     * Lets nobody pass the gate any more and waits for those who have. The first statement of a destructor: afterwards
-     * this object is less than what they expect. Later calls do nothing.
+     * Lets no further thread pass the gate and waits for those that have. The first statement of a destructor, because
+     * this object is incomplete afterwards. Later calls do nothing.
      */
     void closeGate() noexcept;
     RunnableInterface* runner = nullptr;

@@ -17,14 +17,14 @@ public:
     AttributeBase& operator=(const AttributeBase&) = default;
     virtual ~AttributeBase();
 
-    /** True if there is a value behind the name. */
+    /** True if the attribute has a value. */
     bool ready() const { return getDataSource() != nullptr; }
     explicit operator bool() const { return ready(); }
     virtual DataSourceBase::shared_ptr getDataSource() const = 0;
 
     /** A new attribute on the same data source. The caller owns it. */
     virtual AttributeBase* clone() const = 0;
-    /** For copies of programs: a new attribute whose data source is copied, or, if `instantiate`, cloned. */
+    /** For copies of programs: a new attribute whose data source is copied or, if `instantiate`, cloned. */
     virtual AttributeBase* copy(std::map<const DataSourceBase*, DataSourceBase*>& replacements,
                                 bool instantiate) const = 0;
 
@@ -32,7 +32,7 @@ public:
     void setName(const std::string& name) { mname = name; }
 
 protected:
-    /** Empty if there is no `other`. */
+    /** Empty if `other` is null. */
     static const std::string& nameOf(const AttributeBase* other);
 
     std::string mname;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A queue of samples, whatever their type.
+// A queue of samples of any type.
 #ifndef ORO_BUFFER_BASE_HPP
 #define ORO_BUFFER_BASE_HPP
 
@@ -30,7 +30,7 @@ public:
             circular_ = on;
             return *this;
         }
-        /** How many threads use a lock-free buffer at once. */
+        /** The number of threads that use a lock-free buffer at once. */
         using StorageUsers::max_threads;
         Options& max_threads(unsigned int n) {
             setThreads(n);
@@ -57,7 +57,7 @@ public:
     virtual bool empty() const = 0;
     virtual bool full() const = 0;
     virtual void clear() = 0;
-    /** Samples lost because the buffer was full. */
+    /** The number of samples lost because the buffer was full. */
     virtual size_type dropped() const = 0;
 };
 

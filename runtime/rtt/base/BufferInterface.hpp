@@ -23,11 +23,11 @@ public:
 
     /** False if the buffer is full and not circular. */
     virtual bool Push(param_t item) = 0;
-    /** Pushes in order until one does not fit; the number of samples taken. */
+    /** Pushes in order until one does not fit; returns the number of samples taken. */
     virtual size_type Push(const std::vector<value_t>& items) = 0;
     /** NewData and the oldest sample; NoData, with `item` untouched, if empty. */
     virtual FlowStatus Pop(reference_t item) = 0;
-    /** Replaces `items` by all samples; their number. Allocates. */
+    /** Replaces `items` by all samples; returns their number. Allocates. */
     virtual size_type Pop(std::vector<value_t>& items) = 0;
     /** Takes the oldest sample out but leaves it in its place until Release(). Null if empty. */
     virtual value_t* PopWithoutRelease() = 0;

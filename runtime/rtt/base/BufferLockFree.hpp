@@ -8,7 +8,7 @@
 namespace RTT {
 namespace base {
 
-/** For any number of writers and readers; never blocks. Push() fails also while more threads use it than it was made for. */
+/** For any number of writers and readers; never blocks. Push() also fails while too many threads use it. */
 template <class T>
 class BufferLockFree : public internal::StoredBuffer<T> {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The typed face of a channel element; what transports derive from.
+// The typed interface of a channel element, from which transports derive.
 #ifndef ORO_CHANNEL_ELEMENT_HPP
 #define ORO_CHANNEL_ELEMENT_HPP
 
@@ -9,8 +9,8 @@
 namespace RTT {
 namespace base {
 
-/** Passes samples of T on. A transport overrides the typed virtuals it has something to do in; what it leaves alone is
-    passed to its neighbours. write() and read() must be real-time safe to be used by real-time components. */
+/** Passes samples of T on. A transport overrides the typed functions that it needs; the others pass the call to its
+    neighbours. write() and read() must be real-time safe to be used by real-time components. */
 template <typename T>
 class ChannelElement : public ChannelElementBase {
 public:
@@ -27,11 +27,11 @@ public:
     virtual WriteStatus write(param_t sample);
     /** Gives one sample. Leaves `sample` untouched on NoData, and on OldData unless copy_old_data. */
     virtual FlowStatus read(reference_t sample, bool copy_old_data = true);
-    /** Passes a sample that shows the size of later ones. It is never delivered as data. Without `reset` samples that are
-        there stay. Overriding one of both forms is enough. */
+    /** Passes a sample that shows the size of later ones and is never delivered as data. Without `reset` stored samples
+        stay. Overriding one of the two forms is enough. */
     [[gnu::cold]] virtual WriteStatus data_sample(param_t sample, bool reset);
     [[gnu::cold]] virtual WriteStatus data_sample(param_t sample);
-    /** The sample given last to data_sample(), or a default one. */
+    /** The last sample given to data_sample(), or a default one. */
     [[gnu::cold]] virtual value_t data_sample();
 
     WriteStatus writeErased(const void* sample) override { return write(*static_cast<const T*>(sample)); }
@@ -51,7 +51,7 @@ typename ChannelElement<T>::shared_ptr ChannelElement<T>::getOutput() const {
     return boost::dynamic_pointer_cast<ChannelElement<T>>(ChannelElementBase::getOutput());
 }
 
-// The base's erased versions pass to the neighbour; the next typed element brings the sample back to its type.
+// The base's untyped versions pass to the neighbour; the next typed element restores the type of the sample.
 
 template <typename T>
 WriteStatus ChannelElement<T>::write(param_t sample) {
@@ -63,7 +63,7 @@ FlowStatus ChannelElement<T>::read(reference_t sample, bool copy_old_data) {
     return ChannelElementBase::readErased(&sample, copy_old_data);
 }
 
-// Each form calls the other one, unless it is called by that.
+// Each form calls the other one, unless that one called it.
 
 template <typename T>
 WriteStatus ChannelElement<T>::data_sample(param_t sample, bool reset) {

@@ -9,7 +9,7 @@ namespace RTT::base {
 using internal::Reclaimer;
 
 ChannelElementBase::~ChannelElementBase() {
-    // Nobody can see us any more; but others may be looking at the neighbours through their own links.
+    // No thread can see this element any more, but others may see the neighbours through their own links.
     exchangeLink(input_, nullptr);
     exchangeLink(output_, nullptr);
 }
@@ -28,14 +28,14 @@ const ChannelElementBase::SampleCall* ChannelElementBase::SampleCall::of(const C
 }
 
 void ChannelElementBase::deref() {
-    // Release, and acquire by the last one: all use of the element happens before its destruction.
+    // Release, and acquire by the last reference: all use of the element happens before its destruction.
     if (references_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
 void ChannelElementBase::exchangeLink(std::atomic<ChannelElementBase*>& link, ChannelElementBase* to) {
     if (to) to->ref();
-    // Release: who finds the new neighbour sees it whole. Acquire: the old one may have been linked by another thread.
-    // A thread inside a Guard may still use the old neighbour, so its reference is given back later.
+    // Release: a thread that finds the new neighbour sees it complete. Acquire: another thread may have linked the old
+    // one. A thread inside a Guard may still use the old neighbour, so its reference is released later.
     if (ChannelElementBase* old = link.exchange(to, std::memory_order_acq_rel))
         Reclaimer::retire(old, [](void* element) { static_cast<ChannelElementBase*>(element)->deref(); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A place for one sample, whatever its type.
+// Holds one sample of any type.
 #ifndef ORO_CORELIB_DATA_OBJECT_BASE_HPP
 #define ORO_CORELIB_DATA_OBJECT_BASE_HPP
 
@@ -13,7 +13,7 @@ namespace base {
 
 class RTT_API DataObjectBase {
 public:
-    /** For lock-free data objects: how many threads use it at once. */
+    /** For lock-free data objects: the number of threads that use one at once. */
     class RTT_API Options : public StorageUsers {
     public:
         Options() = default;
@@ -38,7 +38,7 @@ public:
     };
 
     virtual ~DataObjectBase();
-    /** Forgets the sample: NoData until the next Set(). Real-time safe. */
+    /** Drops the sample: NoData until the next Set(). Real-time safe. */
     virtual void clear() = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A place for one sample of T, written by some and read by others.
+// Holds one sample of T that threads write and read.
 #ifndef ORO_CORELIB_DATAOBJECT_INTERFACE_HPP
 #define ORO_CORELIB_DATAOBJECT_INTERFACE_HPP
 
@@ -27,7 +27,7 @@ public:
     virtual value_t Get() const = 0;
     /** False if the sample could not be stored. */
     virtual bool Set(param_t push) = 0;
-    /** Sizes the storage for samples like this one; with `reset` also forgets the current one. Not real-time safe. */
+    /** Sizes the storage for samples like this one; with `reset` also drops the current one. Not real-time safe. */
     virtual bool data_sample(param_t sample, bool reset = true) = 0;
     virtual value_t data_sample() const = 0;
 };

@@ -14,7 +14,7 @@ class DataObjectLockFree : public internal::StoredDataObject<T> {
 public:
     typedef DataObjectBase::Options Options;
 
-    /** How many threads may use this at once. */
+    /** The number of threads that may use this at once. */
     const unsigned int MAX_THREADS;
 
     DataObjectLockFree() : DataObjectLockFree(Options()) {}

@@ -8,7 +8,7 @@
 namespace RTT {
 namespace base {
 
-/** For any number of writers and readers, who wait for each other. */
+/** For any number of writers and readers, which wait for each other. */
 template <class T>
 class DataObjectLocked : public internal::StoredDataObject<T> {
 public:

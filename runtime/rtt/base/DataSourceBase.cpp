@@ -22,7 +22,7 @@ void intrusive_ptr_release(const DataSourceBase* source) noexcept { source->dere
 DataSourceBase::~DataSourceBase() = default;
 
 void DataSourceBase::deref() const noexcept {
-    // acq_rel: what other owners did to the value must be visible to the destructor.
+    // acq_rel: changes by other owners must be visible to the destructor.
     if (refs_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 

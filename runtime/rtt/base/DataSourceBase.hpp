@@ -37,9 +37,9 @@ RTT_API void intrusive_ptr_add_ref(const DataSourceBase* source) noexcept;
 RTT_API void intrusive_ptr_release(const DataSourceBase* source) noexcept;
 
 /**
- * A value of some type behind a type-independent face: a constant, a variable, a member of another value, the
- * result of a function. Reference counted (atomically), so that expressions can share sources; always allocate
- * with new and hold in a shared_ptr.
+ * A value behind an interface that does not depend on its type: a constant, a variable, a member of another value, the
+ * result of a function. Reference counted (atomically), so that expressions can share sources; always allocate with new
+ * and hold in a shared_ptr.
  *
  * Reading, evaluating and updating are real-time safe if copying the value type is; creating and copying
  * sources allocates. One source must not be used by two threads at the same time.
@@ -55,71 +55,71 @@ public:
 
     void ref() const noexcept { refs_.fetch_add(1, std::memory_order_relaxed); }
     void deref() const noexcept;
-    /** Hands out a new source by plain pointer, without the reference of `source`: the receiver is the first to hold one. */
+    /** Returns a new source as a plain pointer without the reference of `source`: the receiver takes the first one. */
     static DataSourceBase* release(shared_ptr&& source) noexcept {
         DataSourceBase* const plain = source.detach();
         if (plain) plain->refs_.fetch_sub(1, std::memory_order_relaxed);
         return plain;
     }
 
-    /** Forgets a stored result, if any. */
+    /** Drops a stored result, if any. */
     virtual void reset();
     /** Computes the value anew; false if that failed. */
     virtual bool evaluate() const = 0;
 
-    /** Takes over the value of `other` if it is of exactly this type and this is assignable; else false. */
+    /** Assigns the value of `other` if that has exactly this type and this is assignable; otherwise false. */
     virtual bool update(DataSourceBase* other);
     /**
-     * An action that assigns the value `other` then has to this source; conversions of the type are tried.
-     * The caller owns it. @throw bad_assignment
+     * An action that assigns the then current value of `other` to this source, with conversions of the type. The caller
+     * owns it. @throw bad_assignment
      */
     virtual ActionInterface* updateAction(DataSourceBase* other);
     /** True if the value can be changed through this source. */
     virtual bool isAssignable() const;
-    /** Takes over the value at `value`, which must be of exactly this source's type; false if not assignable. */
+    /** Assigns the value at `value`, which must have exactly this source's type; false if not assignable. */
     virtual bool assignValue(const void* value);
-    /** The C++ type of the value without reference and const; null if the source cannot tell. */
+    /** The C++ type of the value without reference and const; null if unknown. */
     virtual const std::type_info* getTypeId() const;
     /** True if both are known to hold the same C++ type, registered or not. */
     bool hasTypeOf(const DataSourceBase& other) const;
-    /** To be called after the value was changed through a reference or pointer to it. */
+    /** Call it after changing the value through a reference or pointer. */
     virtual void updated();
 
     /** A new source of the same kind with its own value. */
     virtual DataSourceBase* clone() const = 0;
     /**
-     * The counterpart of this source in a copied expression. Sources that stand for something shared return
-     * themselves. `alreadyCloned` maps what was copied before to its copy.
+     * The counterpart of this source in a copied expression. Sources of a shared value return themselves.
+     * `alreadyCloned` maps sources that were copied before to their copies.
      */
     virtual DataSourceBase* copy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const = 0;
 
-    /** Type name with reference and const marks, for example "string const&". */
+    /** The type name with reference and const, such as "string const&". */
     virtual std::string getType() const = 0;
-    /** Never null; the type information named "unknown_t" when no typekit knows the type. */
+    /** Never null; "unknown_t" if no typekit knows the type. */
     virtual const types::TypeInfo* getTypeInfo() const = 0;
-    /** Plain type name. */
+    /** The plain type name. */
     std::string getTypeName() const;
 
-    /** The value as text, as written by the type's stream function. Not real-time safe. */
+    /** Writes the value as text by the type's stream function. Not real-time safe. */
     std::ostream& write(std::ostream& os);
     std::string toString();
 
-    /** The source this one is a part of; itself if it is whole. */
+    /** The source that this one is a part of; itself if it is whole. */
     virtual shared_ptr getParent();
-    /** A live part of the value: struct member, dotted path of members, or sequence index; null if there is none. */
+    /** A live part of the value by member name, dotted path of members, or sequence index; null if there is none. */
     virtual shared_ptr getMember(const std::string& name);
     virtual shared_ptr getMember(shared_ptr id);
     virtual std::vector<std::string> getMemberNames() const;
 
-    /** Address of the stored value; null if it cannot be changed. */
+    /** The address of the stored value; null if it cannot be changed. */
     virtual void* getRawPointer();
-    /** Address of the value last evaluated; null if there is none. */
+    /** The address of the last evaluated value; null if there is none. */
     virtual const void* getRawConstPointer();
     /** True if both addresses stay the same as long as this source exists. */
     bool hasFixedAddress() const noexcept { return fixedAddress_; }
-    /** From now on copy() makes a new variable each time instead of returning this one. Only variables do so. */
+    /** From now on copy() makes a new variable each time instead of returning this one. Only for variables. */
     void copiesAnew() noexcept { copiedAnew_ = true; }
-    /** For copy(): notes what this source was copied to. */
+    /** For copy(): registers the copy of this source. */
     void noteCopy(std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned, DataSourceBase* made) const;
 
 protected:
@@ -130,7 +130,7 @@ protected:
 
     bool isCopiedAnew() const noexcept { return copiedAnew_; }
 
-    /** For copy(): what this source was copied to before; null if it was not. */
+    /** For copy(): the earlier copy of this source; null if there is none. */
     DataSourceBase* knownCopy(const std::map<const DataSourceBase*, DataSourceBase*>& alreadyCloned) const;
 
 private:

@@ -16,9 +16,9 @@ public:
     typedef boost::shared_ptr<DisposableInterface> shared_ptr;
 
     virtual ~DisposableInterface();
-    /** Executes and then lets go of itself. */
+    /** Executes and then releases itself. */
     virtual void executeAndDispose() = 0;
-    /** Lets go of itself without executing. */
+    /** Releases itself without executing. */
     virtual void dispose() = 0;
     /** True if the execution threw. */
     virtual bool isError() const;

@@ -42,7 +42,7 @@ FlowStatus InputPortInterface::readSample(void* sample, bool copyOld) {
     return readSeveral(*channels, sample, copyOld);
 }
 
-/** The channel that had the last new sample comes first and is the one that old data comes from. */
+/** The channel that had the last new sample comes first and provides the old data. */
 FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* sample, bool copyOld) {
     const ChannelElementBase* const current = current_.load(std::memory_order_relaxed);
     const ChannelArray::Entry* first = channels.begin();
@@ -66,7 +66,7 @@ FlowStatus InputPortInterface::readSeveral(const ChannelArray& channels, void* s
 }
 
 namespace {
-/** How many samples are there to be read; a guess for elements that keep them elsewhere. */
+/** The number of samples to read; a guess for elements that keep them elsewhere. */
 std::size_t waiting(const ChannelArray* channels) {
     constexpr std::size_t kElsewhere = 128;
     std::size_t sum = 0;
@@ -79,7 +79,7 @@ std::size_t waiting(const ChannelArray* channels) {
 }
 }  // namespace
 
-// Not more than were there at the beginning, or a writer that is faster than the reader would keep it here.
+// Reads no more samples than there were at first: a writer faster than the reader would keep it here for ever.
 FlowStatus InputPortInterface::readNewestSample(void* sample, bool copyOld) {
     const FlowStatus status = readSample(sample, copyOld);
     if (status != NewData) return status;

@@ -25,15 +25,15 @@ public:
     /** The policy used when connecting without one. */
     const ConnPolicy& getDefaultPolicy() const { return default_policy_; }
 
-    /** Reads into a data source of the port's type; any other gives NoData and an error. */
+    /** Reads into a data source of the port's type; another type gives NoData and logs an error. */
     virtual FlowStatus read(boost::intrusive_ptr<DataSourceBase> source, bool copy_old_data = true);
-    /** Forgets all samples; NoData until the next write. Real-time safe. */
+    /** Drops all samples; NoData until the next write. Real-time safe. */
     virtual void clear();
 
     /** A new data source that reads the port whenever it is evaluated. */
     virtual DataSourceBase* getDataSource() = 0;
 
-    /** The other direction. */
+    /** The same as connecting from the output port. */
     bool connectTo(PortInterface* other, ConnPolicy const& policy) override;
     bool connectTo(PortInterface* other) override;
     bool createStream(ConnPolicy const& policy) override;
@@ -50,13 +50,13 @@ public:
     /** Turns notification of the component by new samples on or off. */
     void signalInterface(bool on);
     bool signalsInterface() const;
-    /** Tells the component of a new sample, in the writer's thread. Real-time safe as far as TaskContext::dataOnPortHook() is. */
+    /** Signals a new sample to the component in the writer's thread; as real-time safe as dataOnPortHook(). */
     void newDataAvailable();
-    /** For the port's endpoint, inside a Reclaimer::Guard: newDataAvailable() follows when this thread has left it. */
+    /** For the port's endpoint, inside a Reclaimer::Guard: newDataAvailable() follows after the Guard. */
     void signalLater();
-    /** For whoever has taken the port out of its component: waits until no other thread is telling that of new samples. What
-        this thread has promised to tell is forgotten. With `executesMessages` those of the components that this thread is
-        executing are executed meanwhile. Of two threads that wait for each other one goes on. Not real-time safe. */
+    /** For a thread that has taken the port out of its component: waits until no other thread signals samples to that,
+        and drops this thread's pending signals. With `executesMessages` the components that this thread is executing
+        execute their messages meanwhile. One of two threads that wait for each other continues. Not real-time safe. */
     void finishSignals(bool executesMessages = false);
 
 protected:
@@ -74,9 +74,9 @@ private:
 
     ConnPolicy default_policy_;
     static constexpr std::uint32_t kAgain = 1u << 31;
-    std::atomic<std::uint32_t> pinned_{0};  // signals promised or being delivered, and perhaps kAgain: one more is owed
+    std::atomic<std::uint32_t> pinned_{0};  // signals pending or in delivery, and kAgain if one more is owed
     internal::DeferredCalls::Call signal_;  // of the thread that pinned the port first
-    // Which channel gave the last new sample. Only compared with the entries of the current list, never followed.
+    // The channel of the last new sample. Only compared with entries of the current list, never dereferenced.
     std::atomic<const ChannelElementBase*> current_{nullptr};
 };
 

@@ -17,7 +17,7 @@ struct OperationTable;
 }
 namespace base {
 
-/** What an operation tells of itself. Shared by the operation object and its registration, which may outlive each other. */
+/** The texts of an operation. Shared by the operation object and its registration, which may outlive each other. */
 struct OperationDescription {
     std::string name;
     /** The documentation, then name and documentation of each argument in turn. */
@@ -28,8 +28,8 @@ struct OperationDescription {
 class RTT_API OperationBase {
 public:
     virtual ~OperationBase();
-    /** Both have the function and its listeners in common, also those that are connected later. Name, documentation, thread
-        and a function that is given later are each one's own. A service goes on offering what was added to it. */
+    /** Both objects share the function and its subscribers, also later ones. Name, documentation, thread and a function
+        that is set later belong to one of them. A service continues to offer the operation that was added to it. */
     OperationBase(const OperationBase& other);
     OperationBase& operator=(const OperationBase& other);
 
@@ -56,11 +56,11 @@ protected:
     OperationBase(const std::string& name, OperationCallerInterface* implementation,
                   const internal::OperationTable& table);
 
-    /** Who listens to the function before listens to this one; null: it stays. A null owner: it stays. */
+    /** Subscribers of the previous function stay subscribed. A null function or owner keeps the current one. */
     void setFunction(internal::CalleeBase* function, ExecutionThread et, ExecutionEngine* owner);
     void setDoc(const std::string& text) { description_->texts[0] = text; }
     void addArgument(const std::string& name, const std::string& text);
-    /** Of another operation from now on: both have its name and documentation. */
+    /** From now on both have the name and documentation of `other`. */
     void shareDescription(const OperationBase& other) { description_ = other.description_; }
 
 private:

@@ -15,7 +15,7 @@
 namespace RTT {
 class ExecutionEngine;
 
-/** Where an operation is executed: by the component that provides it, or by whoever calls. */
+/** Which thread executes an operation: that of the component that provides it, or the caller's. */
 enum ExecutionThread { OwnThread, ClientThread };
 
 /** Thrown by call(): the operation never ran, because its component takes no messages (FatalError, no activity, queue full),
@@ -35,7 +35,7 @@ class SentCall;
 
 namespace base {
 
-/** An operation as its callers hold it, without its signature. No message, but held as one by code written for RTT 2. */
+/** An operation as its callers hold it, without its signature. Not a message, but code for RTT 2 holds it as one. */
 class RTT_API OperationCallerInterface : public DisposableInterface {
 public:
     typedef boost::shared_ptr<OperationCallerInterface> shared_ptr;
@@ -45,7 +45,7 @@ public:
     void dispose() final {}
     /** True if there is a function to call and the component that provides it exists. */
     virtual bool ready() const { return isReady(); }
-    /** The same, for a call that must not take longer than necessary. */
+    /** The same without a virtual call. */
     bool isReady() const { return callee_ && !isGone(); }
     /** Which thread executes, and the engine of the component that provides the operation. */
     void setThread(ExecutionThread et, ExecutionEngine* owner);
@@ -66,10 +66,10 @@ public:
 
     /** True if a call has to be sent to another thread. */
     bool isSend() const;
-    /** From now on, what the operation throws in the GlobalEngine puts the component that provides it into Exception: for
-        those who send by data sources, as scripts do. */
+    /** For callers that send by data sources, as scripts do: an exception of the operation in the GlobalEngine now puts
+        the component that provides it into Exception. */
     void setGeneric() { generic_ = true; }
-    /** A caller by data sources executed the operation itself, and it threw that: see internal::blame(). */
+    /** For a caller by data sources that executed the operation itself, which threw `what`; see internal::blame(). */
     void ownerThrew(const char* what) const;
 
 protected:
@@ -77,17 +77,17 @@ protected:
     /** For cloneI(). */
     OperationCallerInterface(const OperationCallerInterface& other, ExecutionEngine* caller);
 
-    /** The component that provides this was destroyed. */
+    /** True if the component that provides this was destroyed. */
     bool isGone() const { return owner_ && owner_->closed(); }
-    /** Converts to true if the caller may execute the operation itself, as long as it lives; else the call has to be sent. */
+    /** Converts to true if the caller may execute the operation itself while it exists; otherwise the call is sent. */
     internal::EngineGate::Stand direct() const {
         return internal::EngineGate::Stand(thread_ == OwnThread ? owner_.get() : nullptr);
     }
-    /** Hands the call to the engine that executes it; the reference of the queue is taken. False if refused. */
+    /** Gives the call, with a reference for the queue, to the engine that executes it. False if refused. */
     bool enqueue(internal::SentCall& call) const;
-    /** The same with a call that nobody holds yet; gives it with a reference for the caller. Null if refused. */
+    /** The same with a new call; returns it with a reference for the caller. Null if refused. */
     internal::SentCall* enqueueNew(internal::SentCall* call) const;
-    /** The same and waits for its end. Throws SendError. */
+    /** The same, but waits for the end of the call. Throws SendError. */
     void enqueueAndWait(internal::SentCall& call) const;
 
 private:

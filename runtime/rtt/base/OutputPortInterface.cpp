@@ -33,10 +33,10 @@ OutputPortInterface::~OutputPortInterface() {
     delete last_.load(std::memory_order_relaxed);
 }
 
-/** The channels that one write() found broken. Exceptions of samples' assignments may pass while there are some. */
+/** The channels that one write() found broken. Releases them even if assigning a sample throws. */
 class OutputPortInterface::DeadChannels {
 public:
-    DeadChannels() {}  // the list stays as it is: writes that find none do not touch it
+    DeadChannels() {}  // leaves the list uninitialised: writes without broken channels do not touch it
     ~DeadChannels() {
         for (std::size_t i = 0; i < count_; ++i) list_[i]->deref();
     }
@@ -58,8 +58,8 @@ private:
     ChannelElementBase* list_[kMax];
 };
 
-// The flags are relaxed: who changes one while others write finds it obeyed by later writes. What is kept is ordered by
-// its storage, and the storage itself by the release of its publication in allocateLast() and the acquire loads of last_.
+// The flags are relaxed: one that changes while other threads write applies to later writes. Its storage orders the
+// kept value; the release of its publication in allocateLast() and the acquire loads of last_ order the storage itself.
 WriteStatus OutputPortInterface::writeSample(const void* sample) {
     if (keep_last_.load(std::memory_order_relaxed) || keep_next_.load(std::memory_order_relaxed))
         remember(sample);
@@ -80,7 +80,7 @@ WriteStatus OutputPortInterface::writeSample(const void* sample) {
     return writeToAll(sample);
 }
 
-/** For several channels, or one that is broken. */
+/** For several channels, or a broken one. */
 WriteStatus OutputPortInterface::writeToAll(const void* sample) {
     WriteStatus worst = WriteSuccess;
     DeadChannels dead;
@@ -102,11 +102,11 @@ void OutputPortInterface::remember(const void* sample) {
     SampleStore* const last = last_.load(std::memory_order_acquire);
     if (!last) return;
     keep_next_.store(false, std::memory_order_relaxed);
-    // Fails only with more threads writing at once than the storage has room for: then another's value is the last.
+    // Fails only if more threads write at once than the storage allows; another thread's value is then the last.
     if (last->write(sample) == WriteSuccess) has_last_.store(true, std::memory_order_release);
 }
 
-/** Channels whose other end is gone leave the list. */
+/** Removes channels whose other end is gone. */
 WriteStatus OutputPortInterface::dropDead(const DeadChannels& dead, WriteStatus worst) {
     for (ChannelElementBase* channel : dead) getManager()->removeChannel(channel);
     if (connected()) return worst;
@@ -163,9 +163,9 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
     const std::shared_ptr<const SampleBox> initial = std::atomic_load(&initial_);
     if (!ops || (!initial && !ops->construct)) return true;  // nothing to size it with
     internal::SampleArray sample(*ops, 1, initial ? initial->get() : nullptr);
-    // What setDataSample() said counts for more than the last value, which may be smaller.
+    // The sample of setDataSample() takes precedence over the last value, which may be smaller.
     bool has_last = !initial && copyLastWritten(sample.sample(0));
-    // A default value tells local storage nothing: it is made of such, and sized by the first sample that is written.
+    // A default value is useless for local storage, which consists of such and is sized by the first written sample.
     const bool tells = initial || has_last || !channel.storageCore();
     if (tells && channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
         log(Error) << "output port " << getFullName()
@@ -173,7 +173,7 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
         return false;
     }
     if (init && initial) has_last = copyLastWritten(sample.sample(0));
-    // What cannot be written now (a buffer of size 0) will show at the next write, too.
+    // A failure to write now (a buffer of size 0) will show at the next write, too.
     if (!init || !has_last) return true;
     const Reclaimer::Guard guard;
     return channel.writeErased(sample.sample(0)) != NotConnected;

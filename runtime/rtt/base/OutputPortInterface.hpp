@@ -27,16 +27,16 @@ public:
     /** Writes the value of a data source of the port's type; any other gives WriteFailure and an error. */
     virtual WriteStatus write(boost::intrusive_ptr<DataSourceBase> source);
 
-    /** Whether write() remembers its value, for new connections with `init` and for getLastWrittenValue(). Switching on
+    /** Whether write() keeps its value, for new connections with `init` and for getLastWrittenValue(). Switching on
         allocates. */
     void keepLastWrittenValue(bool keep);
-    /** Remembers the value of the next write() only. */
+    /** Keeps only the value of the next write(). */
     void keepNextWrittenValue(bool keep);
     bool keepsNextWrittenValue() const { return keep_next_.load(std::memory_order_relaxed); }
     bool keepsLastWrittenValue() const { return keep_last_.load(std::memory_order_relaxed); }
     /** True if a value was written and is kept. Real-time safe. */
     bool hasLastWrittenValue() const { return has_last_.load(std::memory_order_acquire); }
-    /** Forgets that there is a last written value, and empties the storage that this port owns or shares. */
+    /** Drops the last written value, and empties the storage that this port owns or shares. */
     virtual void clear();
 
     /** A new data source that gives the last written value. */
@@ -75,8 +75,8 @@ private:
     std::atomic<bool> keep_last_{false};
     std::atomic<bool> keep_next_{false};
     std::atomic<bool> has_last_{false};
-    std::atomic<internal::SampleStore*> last_{nullptr};   // made when first needed, lives as long as the port
-    std::shared_ptr<const internal::SampleBox> initial_;  // by setDataSample(); std::atomic_load/store only
+    std::atomic<internal::SampleStore*> last_{nullptr};   // made when first needed; exists as long as the port
+    std::shared_ptr<const internal::SampleBox> initial_;  // of setDataSample(); std::atomic_load/store only
 };
 
 }  // namespace base

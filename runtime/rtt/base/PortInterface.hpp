@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What input and output ports have in common, whatever the type of their samples.
+// The common base of input and output ports, for samples of any type.
 #ifndef ORO_PORT_INTERFACE_HPP
 #define ORO_PORT_INTERFACE_HPP
 
@@ -35,9 +35,9 @@ namespace base {
 class InputPortInterface;
 class OutputPortInterface;
 
-/** A named end of connections. Connecting and disconnecting may be done by any thread, also while other threads write and
-    read, and from callbacks; it is not real-time safe, may allocate and takes a process-wide lock, but never makes a
-    writer or reader wait. Destroying a port disconnects it and waits until no other thread is inside it. */
+/** A named end of connections. Any thread may connect and disconnect, also while other threads write and read, and from
+    callbacks. That is not real-time safe, may allocate and takes a process-wide lock, but never makes a writer or
+    reader wait. Destroying a port disconnects it and waits until no other thread is inside it. */
 class RTT_API PortInterface {
 public:
     virtual ~PortInterface();
@@ -45,10 +45,10 @@ public:
     PortInterface& operator=(const PortInterface&) = delete;
 
     const std::string& getName() const { return name_; }
-    /** "Component.port", with sub-services in between; just the name if the port is in no component. */
+    /** "Component.port", with sub-services in between; only the name if the port belongs to no component. */
     std::string getFullName() const;
     std::string getQualifiedName() const { return getFullName(); }
-    /** False, and no change, while the port is connected. */
+    /** False, without a change, while the port is connected. */
     bool setName(const std::string& name);
     const std::string& getDescription() const { return description_; }
     /** Describes the port, and its service if it has one already. */
@@ -72,14 +72,14 @@ public:
 
     /** True if the port object is the port itself, not a proxy for one in another process. */
     virtual bool isLocal() const;
-    /** 0 for a local port, else the id of the protocol its proxy speaks. */
+    /** 0 for a local port, otherwise the id of its proxy's protocol. */
     virtual int serverProtocol() const;
 
     /** A new unconnected port of the same kind, or of the opposite direction; the caller owns it. */
     virtual PortInterface* clone() const = 0;
     virtual PortInterface* antiClone() const = 0;
 
-    /** Connects with a port of the other direction. With no policy, the input port's default one is used. */
+    /** Connects with a port of the other direction; without a policy, with the input port's default one. */
     virtual bool connectTo(PortInterface* other, ConnPolicy const& policy) = 0;
     virtual bool connectTo(PortInterface* other) = 0;
     /** Joins a transport's topic or queue. False, with an error logged, if policy.transport does not know the type. */
@@ -90,8 +90,8 @@ public:
     /** The same with the policy of the shared connection; false, with an error logged, if that is null. */
     bool createConnection(boost::intrusive_ptr<internal::SharedConnectionBase> shared_connection);
 
-    /** For transports: registers a finished channel under `id` (which is taken over). False, with an error logged, if one
-        of both is null. */
+    /** For transports: registers a finished channel and takes ownership of `id`. False, with an error logged, if one of
+        the two is null. */
     virtual bool addConnection(internal::ConnID* id, ChannelElementBase::shared_ptr channel, ConnPolicy const& policy);
     virtual bool removeConnection(internal::ConnID* id);
 
@@ -110,9 +110,9 @@ public:
 
     /** Null for a proxy. */
     const types::TypeOps* sampleOps() const { return ops_; }
-    /** How the plugin that made the port sees the type of its samples; null for a proxy. */
+    /** The definition of the samples' type in the plugin that made the port; null for a proxy. */
     const types::Schema* sampleSchema() const { return schema_; }
-    /** A new storage element for samples of this port's type; null, with an error logged, if the policy is not valid. */
+    /** A new storage element for samples of this port's type; null, with an error logged, if the policy is invalid. */
     virtual ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const;
 
 protected:
@@ -121,14 +121,14 @@ protected:
 
     /** The storage that this port shares between its connections, or with other ports; null if there is none. */
     ChannelElementBase::shared_ptr sharedStorage() const;
-    /** Leaves the component; waits for a callback of this port that another thread executes. */
+    /** Leaves the component; waits for a callback of this port in another thread. */
     void leaveInterface();
-    /** Disconnects, leaves the component and waits until no thread is inside. Every direct derived class calls it in its
-        destructor, while its part still lives. */
+    /** Disconnects, leaves the component and waits until no thread is inside. Every directly derived class calls it in
+        its destructor, while its own part still exists. */
     void closeDown();
     internal::PortEndpoint& endpoint() const { return *endpoint_; }
 
-    /** Read under a Reclaimer::Guard by the data path; null: not connected. */
+    /** The data path reads it within a Reclaimer::Guard; null if not connected. */
     std::atomic<const internal::ChannelArray*> channels_{nullptr};
 
 private:

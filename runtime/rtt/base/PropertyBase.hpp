@@ -28,12 +28,12 @@ public:
     const std::string& getDescription() const { return _description; }
     void setDescription(const std::string& description) { _description = description; }
 
-    /** True if there is a value behind the name. */
+    /** True if the property has a value. */
     virtual bool ready() const;
     virtual DataSourceBase::shared_ptr getDataSource() const = 0;
-    /** Uses the value of `source` from now on; false if it is not assignable or of another type. */
+    /** Uses the value of `source` from now on; false if that is read-only or has another type. */
     virtual bool setDataSource(const DataSourceBase::shared_ptr& source) = 0;
-    /** Name of the value's type. */
+    /** The name of the value's type. */
     virtual std::string getType() const;
     virtual const types::TypeInfo* getTypeInfo() const;
 
@@ -41,9 +41,9 @@ public:
     virtual void identify(PropertyIntrospection* visitor) const;
 
     /**
-     * update: takes over the value, adds what a bag lacks, and the description if this has none.
-     * refresh: takes over the value only. copy: takes over name, description and value.
-     * Values of other types are converted or composed if their types know how; else false and nothing changes.
+     * update: assigns the value, adds items that a bag lacks, and the description if this has none.
+     * refresh: assigns only the value. copy: assigns name, description and value.
+     * Values of other types are converted or composed if their types allow it; otherwise false and nothing changes.
      */
     virtual bool update(const PropertyBase* other);
     virtual bool refresh(const PropertyBase* other);
@@ -60,7 +60,7 @@ public:
     virtual PropertyBase* clone() const = 0;
     /** A new property with a copy of name and description and a default value. The caller owns it. */
     virtual PropertyBase* create() const = 0;
-    /** As create(), with the value of `source`; null if it is of another type. */
+    /** Like create(), with the value of `source`; null if that has another type. */
     virtual PropertyBase* create(const DataSourceBase::shared_ptr& source) const = 0;
 
     DataSourceBase::shared_ptr getMember(const std::string& name) const;

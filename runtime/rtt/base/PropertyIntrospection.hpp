@@ -15,7 +15,7 @@ class Property;
 namespace base {
 class PropertyBase;
 
-/** Visitor of properties: one function for each type that property files know, one for all others. */
+/** Visitor of properties: one function for each type of property files, one for all others. */
 class RTT_API PropertyIntrospection {
 public:
     virtual ~PropertyIntrospection();

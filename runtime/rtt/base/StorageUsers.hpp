@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How many threads write to and read from a buffer or a data object, according to its options.
+// The number of threads that use a buffer or a data object, according to its options.
 #ifndef ORO_STORAGE_USERS_HPP
 #define ORO_STORAGE_USERS_HPP
 
@@ -10,10 +10,10 @@ namespace RTT {
 class ConnPolicy;
 namespace base {
 
-/** How many threads may use a lock-free storage at once: a number, or what follows from who writes and reads it. */
+/** The number of threads that may use a lock-free storage at once: given, or derived from its writers and readers. */
 class RTT_API StorageUsers {
 public:
-    /** The number that was set. Without one (0): 2, plus 10 for several writers, plus 10 for several readers. */
+    /** The given number. If that is 0: 2, plus 10 for several writers, plus 10 for several readers. */
     unsigned int max_threads() const {
         return max_threads_ != 0 ? max_threads_ : 2 + (several_writers_ ? 10 : 0) + (several_readers_ ? 10 : 0);
     }
@@ -22,7 +22,7 @@ public:
 
 protected:
     StorageUsers() = default;
-    /** As for a connection with that policy. */
+    /** The users of a connection with that policy. */
     explicit StorageUsers(const ConnPolicy& policy);
     void setThreads(unsigned int number) { max_threads_ = number; }
     void setSeveralWriters(bool on) { several_writers_ = on; }

@@ -26,7 +26,7 @@ TaskCore::States TaskCore::states() const {
             static_cast<int>(packed >> 32)};
 }
 
-// Changes all of it at once, as `modify` says, which returns false to leave it as it is.
+// Changes all states at once by `modify`, which returns false for no change.
 template <class Modify>
 bool TaskCore::modify(Modify&& modify) {
     for (;;) {
@@ -38,7 +38,7 @@ bool TaskCore::modify(Modify&& modify) {
     }
 }
 
-/** The claim of a thread to change the state. A hook may make a change within the change that called it. */
+/** A thread's claim to change the state. A hook may make a change within the change that called it. */
 class TaskCore::Change {
 public:
     explicit Change(TaskCore& task) : task_(task) {
@@ -56,8 +56,8 @@ public:
     Change& operator=(const Change&) = delete;
     explicit operator bool() const { return granted_; }
 
-    /** Ends the change in the same moment in which the new state begins, because the next change may come out of that, in
-        the component's thread. False if the state is not `from` any more. */
+    /** Enters the new state and ends the change in one operation, because the new state may cause the next change in
+        the component's thread. False if the state is no longer `from`. */
     bool leave(TaskState from, TaskState to) {
         if (!task_.modify([&](States& now) {
                 if (now.state != from) return false;
@@ -100,7 +100,7 @@ TaskCore::~TaskCore() {
 
 const std::string& TaskCore::getName() const { return name_; }
 
-// Sets the target, unless exception() or fatal() has come in between.
+// Sets the target, unless exception() or fatal() came first.
 void TaskCore::aim(TaskState to) {
     modify([to](States& now) {
         if (now.target == Exception || now.target == FatalError) return false;
@@ -109,15 +109,15 @@ void TaskCore::aim(TaskState to) {
     });
 }
 
-// Calls a hook that decides about a change of state. A hook that changes the state itself and yet answers true
-// contradicts itself; that is treated like an exception.
+// Calls a hook that decides about a change of state. A hook that changes the state itself and yet returns true
+// contradicts itself, which is treated like an exception.
 template <class Hook>
 TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hook hook) {
     const TaskState target = states().target;
     try {
         if (!hook()) return Outcome::Refused;
         const States now = states();
-        // error() and recover() do not hinder stop().
+        // error() and recover() do not affect stop().
         const bool same = now.state == during || (during >= Running && now.state >= Running);
         if (same && now.target == target) return Outcome::Accepted;
         log(Error) << getName() << ": the state of the component was changed while the hook of " << function
@@ -135,13 +135,13 @@ TaskCore::Outcome TaskCore::callHook(const char* function, TaskState during, Hoo
 
 namespace {
 
-/** The caller only sees "false". */
+/** Logs the reason, because the caller only sees false. */
 bool tellRefused(const TaskCore& task, Logger::LogLevel level, const char* function, const char* why) {
     log(level) << task.getName() << ": " << function << " returns false: " << why << endlog();
     return false;
 }
 
-/** Why a component in this state does not start; null if it is running already, which callers count on. */
+/** Why a component in this state does not start; null, for no message, if it is running already. */
 const char* whyNotStarted(TaskCore::TaskState state) {
     switch (state) {
         case TaskCore::PreOperational: return "the component is not configured; configure() comes first";
@@ -197,12 +197,12 @@ bool TaskCore::start() {
     })) {
         case Outcome::Accepted:
             ++mStartCounter;
-            // error() may have come at the last moment: then it runs all the same, in RunTimeError.
+            // error() may have come at the last moment; the component then runs in RunTimeError.
             if (!change.leave(Stopped, Running) && states().state < Running) return false;
             if (mTriggerOnStart) trigger();
             return true;
         case Outcome::Refused:
-            // It may have called error().
+            // The hook may have called error().
             if (!change.leave(Stopped, Stopped)) change.leave(RunTimeError, Stopped);
             return tellRefused(*this, Logger::Info, "start()", "startHook() did");
         case Outcome::Threw: break;
@@ -259,7 +259,7 @@ bool TaskCore::recover() {
         now.state = now.target = from == Exception ? mInitialState : Running;
         return true;
     });
-    // What was asked of programs and state machines meanwhile has used up its triggers.
+    // Requests to programs and state machines have used up their triggers meanwhile.
     if (recovered && from == Exception) trigger();
     return recovered;
 }
@@ -274,7 +274,7 @@ void TaskCore::exception() {
         }))
         return;
     try {
-        // A hook that threw is not called again because of that.
+        // A hook that threw is not called again.
         if (from >= Running && !stopped_) {
             const HookInProgress hook(this, "stopHook()");
             stopHook();
@@ -335,7 +335,7 @@ bool TaskCore::setCpuAffinity(unsigned cpu) {
     return visit.activity() && visit.activity()->setCpuAffinity(cpu);
 }
 
-// Asked several times in each step, so by one bit operation.
+// One bit operation, because each step calls it several times.
 TaskCore::TaskState TaskCore::getTaskState() const { return static_cast<TaskState>(states_ & 0xff); }
 TaskCore::TaskState TaskCore::getTargetState() const { return static_cast<TaskState>(states_ >> 8 & 0xff); }
 bool TaskCore::isConfigured() const { return TaskCore::getTaskState() >= Stopped; }

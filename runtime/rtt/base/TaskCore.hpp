@@ -25,11 +25,10 @@ class PortInterface;
  *   any state --fatal()--> FatalError, for good
  *
  * The functions that change the state call the hooks in the thread of the caller; updateHook() and errorHook() run in
- * the component's thread. All may be called from any thread. configure(), start(), stop() and cleanup() are for one thread
- * at a time: while one of them is under way, they return false in other threads. error(), exception() and fatal()
- * may come in between; then the change that was under way returns false. None of the functions is real-time safe unless
- * the hooks are; they block as long as the hooks do, stop() and fatal() also until the step that is being executed
- * is over.
+ * the component's thread. Any thread may call them. While one of configure(), start(), stop() and cleanup() is in
+ * progress, they return false in other threads. error(), exception() and fatal() may come in between; the change in
+ * progress then returns false. The functions are as real-time safe as the hooks; they block as long as the hooks do,
+ * stop() and fatal() also until the current step is over.
  */
 class RTT_API TaskCore {
 public:
@@ -47,23 +46,23 @@ public:
     virtual bool configure();
     /** From Stopped. */
     virtual bool start();
-    /** From Running or RunTimeError. False, and the component goes on, if the activity cannot be stopped. */
+    /** From Running or RunTimeError. False, and the component continues, if the activity cannot be stopped. */
     virtual bool stop();
     /** From Stopped. */
     virtual bool cleanup();
-    /** Starts the activity; the state stays. */
+    /** Starts the activity; does not change the state. */
     virtual bool activate();
-    /** From Exception to the state of construction, from RunTimeError to Running. Calls no hook. False while stop() is under
-        way. */
+    /** From Exception to the initial state, from RunTimeError to Running. Calls no hook. False while stop() is in
+        progress. */
     virtual bool recover();
     /** The name of recover() before 2.0. */
     bool resetException() { return recover(); }
-    /** While running: errorHook() takes the place of updateHook(). */
+    /** While running: errorHook() replaces updateHook(). */
     virtual void error();
 
-    /** Executes one step in this thread, for activities that leave that to others (SlaveActivity). */
+    /** Executes one step in this thread, for activities without a thread of their own (SlaveActivity). */
     virtual bool update();
-    /** Has updateHook() executed soon, if the activity is not periodic. Real-time safe. */
+    /** Requests an execution of updateHook(), if the activity is not periodic. Real-time safe. */
     virtual bool trigger();
 
     virtual bool isConfigured() const;
@@ -73,10 +72,10 @@ public:
     virtual bool inException() const;
     virtual bool inRunTimeError() const;
     virtual TaskState getTaskState() const;
-    /** Where the change of state that is under way leads. */
+    /** The target of the change of state in progress. */
     virtual TaskState getTargetState() const;
 
-    /** Seconds; 0 not periodic, -1 without activity. */
+    /** Seconds; 0 if not periodic, -1 without an activity. */
     virtual Seconds getPeriod() const;
     virtual bool setPeriod(Seconds period);
     virtual unsigned getCpuAffinity() const;
@@ -85,14 +84,14 @@ public:
     ExecutionEngine* engine() const { return ee; }
 
 protected:
-    /** Makes the component ready to run; false: it stays PreOperational. Default: true. */
+    /** Prepares the component; with false it stays PreOperational. Default: true. */
     virtual bool configureHook();
-    /** Last preparations; false: it stays Stopped. Default: true. */
+    /** Last preparations; with false it stays Stopped. Default: true. */
     virtual bool startHook();
     /** One cycle. Default: nothing. */
     virtual void updateHook();
-    /** Asked by stop() when updateHook() or errorHook() itself calls that, and, in an Activity without period, when another
-        thread calls it during a step. Make the hook return, or answer false, and the component goes on. Default: true. */
+    /** Called by stop() when updateHook() or errorHook() itself calls that and, in an Activity without period, when
+        another thread calls it during a step. Make the hook return, or return false to continue. Default: true. */
     virtual bool breakUpdateHook();
     /** One cycle in state RunTimeError. Default: nothing. */
     virtual void errorHook();
@@ -100,11 +99,11 @@ protected:
     virtual void stopHook();
     /** Undoes configureHook(). */
     virtual void cleanupHook();
-    /** Entered state Exception; after stopHook() and cleanupHook() as far as they were due. */
+    /** Called in state Exception, after stopHook() and cleanupHook() if they were due. */
     virtual void exceptionHook();
 
-    /** Leaves the current state: calls stopHook() if it was running, cleanupHook() if it was configured and was constructed
-        PreOperational, then exceptionHook(). The hook that is being called just now is left out. A hook that throws
+    /** Leaves the current state: calls stopHook() if it was running, cleanupHook() if it was configured and was
+        constructed PreOperational, then exceptionHook(). Skips the hook that is being called now. A hook that throws
         here leads to FatalError. */
     virtual void exception();
     /** Stops everything for good. */
@@ -113,13 +112,13 @@ protected:
     /** Called by the engine with a port that has new data. */
     virtual void dataOnPortCallback(PortInterface* port);
 
-    /** How the engine hands over a port with new data; null: all those it had no room for. No virtual function: the
-        component may be under destruction. Set by TaskContext. */
+    /** The engine calls it with a port that has new data, or with null for all ports that did not fit into the queue.
+        Not a virtual function, because the component may be under destruction. Set by TaskContext. */
     typedef void (*PortStep)(TaskCore& task, PortInterface* port);
     PortStep port_step_ = nullptr;
 
-    /** What getTaskState() or getTargetState() tells, for sub-classes that read it as a variable. Who assigns it changes the
-        state and no more: no hook is called. */
+    /** The result of getTaskState() or getTargetState(), for subclasses that read it as a variable. Assigning it
+        changes only the state: no hook is called. */
     class RTT_API StateVariable {
     public:
         StateVariable(TaskCore& task, bool target) : task_(task), target_(target) {}
@@ -137,7 +136,7 @@ protected:
     ExecutionEngine* ee;
     StateVariable mTaskState{*this, false}, mTargetState{*this, true};
     const TaskState mInitialState;
-    /** How often it was started; counted before it is Running. */
+    /** How often it was started; incremented before it is Running. */
     std::atomic<unsigned> mStartCounter{0};
     bool mTriggerOnStart = true;
     unsigned mCycleCounter = 0, mIOCounter = 0, mTimeOutCounter = 0, mTriggerCounter = 0;
@@ -158,7 +157,7 @@ private:
     template <class Hook>
     Outcome callHook(const char* function, TaskState during, Hook hook);
 
-    std::atomic<std::uint64_t> states_;  // packed: a change is one atomic operation
+    std::atomic<std::uint64_t> states_;  // packed, so that a change is one atomic operation
     std::string name_;
     // stopHook() or cleanupHook() is being called by stop() or cleanup().
     std::atomic<bool> stopped_{false}, cleaned_up_{false};

@@ -16,7 +16,7 @@ void LogDrain::start() {
     refillSpareLines();
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
-    // Explicit: it may be made by a real-time thread.
+    // Explicit, because a real-time thread may create this one.
     pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
     pthread_attr_setstacksize(&attributes, 256 * 1024);
     end_ = false;
@@ -47,7 +47,7 @@ void* LogDrain::run(void* self) {
     auto& drain = *static_cast<LogDrain*>(self);
     while (!drain.end_) {
         drain.sleep_.wait();
-        // Acquire: pairs with wake(). What is queued after this sets the flag again.
+        // Acquire: pairs with wake(). A line that is queued later sets the flag again.
         drain.due_.exchange(false, std::memory_order_acq_rel);
         logSink().drain();
         refillSpareLines();
@@ -61,7 +61,7 @@ constexpr int kFatalSignals[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
 void lastLines(int signal, siginfo_t* info, void*) {
     logSink().drainDying();
-    // The default action is back in force. A fault comes again when this returns; what was sent has to be sent again.
+    // The default action is in force again. A fault repeats when this returns; a signal that was sent is raised again.
     if (info->si_code <= 0) raise(signal);
 }
 

@@ -17,14 +17,14 @@ class LogDrain {
 public:
     /** Does nothing if it runs already. If it cannot be created, threads that are not real-time empty the queue. */
     void start();
-    /** Waits for its end. */
+    /** Waits for the end of the thread. */
     void stop();
     /** Around fork(): a child of the process has no such thread. */
     void beforeFork() { mutex_.lock(); }
     void afterFork(bool inChild);
     /** Real-time safe. */
     void wake() noexcept {
-        // Release: whoever takes the flag sees what was queued before. Only the one that sets it makes a system call.
+        // Release: the thread that takes the flag sees earlier lines. Only the one that sets it makes a system call.
         if (!due_.exchange(true, std::memory_order_acq_rel)) sleep_.signal();
     }
 
@@ -39,7 +39,7 @@ private:
     pthread_t thread_{};
 };
 
-/** Lets the fatal signals that nobody handles write what is left of the log before they end the process. */
+/** Has fatal signals without a handler write the rest of the log before they end the process. */
 void writeLogOnFatalSignals();
 
 }  // namespace detail

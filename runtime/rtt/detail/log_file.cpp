@@ -24,7 +24,7 @@ bool isRegular(int file) {
     return fstat(file, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/** For as long as it is open. Whoever empties it has it alone for a moment; those who add to it have it together. */
+/** Until the file is closed. A process that empties it has an exclusive lock for a moment; others share the lock. */
 void lockForAdding(int file) {
     for (int times = 0; times != kTries && flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++times)
         nanosleep(&kPause, nullptr);
@@ -44,13 +44,13 @@ bool writeAll(int descriptor, const char* text, std::size_t size) noexcept {
 }
 
 bool LogFile::open(const char* name, bool append) noexcept {
-    // Programs that this process starts do not get it. Lines of several processes follow each other.
+    // Programs that this process starts do not inherit the file. Lines of several processes do not mix.
     descriptor_ = os::detail::openOwnFile(name, O_WRONLY | O_CREAT | O_APPEND);
     used_ = 0;
     failure_ = 0;
     failureTaken_ = shared_ = false;
     if (!isOpen() || !isRegular(descriptor_)) return isOpen();
-    // Not all file systems have locks: without, nobody knows of others.
+    // On file systems without locks, processes do not know of each other.
     const bool alone = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
     shared_ = !alone && errno == EWOULDBLOCK;
     if (!append && !shared_ && ftruncate(descriptor_, 0) != 0) failure_ = errno;

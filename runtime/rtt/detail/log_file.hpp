@@ -8,15 +8,15 @@
 namespace RTT {
 namespace detail {
 
-/** Writes all of it to a file descriptor; false if it gives up at an error. May be called by a signal handler. */
+/** Writes the whole text to a file descriptor; false on an error. May be called by a signal handler. */
 bool writeAll(int descriptor, const char* text, std::size_t size) noexcept;
 
-/** The log file. Not a FILE: what is not flushed yet must be written by a signal handler, too. */
+/** The log file. Not a FILE, because a signal handler has to flush it, too. */
 class LogFile {
 public:
-    /** Empties the file, unless it is to be continued or another process writes to it, too. False if it cannot be opened. */
+    /** Empties the file, except with `append` or if another process writes to it, too. False if it cannot be opened. */
     bool open(const char* name, bool append) noexcept;
-    /** Another process had it open. */
+    /** True if another process had the file open. */
     bool isShared() const noexcept { return shared_; }
     bool isOpen() const noexcept { return descriptor_ >= 0; }
     void write(const char* text, std::size_t size) noexcept;

@@ -48,7 +48,7 @@ namespace {
 
 bool isControl(char c) noexcept { return (static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7f'; }
 
-/** Terminals obey U+0080 to U+009F as well. */
+/** Terminals also obey U+0080 to U+009F. */
 bool isLongControl(std::string_view text, std::size_t at) noexcept {
     return text[at] == '\xC2' && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) < 0xA0U;
 }

@@ -11,13 +11,13 @@
 namespace RTT {
 namespace detail {
 
-/** What a line is made of. */
+/** The parts of a line. */
 struct LogParts {
     nsecs time;  // since the reference time
     LoggerLevel level;
     std::string_view module, text;
-    std::size_t cut = 0;  // characters of the text that were left out
-    bool bare = false;    // the text alone is the line
+    std::size_t cut = 0;  // number of characters that were cut off
+    bool bare = false;    // the line is the text alone
 };
 
 /** "[ Warning]", always ten characters. */
@@ -26,19 +26,19 @@ const char* levelTag(LoggerLevel level) noexcept;
 /** `<seconds>.<ms> [ LEVEL ][` into `out`; returns its size. Neither allocates nor locks. */
 constexpr std::size_t kLongestStart = 48;
 std::size_t formatStart(char (&out)[kLongestStart], nsecs time, LoggerLevel level) noexcept;
-/** ` ... (12 characters cut)` likewise; nothing if none are. */
+/** ` ... (12 characters cut)` likewise; nothing if `cut` is 0. */
 constexpr std::size_t kLongestMark = 64;
 std::size_t formatMark(char (&out)[kLongestMark], std::size_t cut) noexcept;
 
-/** The first byte from `at` on that must not reach a log as it is: a control character other than the tab; its size if none. */
+/** The position, from `at` on, of a control character to escape, any but the tab; the size of `text` if none. */
 std::size_t findControl(std::string_view text, std::size_t at) noexcept;
-/** What stands for the control character at the beginning of `text`, `\x1b`; `taken` gets its size in bytes. */
+/** Escapes the control character at the beginning of `text`, such as `\x1b`; `taken` gets its size in bytes. */
 constexpr std::size_t kLongestSpelling = 4;
 std::size_t formatControl(char (&out)[kLongestSpelling], std::string_view text, std::size_t& taken) noexcept;
 
 /**
- * Text of users, so that no part of it passes for a line of the log or speaks to the terminal: what follows a line end is
- * indented, or with `indented` false `\x0a` stands for it; other control characters are spelt out. Does not allocate.
+ * Appends text of users so that no part of it looks like a line of the log or controls the terminal. Text after a line
+ * end is indented, or without `indented` the line end becomes `\x0a`; others are escaped. Does not allocate.
  */
 template <class Append>
 void appendHarmless(std::string_view text, bool indented, Append append) {
@@ -75,7 +75,7 @@ void composeLine(const LogParts& parts, Append append) {
     append("\n", std::size_t(1));
 }
 
-/** Compiler that built the runtime, "GCC 12.2". */
+/** The compiler that built the runtime, such as "GCC 12.2". */
 std::string compilerName();
 
 }  // namespace detail

@@ -17,8 +17,8 @@ namespace RTT::detail {
 namespace {
 
 /**
- * Not a thread_local object: those of the main thread are destroyed before static objects are, whose destructors
- * log as well. The key's function runs when a thread ends, not for the main thread.
+ * Not a thread_local object: those of the main thread are destroyed before static objects, whose destructors log as
+ * well. The key's function runs when a thread ends, except the main thread.
  */
 thread_local LogLine* currentLine __attribute__((tls_model("initial-exec"))) = nullptr;
 
@@ -27,7 +27,7 @@ std::atomic<LogLine*> spareLines[kSpareLines];
 void endOfThread(void* line) {
     currentLine = nullptr;
     LogLine* const last = static_cast<LogLine*>(line);
-    last->finish(true);  // what it did not end itself
+    last->finish(true);  // a line that the thread did not end
     delete last;
 }
 
@@ -93,7 +93,7 @@ std::streamsize LineBuffer::xsputn(const char* text, std::streamsize size) {
 }
 
 LogLine::LogLine() {
-    // Streams look some things up when they are used first, and may allocate for that.
+    // The first use of a stream looks things up and may allocate.
     stream << 1 << 0.5;
     buffer.clear();
 }
@@ -105,7 +105,7 @@ void LogLine::setModule(const char* name, std::size_t size) noexcept {
 }
 
 void LogLine::finish(bool flush) {
-    // Nobody sees it, nothing was composed: the common case of debug messages, which must cost next to nothing.
+    // Not visible and nothing composed: the common case of debug messages, which must cost next to nothing.
     if (!opened && !logMayReach(level)) return;
     const bool composed = !buffer.text().empty();
     const bool kept = composed && level == Error && internal::KeptErrors::keep(buffer.text());
@@ -115,7 +115,7 @@ void LogLine::finish(bool flush) {
         logSink().flush();
     buffer.clear();
     opened = false;
-    // A manipulator must not reach into the next line.
+    // A manipulator must not affect the next line.
     stream.flags(std::ios_base::skipws | std::ios_base::dec);
     stream.precision(6);
     stream.width(0);

@@ -12,12 +12,12 @@
 namespace RTT {
 namespace detail {
 
-/** Collects the text of a line; keeps its memory from line to line. In a real-time thread it does not grow but cuts. */
+/** Collects the text of a line; keeps its memory for the next. In a real-time thread it cuts instead of growing. */
 class LineBuffer : public std::streambuf {
 public:
     LineBuffer();
     const std::string& text() const { return text_; }
-    /** Characters that were left out. */
+    /** The number of characters that were cut off. */
     std::size_t cut() const { return cut_; }
     void append(const char* text, std::size_t size);
     void clear() {
@@ -49,8 +49,8 @@ struct LogLine {
 };
 
 /**
- * The line of the calling thread; made with its first use, gone with the thread. A real-time thread takes one of those
- * that refillSpareLines() has set aside, and allocates only if more than kSpareLines threads do that at once.
+ * The line of the calling thread, made by its first use and destroyed with the thread. A real-time thread takes a line
+ * that refillSpareLines() made, and allocates only if more than kSpareLines threads do so at once.
  */
 LogLine& logLine();
 constexpr unsigned kSpareLines = 8;

@@ -23,7 +23,7 @@ bool LogQueue::put(const LogRecord& record, const char* module, const char* text
     const std::uint32_t count = cellsOf(record);
     std::uint32_t position = tail_.load(std::memory_order_relaxed);
     for (;;) {
-        // Cells become free in their order: if the last one is, all are. Acquire: pairs with the release in take(); the
+        // Cells become free in order: if the last one is free, all are. Acquire: pairs with the release in take(); the
         // cells were read before they are overwritten.
         const std::uint32_t last = position + count - 1;
         const auto lead = static_cast<std::int32_t>(at(last).sequence.load(std::memory_order_acquire) - last);
@@ -47,7 +47,7 @@ bool LogQueue::put(const LogRecord& record, const char* module, const char* text
                     inModule ? module + done : text + (done - record.moduleSize), part);
         done += part;
     }
-    // Release: whoever sees this number sees the line, in all its cells.
+    // Release: a thread that sees this number sees the line, in all its cells.
     first.sequence.store(position + 1, std::memory_order_release);
     return true;
 }

@@ -16,37 +16,37 @@ namespace detail {
 /** A line on its way through the queue. */
 struct LogRecord {
     std::int64_t time;  // ns since the reference time
-    std::uint32_t cut;  // characters of the text that were left out
+    std::uint32_t cut;  // number of characters that were cut off
     std::uint16_t moduleSize, textSize;
     std::uint8_t level;
     bool bare;  // as in LogParts
 };
 
 /**
- * Bounded first-in-first-out queue for the lines of real-time threads. Any thread puts, without waiting for anybody; one
- * at a time takes (the sink's mutex sees to that). A line takes as many neighbouring cells as it needs.
+ * Bounded first-in-first-out queue for the lines of real-time threads. Any thread puts without waiting; one at a time
+ * takes (ensured by the sink's mutex). A line takes as many neighbouring cells as it needs.
  *
  * Each cell carries a sequence number that tells whose turn it is; the numbers wrap around:
  *   sequence == position          free for the producer that wins position
  *   sequence == position + 1      first cell of a line that is complete; the others of the line keep their number
  *   sequence == position + kCells free again, one round later
  *
- * A producer that is stopped between winning its cells and completing them hides what was put after it until it goes on.
+ * A producer that is stopped between winning its cells and completing them hides later lines until it continues.
  */
 class RTT_API LogQueue {
 public:
     static constexpr std::uint32_t kCells = 512;
-    static constexpr std::uint32_t kRoom = 224;           // bytes of text in a cell, which is 256 bytes then
+    static constexpr std::uint32_t kRoom = 224;           // bytes of text in a cell, which has 256 bytes
     static constexpr std::uint32_t kLongest = 8 * kRoom;  // bytes of module and text together
 
     LogQueue();
-    /** Forgets everything. Nobody else may use it meanwhile. */
+    /** Drops all lines. No other thread may use the queue meanwhile. */
     void clear() noexcept;
-    /** False, and counted, if there is no room. Real-time safe. */
+    /** False if there is no room, which is counted. Real-time safe. */
     bool put(const LogRecord& record, const char* module, const char* text) noexcept;
-    /** False if there is nothing complete. `bytes` has room for kLongest; the text follows the module there. */
+    /** False if there is no complete line. `bytes` has room for kLongest and gets the module, then the text. */
     bool take(LogRecord& record, char* bytes) noexcept;
-    /** How many lines found no room since it was asked last. */
+    /** The number of lines that found no room since the last call. */
     std::uint32_t takeLost() noexcept { return lost_.exchange(0, std::memory_order_relaxed); }
 
 private:

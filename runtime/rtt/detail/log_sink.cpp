@@ -25,7 +25,7 @@ constexpr std::size_t kRecentLines = 1000;
 LogSink& logSink() {
     static LogSink& sink = *[] {
         auto* const made = new LogSink;
-        // A thread that holds the mutexes during a fork() would never give back those of the child.
+        // If another thread held the mutexes during a fork(), those of the child would never be unlocked.
         pthread_atfork([] { logSink().beforeFork(); }, [] { logSink().afterFork(false); },
                        [] { logSink().afterFork(true); });
         return made;
@@ -63,7 +63,7 @@ void LogSink::finish() {
     drainer_.stop();
     finished_ = true;
     {
-        // The stream that was given may be gone by now.
+        // The stream given to setConsole() may be gone by now.
         std::lock_guard<std::mutex> lock(mutex_);
         console_ = nullptr;
     }
@@ -76,7 +76,7 @@ void LogSink::beforeFork() {
 }
 
 void LogSink::afterFork(bool inChild) {
-    if (inChild) queue_.clear();  // the parent writes it
+    if (inChild) queue_.clear();  // the parent writes its lines
     mutex_.unlock();
     drainer_.afterFork(inChild);
 }
@@ -96,7 +96,7 @@ void LogSink::readEnvironment() {
     }
     levelGiven_ = true;
     disabled_ = number < 0;
-    // RealTime cannot be asked for here: more than Debug means Debug.
+    // The variable cannot select RealTime: more than Debug means Debug.
     if (!disabled_) level_ = static_cast<LoggerLevel>(std::min<long>(number, Debug));
 }
 
@@ -104,7 +104,7 @@ void LogSink::openFile() {
     const char* const name = std::getenv("ORO_LOGFILE");
     const bool given = name && *name;
     const char* const opened = given ? name : "orocos.log";
-    // Logging that starts again must not delete what was logged before.
+    // Logging that starts again must not delete earlier lines.
     fileProblem_.clear();
     if (!file_.open(opened, fileUsed_))
         fileProblem_ = std::string("no log file: '") + opened + "' cannot be written: " + os::detail::openError(errno) +
@@ -142,7 +142,7 @@ void LogSink::updateLimits() {
 
 void LogSink::setLevel(LoggerLevel level) {
     std::lock_guard<std::mutex> lock(mutex_);
-    drainLocked();  // what was logged before had the settings of then; so with the other settings
+    drainLocked();  // earlier lines use the earlier settings; likewise below
     level_ = level;
     updateLimits();
 }
@@ -230,7 +230,7 @@ LogParts partsOf(const LogRecord& record, const char* bytes) {
             record.bare};
 }
 
-/** Text of the line that tells of others; into a buffer, for signal handlers. */
+/** The text about lost lines; uses a buffer, for signal handlers. */
 std::string_view lostText(char (&out)[96], std::uint32_t lost) noexcept {
     char* const at = std::to_chars(out, out + 16, lost).ptr;
     constexpr std::string_view rest = " line(s) of real-time threads lost: the queue of the log was full";
@@ -242,7 +242,7 @@ std::string_view lostText(char (&out)[96], std::uint32_t lost) noexcept {
 void LogSink::drainLocked() {
     LogRecord record;
     char bytes[LogQueue::kLongest];
-    // Bounded: threads that log without end must not keep the one that is here.
+    // Bounded, so that threads that log endlessly do not keep this thread here.
     for (std::uint32_t i = 0; i != LogQueue::kCells && queue_.take(record, bytes); ++i)
         writeLocked(partsOf(record, bytes));
     if (const std::uint32_t lost = queue_.takeLost()) {
@@ -252,7 +252,7 @@ void LogSink::drainLocked() {
 }
 
 void LogSink::drainDying() noexcept {
-    // The thread that dies may hold the mutex itself: then the lines are lost.
+    // If the dying thread holds the mutex itself, the lines are lost.
     for (int attempt = 0; !mutex_.try_lock(); ++attempt) {
         if (attempt == 100) return;
         const timespec ms{0, 1000000};

@@ -32,19 +32,20 @@ public:
     void startup();
     void shutdown();
 
-    /** Real-time safe in a real-time thread. `cut`: characters of the text that were left out. */
+    /** Real-time safe in a real-time thread. `cut` is the number of characters that were cut off. */
     void write(LoggerLevel level, std::string_view module, std::string_view text, bool flush, std::size_t cut = 0);
-    /** A line of that text alone, and flushes. Likewise. */
+    /** The same for a line that is the text alone; flushes. */
     void writeBare(LoggerLevel level, std::string_view text);
-    /** Puts a line into the queue and wakes who empties it. Real-time safe. */
+    /** Puts a line into the queue and wakes the LogDrain. Real-time safe. */
     void enqueue(LoggerLevel level, std::string_view module, std::string_view text, std::size_t cut = 0) noexcept;
-    /** Nothing in a real-time thread: what was queued before is flushed when it is written. */
+    /** Does nothing in a real-time thread: queued lines are flushed when they are written. */
     void flush();
-    /** Writes what is in the queue. */
+    /** Writes the lines in the queue. */
     void drain();
-    /** The thread that empties the queue; exists from __os_init(), or the first real-time os::Thread, to shutdown(). */
+    /** Starts the LogDrain, which runs from __os_init(), or the first real-time os::Thread, to shutdown(). */
     void startDrain();
-    /** The process ends: writes the queue; from now on every thread writes for itself, and the console is std::cerr. */
+    /** At the end of the process: writes the queue; from now on each thread writes itself, and to std::cerr as
+        console. */
     void finish();
     void beforeFork();
     void afterFork(bool inChild);
@@ -73,7 +74,7 @@ private:
     void announceStart();
     void updateLimits();
     void note(LoggerLevel level, const std::string& text);
-    // These two set the time.
+    // These two set the time of the line.
     void enqueue(const LogParts& parts) noexcept;
     void writeNow(LogParts parts, bool flush);
     void writeLocked(const LogParts& parts);
@@ -82,7 +83,7 @@ private:
     nsecs now() const noexcept { return os::TimeService::Instance()->getTicks(referenceTime()); }
 
     static constexpr int kNothing = -1;
-    // What the settings below come down to; the most detailed level that goes to each place. Read without the mutex.
+    // The result of the settings below: the most detailed level for each destination. Read without the mutex.
     std::atomic<int> consoleLimit_{kNothing};
     std::atomic<int> fileLimit_{kNothing};
     std::atomic<LoggerLevel> level_{Warning};
@@ -107,10 +108,10 @@ private:
     bool levelGiven_ = false;
 };
 
-/** The only one; never destroyed, since static objects log when the process ends. */
+/** The only sink. Never destroyed, because static objects log when the process ends. */
 LogSink& logSink();
 
-/** The most detailed level that goes anywhere. Not a member: a message that nobody sees asks for nothing else. */
+/** The most detailed level of any destination. Not a member: a message that is not visible reads nothing else. */
 extern std::atomic<int> logLimit;
 inline bool logMayReach(LoggerLevel level) noexcept { return level <= logLimit.load(std::memory_order_relaxed); }
 

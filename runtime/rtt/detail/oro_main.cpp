@@ -9,12 +9,12 @@
 #include <exception>
 #include <string>
 
-/** @file What the macro ORO_main calls. Here and not in os/, because it logs. */
+/** @file The function behind the macro ORO_main. It is not in os/, because it logs. */
 namespace {
 
 bool startsWith(const char* text, const char* start) { return std::strncmp(text, start, std::strlen(start)) == 0; }
 
-/** Looks for --nocatch; removes it only where the positions of other arguments do not change. */
+/** Looks for --nocatch; removes it only if no other argument changes its position. */
 bool takeNoCatch(int& argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         if (startsWith(argv[i], "--nocatch") || startsWith(argv[i], "--no-catch")) {
