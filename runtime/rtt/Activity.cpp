@@ -7,14 +7,14 @@
 namespace RTT {
 
 namespace {
-// More reasons to wake the thread, beside those of os::Thread.
+// Reasons to wake the thread, in addition to those of os::Thread.
 constexpr std::uint32_t kTrigger = 8u;
 constexpr std::uint32_t kTimeout = 16u;
 constexpr std::uint32_t kNewPeriod = 32u;
 
 nsecs periodInNs(Seconds period) {
     if (!(period > 0)) return 0;
-    // Shorter than the clock can tell, but periodic; longer than a life, but now plus one period is a time.
+    // At least 1 ns, so that it stays periodic, and at most a value that can be added to the current time.
     return std::clamp<nsecs>(Seconds_to_nsecs(period), 1, InfiniteNSecs / 2);
 }
 }  // namespace
@@ -30,7 +30,7 @@ Activity::Activity(int scheduler, int priority, base::RunnableInterface* r, cons
 Activity::Activity(int scheduler, int priority, Seconds period, base::RunnableInterface* r, const std::string& name)
     : Activity(scheduler, priority, period, 0, r, name) {}
 
-// The thread itself has no period: session() waits for both, the end of a period and a wake-up.
+// The os::Thread itself has no period: session() waits for the end of a period and for a wake-up.
 Activity::Activity(int scheduler, int priority, Seconds period, unsigned cpuAffinity, base::RunnableInterface* r,
                    const std::string& name)
     : os::Thread(scheduler, priority, cpuAffinity, name, period), updatePeriod_(periodInNs(period)) {
@@ -54,7 +54,7 @@ bool Activity::run(base::RunnableInterface* r) { return base::ActivityInterface:
 bool Activity::start() {
     if (isActive() && !isPeriodic()) return trigger();
     if (!os::Thread::start()) return false;
-    if (isSelf())  // stopped and started within its session, which goes on and would not notice
+    if (isSelf())  // stopped and started within its session, which continues and would not notice
         wake(kTrigger);
     return true;
 }
@@ -91,10 +91,10 @@ bool Activity::timeout() {
 }
 
 void Activity::session() {
-    // The session may begin before start() has posted its reason: so it counts as a trigger here, and not there.
+    // The session may begin before start() has posted its reason, so the start counts as a trigger here, and not there.
     constexpr std::uint32_t kOwnReasons = kTrigger | kTimeout | kNewPeriod;
     std::uint32_t reasons = takeEarlyReasons() | kTrigger | kNewPeriod;
-    reasons |= waitForWake(0) & kOwnReasons;  // without waiting: nothing of the previous session is left then
+    reasons |= waitForWake(0) & kOwnReasons;  // does not wait; takes what the previous session left
     nsecs period = 0;
     nsecs wakeUp = InfiniteNSecs;
     bool starting = true;
@@ -116,7 +116,7 @@ void Activity::session() {
         starting = false;
         if (!mayRun()) return;
         reasons = waitForWake(wakeUp);
-        // A stop() that has failed after all: the loop() that it has broken begins again.
+        // A stop() broke the loop() and then failed: begin the loop() again.
         if ((reasons & kStopReason) && period == 0) reasons |= kTrigger;
         reasons &= kOwnReasons;
     }
@@ -129,7 +129,7 @@ void Activity::executeTriggered(std::uint32_t reasons) {
         step();
         work(base::RunnableInterface::TimeOut);
     }
-    // Not "else": a runner with a loop() of its own would miss the trigger.
+    // Not "else", or a runner with its own loop() would miss the trigger.
     if (reasons & kTrigger) {
         UserCode mark(*this);
         if (!mayRun()) return;
@@ -156,7 +156,7 @@ void Activity::step() {
 }
 
 void Activity::loop() {
-    // A sub-class without a runner may have no more than a step().
+    // A subclass without a runner may have only a step().
     runner ? runner->loop() : step();
 }
 

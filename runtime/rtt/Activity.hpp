@@ -25,7 +25,7 @@ namespace RTT {
  */
 class RTT_API Activity : public base::ActivityInterface, public os::Thread {
 public:
-    /** What a new activity may be told, by name. */
+    /** The parameters of a new activity, by name. */
     struct Options {
         std::string name = "Activity";
         int scheduler = ORO_SCHED_OTHER;
@@ -33,7 +33,7 @@ public:
         Seconds period = 0.0;     /**< 0: not periodic */
         unsigned cpuAffinity = 0; /**< bit n allows CPU n, 0 allows all */
         int waitPolicy = ORO_WAIT_ABS;
-        int maxOverrun = -1;       /**< −1: never stopped because of overruns */
+        int maxOverrun = -1;       /**< −1: overruns never stop it */
         Seconds stopTimeout = 0.0; /**< 0: the default, see getStopTimeout() */
     };
     explicit Activity(const Options& options, base::RunnableInterface* r = nullptr);
@@ -54,8 +54,8 @@ public:
     ~Activity() override;
 
     bool run(base::RunnableInterface* r) override;
-    /** Calls initialize() in the caller. See os::Thread::start(). A runner that another activity has is taken from that one,
-        which is stopped; false if it does not stop. */
+    /** Calls initialize() in the caller. See os::Thread::start(). Takes the runner from another activity that has it,
+        and stops that one; false if it does not stop. */
     bool start() override;
     /** Calls finalize() in the caller once the thread is idle. See os::Thread::stop(). */
     bool stop() override;
@@ -68,18 +68,18 @@ public:
     bool setPeriod(Seconds period) override;
     unsigned getCpuAffinity() const override;
     bool setCpuAffinity(unsigned cpuAffinity) override;
-    /** Always false: only the own thread executes. */
+    /** Always false: only its own thread executes. */
     bool execute() override;
     /** False if not active. */
     bool trigger() override;
-    /** False if periodic. Called while not active, it is executed after the next start(). */
+    /** False if periodic. If not active, it takes effect after the next start(). */
     bool timeout() override;
     os::ThreadInterface* thread() override;
     bool isSelf() const override;
 
 protected:
-    // These call the runner if there is one; a sub-class may override them and have no runner. One that has a runner and
-    // overrides initialize() calls this one in it.
+    // These call the runner if there is one; a subclass without a runner may override them. A subclass with a runner
+    // calls this initialize() in its own.
     bool initialize() override;
     void step() override;
     void loop() override;

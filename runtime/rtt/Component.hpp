@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 /**
- * Macros that make component classes known to the component loader. The class is written with its namespace and is
- * constructed from a std::string, its name.
+ * Macros that register component classes with the component loader. Write the class with its namespace; its constructor
+ * takes a std::string, the name of the component.
  *
  *     ORO_CREATE_COMPONENT(NS::Class)        // a library with one component type
  *
@@ -10,8 +10,8 @@
  *     ORO_LIST_COMPONENT_TYPE(NS::Class)     // and this per type, in any source file
  *
  * With RTT_COMPONENT defined (orocos_component() does so) the library can be loaded at run time. Without it, or with
- * RTT_STATIC, the types are registered in the program that links the code. A linker takes from a static library only what
- * somebody asks for, and nobody asks for these: link it as a whole (orocos_component(name STATIC …) sees to that).
+ * RTT_STATIC, the types are registered in the program that links the code. A linker takes from a static library only
+ * what is referred to, and nothing refers to these: link it as a whole, as orocos_component(name STATIC …) does.
  */
 #ifndef ORO_COMPONENT_HPP
 #define ORO_COMPONENT_HPP
@@ -37,18 +37,18 @@ typedef TaskContext* (*ComponentLoaderSignature)(std::string instance_name);
 typedef std::map<std::string, ComponentLoaderSignature> FactoryMap;
 
 /**
- * The component types linked into the program itself, or into a library that was not made for the component loader.
- * Static objects fill it, before main() or while a library is opened.
+ * The component types of the program itself, or of a library that was not built for the component loader. Static
+ * objects register them, before main() or while a library is opened.
  */
 class RTT_API ComponentFactories {
 public:
-    /** The types by name. Other threads may open libraries: use add(), remove() and all() when they do. */
+    /** The types by name. While other threads may open libraries, use add(), remove() and all(). */
     static FactoryMap& Instance();
-    /** Adds a type, or replaces the one of that name. Thread-safe. */
+    /** Adds or replaces a type. Thread-safe. */
     static void add(const std::string& type_name, ComponentLoaderSignature create);
-    /** Removes a type if that is how it is created. Thread-safe. */
+    /** Removes a type if `create` creates it. Thread-safe. */
     static void remove(const std::string& type_name, ComponentLoaderSignature create);
-    /** The types at this moment. Thread-safe. */
+    /** A snapshot of the types. Thread-safe. */
     static FactoryMap all();
 
     /** Adds to the types of one library. */
@@ -57,7 +57,7 @@ public:
 
 namespace plugin {
 
-/** The types of the library this is compiled into: hidden, so each library has its own. */
+/** The types of the library that contains this function; hidden, so that each library has its own. */
 RTT_HIDE inline FactoryMap& libraryFactories() {
     static FactoryMap types;
     return types;
@@ -103,7 +103,7 @@ private:
 
 #ifdef ORO_COMPONENT_LIBRARY_
 
-/** Makes the library one that holds exactly this component type. Use once per library. */
+/** Makes the library one with exactly this component type. Use it once per library. */
 #define ORO_CREATE_COMPONENT(...)                                                                                      \
     ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                                        \
     RTT_EXPORT RTT::TaskContext* createComponent(std::string instance_name);                                           \
@@ -112,7 +112,7 @@ private:
     RTT_EXPORT std::string getComponentType() { return #__VA_ARGS__; }                                                 \
     ORO_PLUGIN_C_LINKAGE_END_
 
-/** Makes the library one that holds the types listed with ORO_LIST_COMPONENT_TYPE. Use once per library. */
+/** Makes the library one with the types listed by ORO_LIST_COMPONENT_TYPE. Use it once per library. */
 #define ORO_CREATE_COMPONENT_LIBRARY()                                                                   \
     ORO_PLUGIN_C_LINKAGE_BEGIN_                                                                          \
     RTT_EXPORT RTT::TaskContext* createComponentType(std::string instance_name, std::string type_name);  \

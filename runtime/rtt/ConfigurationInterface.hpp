@@ -16,7 +16,7 @@ namespace RTT {
 
 /**
  * The attributes, constants and properties of a service. They refer to variables of the component, which must outlive
- * them, and follow their changes. Not thread safe; adding and removing is not real-time safe.
+ * them. Not thread safe; adding and removing are not real-time safe.
  */
 class RTT_API ConfigurationInterface {
 public:
@@ -28,7 +28,7 @@ public:
     ConfigurationInterface(const ConfigurationInterface&) = delete;
     ConfigurationInterface& operator=(const ConfigurationInterface&) = delete;
 
-    /** Names a variable; gives the new attribute, which belongs to this. Without a name nobody finds it. */
+    /** Names a variable; returns the new attribute, which this owns. Without a name it cannot be found. */
     template <class T>
     Attribute<T>& addAttribute(const std::string& name, T& variable) {
         auto* made = new Attribute<T>(name, new internal::ReferenceDataSource<T>(variable));
@@ -44,14 +44,14 @@ public:
     /** Shares the value of `attribute`; false if it has none. */
     bool addAttribute(base::AttributeBase& attribute);
 
-    /** Names a variable that cannot be changed through this name; gives the new constant, which belongs to this. */
+    /** Names a variable that cannot be changed through this name; returns the new constant, which this owns. */
     template <class T>
     Constant<T>& addConstant(const std::string& name, const T& variable) {
         auto* made = new Constant<T>(name, new internal::ConstReferenceDataSource<T>(variable));
         ownValue(made);
         return *made;
     }
-    /** Of a value that is no variable it keeps a copy. */
+    /** The same for a value that is not a variable, of which it keeps a copy. */
     template <class T, std::enable_if_t<!std::is_lvalue_reference<T>::value, int> = 0>
     Constant<std::remove_const_t<T>>& addConstant(const std::string& name, T&& value) {
         typedef std::remove_const_t<T> Value;
@@ -83,7 +83,7 @@ public:
     /** Refers to `property`; false if it is not ready or the name is taken. */
     bool addProperty(base::PropertyBase& property);
 
-    /** Takes ownership; false, and deletes it, if it has no name or no value. */
+    /** Takes ownership; deletes it and returns false if it has no name or no value. */
     bool setValue(base::AttributeBase* attribute);
     bool hasAttribute(const std::string& name) const { return getValue(name) != nullptr; }
     /** The first of that name, or null. */
@@ -113,7 +113,7 @@ private:
     void ownValue(base::AttributeBase* value);
 
     AttributeObjects values_;
-    AttributeObjects nameless_;  // whoever added one may hold it
+    AttributeObjects nameless_;  // the code that added one may refer to it
     PropertyBag bag_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace RTT {
 
-// Needed wherever their address is taken, e.g. by std::min or a reference parameter.
+// Needed where their address is taken, for example by std::min or a reference parameter.
 const int ConnPolicy::UNBUFFERED;
 const int ConnPolicy::DATA;
 const int ConnPolicy::BUFFER;

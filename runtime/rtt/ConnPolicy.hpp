@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How two ports are joined: what lies between them, who may touch it, and over which transport.
+// How two ports are connected: the storage between them, the threads that may use it, and the transport.
 #ifndef ORO_CONN_POLICY_HPP
 #define ORO_CONN_POLICY_HPP
 
@@ -11,10 +11,10 @@
 
 namespace RTT {
 
-/** Who owns the storage of a connection. */
+/** The owner of the storage of a connection. */
 enum BufferPolicy {
     UnspecifiedBufferPolicy = 0,  ///< the default: PerConnection
-    PerConnection = 1,            ///< each connection its own
+    PerConnection = 1,            ///< one for each connection
     PerInputPort = 2,             ///< one at the reader, filled by all its writers
     PerOutputPort = 3,            ///< one at the writer, emptied by all its readers: each sample is read once
     Shared = 4                    ///< one with a name, any number of writers and readers
@@ -24,10 +24,10 @@ RTT_API std::ostream& operator<<(std::ostream& os, BufferPolicy policy);
 /** Reads an enumerator's name; any other word gives UnspecifiedBufferPolicy. */
 RTT_API std::istream& operator>>(std::istream& is, BufferPolicy& policy);
 
-/** Plain description of a connection or stream; copying it is not real-time safe (strings). */
+/** Describes a connection or stream. Copying it is not real-time safe (strings). */
 class RTT_API ConnPolicy {
 public:
-    static const int UNBUFFERED = -1;  ///< only for output streams of transports that can do without storage
+    static const int UNBUFFERED = -1;  ///< only for output streams of transports that need no storage
     static const int DATA = 0;
     static const int BUFFER = 1;
     static const int CIRCULAR_BUFFER = 2;
@@ -39,7 +39,7 @@ public:
     static const bool PUSH = false;
     static const bool PULL = true;
 
-    /** The process-wide template of default-constructed policies. Change it before threads use it. */
+    /** The process-wide template for default-constructed policies. Change it before threads use it. */
     static ConnPolicy& Default();
 
     static ConnPolicy buffer(int size, int lock_policy = LOCK_FREE, bool init_connection = false, bool pull = PUSH);
@@ -55,7 +55,7 @@ public:
     ConnPolicy(int type, int lock_policy);
 
     int type;                     ///< DATA, BUFFER, CIRCULAR_BUFFER or UNBUFFERED
-    int size;                     ///< samples a buffer holds; with 0 every write to it fails
+    int size;                     ///< capacity of a buffer in samples; with 0 every write fails
     int lock_policy;              ///< UNSYNC, LOCKED or LOCK_FREE
     bool init;                    ///< on connect, write the last written value into the connection
     bool pull;                    ///< PULL: storage at the writer's side; same behaviour inside one process
@@ -71,11 +71,11 @@ private:
     explicit ConnPolicy(Builtin);
 };
 
-/** E.g. `PUSH PerConnection LOCK_FREE BUFFER[10] (name_id=/chat)`. */
+/** For example `PUSH PerConnection LOCK_FREE BUFFER[10] (name_id=/chat)`. */
 RTT_API std::ostream& operator<<(std::ostream& os, const ConnPolicy& policy);
 
 namespace internal {
-/** What ConnPolicy() gives, until this thread calls it again: so that not every place that makes a port makes a policy. */
+/** A ConnPolicy(), valid until this thread calls this again, so that code that makes ports need not make policies. */
 RTT_API const ConnPolicy& policyOfPorts();
 }  // namespace internal
 

@@ -16,7 +16,7 @@ using base::PortInterface;
 DataFlowInterface::DataFlowInterface(Service* parent) : service_(parent) {}
 
 DataFlowInterface::~DataFlowInterface() {
-    service_ = nullptr;  // our derived part is gone already; whoever owns callbacks calls clear() before
+    service_ = nullptr;  // the derived part is gone; an owner of callbacks has called clear() before
     clear();
 }
 
@@ -103,7 +103,7 @@ void DataFlowInterface::forgetPort(PortInterface& port) {
     removeObject(port);
 }
 
-// By identity: the port may have got another name since, and others may have a service of its name.
+// By identity: the port may have another name by now, and another service may have its name.
 void DataFlowInterface::removeObject(PortInterface& port) {
     const auto found = objects_.find(&port);
     if (found == objects_.end()) return;
@@ -125,22 +125,22 @@ void DataFlowInterface::silencePorts() {
     const auto isOurs = [this](PortInterface* port) {
         return std::find(ports_.begin(), ports_.end(), port) != ports_.end();
     };
-    // Taking one out may execute messages, which may remove others.
+    // takeOut() may execute messages, which may remove other ports.
     for (PortInterface* port : getPorts()) {
         if (isOurs(port)) takeOut(*port);
         if (isOurs(port)) port->setInterface(this);
     }
 }
 
-/** The port no longer knows us, and nobody is telling us of its samples any more. */
+/** Afterwards the port does not refer to this, and no thread signals its samples to this. */
 void DataFlowInterface::takeOut(PortInterface& port) {
     port.setInterface(nullptr);
     InputPortInterface* input = port.asInput();
     if (!input) return;
     input->signalInterface(false);
     TaskContext* const owner = getOwner();
-    // Whoever is telling the component may be waiting for a message to this thread. Within the component's own step none
-    // are executed: it may be under destruction.
+    // A thread that signals the component may be waiting for a message to this thread. Within the component's own step
+    // no messages are executed, because it may be under destruction.
     input->finishSignals(owner && !owner->engine()->isStepping());
     if (owner) owner->dataOnPortRemoved(input);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// A service's, and so a component's, ports.
+// The ports of a service, and so of a component.
 #ifndef ORO_DATA_FLOW_INTERFACE_HPP
 #define ORO_DATA_FLOW_INTERFACE_HPP
 
@@ -19,8 +19,8 @@ namespace RTT {
 class Service;
 class TaskContext;
 
-/** Ports are referred to, not owned. Nothing here is real-time safe. Adding and removing are for one thread at a time;
-    data may flow through the ports meanwhile. */
+/** Refers to ports, does not own them. Only one thread at a time may add and remove ports; data may flow through them
+    meanwhile. Only dataOnPort() is real-time safe. */
 class RTT_API DataFlowInterface {
 public:
     typedef std::vector<base::PortInterface*> Ports;
@@ -32,16 +32,16 @@ public:
     DataFlowInterface(const DataFlowInterface&) = delete;
     DataFlowInterface& operator=(const DataFlowInterface&) = delete;
 
-    /** The component; null if the service is in none. */
+    /** The component; null if the service belongs to none. */
     TaskContext* getOwner() const;
     Service* getService() const { return service_; }
 
-    /** Adds a port and a service of the same name with its operations. A port, or service, that has the name already is
-        replaced, with a warning. With a name, the port is renamed (unless it is connected). */
+    /** Adds a port and a service of the same name with its operations. Replaces a port or service of that name, with a
+        warning. With `name`, renames the port (unless it is connected). */
     base::PortInterface& addPort(const std::string& name, base::PortInterface& port);
     base::PortInterface& addPort(base::PortInterface& port);
-    /** The same for a port whose new samples wake the component. They call `callback` in the component's thread, or
-        without one trigger the component. */
+    /** The same for a port whose new samples wake the component. They call `callback` in the component's thread or,
+        without one, trigger the component. */
     base::InputPortInterface& addEventPort(const std::string& name, base::InputPortInterface& port,
                                            const SlotFunction& callback = SlotFunction());
     base::InputPortInterface& addEventPort(base::InputPortInterface& port,
@@ -51,10 +51,10 @@ public:
     base::InputPortInterface& addLocalEventPort(base::InputPortInterface& port,
                                                 const SlotFunction& callback = SlotFunction());
 
-    /** Disconnects the port and removes its service, if it got one, and its callback. Ignores unknown names. */
+    /** Disconnects the port and removes its callback and its service, if it has them. Ignores unknown names. */
     void removePort(const std::string& name);
     void removeLocalPort(const std::string& name);
-    /** Takes the port out without disconnecting it; for its destructor. */
+    /** Removes the port without disconnecting it; for its destructor. */
     void forgetPort(base::PortInterface& port);
     /** Removes all ports and their services, without disconnecting them. */
     void clear();
@@ -71,11 +71,11 @@ public:
     std::string getPortDescription(const std::string& name) const;
     bool setPortDescription(const std::string& name, const std::string& description);
 
-    /** A sample came for an event port; called in the writer's thread. Real-time safe. */
+    /** Called in the writer's thread when an event port has a new sample. Real-time safe. */
     void dataOnPort(base::PortInterface* port);
 
 protected:
-    /** The service goes to another component, or to none: its event ports do not wake the present one any more. */
+    /** For a service that leaves its component: its event ports no longer wake that. */
     void silencePorts();
 
 private:
@@ -86,7 +86,7 @@ private:
 
     Service* service_;
     Ports ports_;
-    std::map<base::PortInterface*, boost::shared_ptr<Service>> objects_;  // the services that addPort() made
+    std::map<base::PortInterface*, boost::shared_ptr<Service>> objects_;  // services made by addPort()
 };
 
 }  // namespace RTT

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a step consists of. How it is asked for is in engine_queue.cpp.
+// The parts of a step. engine_queue.cpp has the requests of other threads.
 #include <rtt/ExecutionEngine.hpp>
 
 #include <rtt/Logger.hpp>
@@ -38,11 +38,11 @@ private:
 }  // namespace
 
 ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : gate_(new EngineGate(this)), task_(owner) {
-    deferred_ports_.reserve(16);  // and never more
+    deferred_ports_.reserve(16);  // its final capacity
 }
 
 ExecutionEngine::~ExecutionEngine() {
-    const_cast<EngineGate&>(*gate_).close();  // from here on nobody puts anything into the queue
+    const_cast<EngineGate&>(*gate_).close();  // from here on no thread puts anything into the queue
     disposeQueued();
     functions_.forEach([](base::ExecutableInterface& function) { function.unloaded(); });
 }
@@ -57,18 +57,18 @@ void ExecutionEngine::enterException() {
 }
 
 void ExecutionEngine::setFatalTask() {
-    // See accepts(): who has queued something and did not see the new state has done so before this.
+    // See accepts(): a thread that did not see the new state has queued its item before this.
     gate_->waitPoint.notify();
     const EngineGate::Visit visit(*gate_);
     if (base::ActivityInterface* activity = visit.activity()) activity->stop();
-    disposeQueued();  // those who wait must learn that nobody will execute it
+    disposeQueued();  // threads that wait must learn that it will not be executed
 }
 
 bool ExecutionEngine::stopTask() {
     const EngineGate::Visit visit(*gate_);
     base::ActivityInterface* const activity = visit.activity();
     if (!activity || !activity->isActive()) return true;
-    // The hook that calls this is asked whatever the activity is. One that asks as well gets the same answer.
+    // A hook that calls this is asked for any activity. An activity that asks as well gets the same answer.
     const bool within = gate_->isStepping() && in_hook_;
     if (within && !breakLoop()) return false;
     const Raised asked(within ? &break_asked_ : nullptr);
@@ -77,9 +77,9 @@ bool ExecutionEngine::stopTask() {
     return true;
 }
 
-// A sender may have queued something while the activity was not active, so that its trigger was refused. Both change the
-// word of the wait point before they look at what the other one does (mark() here, notify() in enqueue()), so either
-// the sender finds the activity active or we find what it queued.
+// A sender may have queued an item while the activity was not active and refused the trigger. Both change the word of
+// the wait point before they look at the other's side (mark() here, notify() in enqueue()), so either the sender finds
+// the activity active or we find its item.
 bool ExecutionEngine::startActivity() {
     const EngineGate::Visit visit(*gate_);
     base::ActivityInterface* const activity = visit.activity();
@@ -89,8 +89,8 @@ bool ExecutionEngine::startActivity() {
     return true;
 }
 
-// A thread that has queued something and did not see the retirement has done so before this, see accepts(). Those inside may be
-// waiting for what is queued, so that comes first.
+// A thread that did not see the retirement has queued its item before this, see accepts(). Threads inside may be
+// waiting for queued items, so these are disposed of first.
 bool ExecutionEngine::retire(std::int64_t deadline) {
     auto& gate = const_cast<EngineGate&>(*gate_);
     gate.retire();
@@ -111,7 +111,7 @@ bool ExecutionEngine::initialize() {
 void ExecutionEngine::step() {}
 void ExecutionEngine::loop() {}
 bool ExecutionEngine::breakLoop() {
-    // Below Running no updateHook() is being executed that could object.
+    // Below Running there is no updateHook() that could refuse.
     return break_asked_ || !task_ || task_->base::TaskCore::getTaskState() < base::TaskCore::Running ||
            task_->breakUpdateHook();
 }
@@ -120,21 +120,21 @@ bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || misse
 
 void ExecutionEngine::work(WorkReason reason) {
     const Step here(*gate_);
-    // A step that begins too late: the class of the component is being destroyed.
+    // A step that begins too late: the component's subclass is being destroyed.
     if (gate_->retired() && !gate_->retiredHere()) return;
     const bool nested = !here.first();
     if (task_) {
         ++task_->mCycleCounter;
         ++(reason == Trigger ? task_->mTriggerCounter : reason == TimeOut ? task_->mTimeOutCounter : task_->mIOCounter);
     }
-    // The master of a slave that waits executes the slave's triggers meanwhile.
+    // While a slave waits, its master executes the slave's triggers.
     if (ExecutionEngine::hasWork()) processMailbox(here, nested ? Depth::Waiting : Depth::Step);
     if (nested || reason == Trigger || here.gone()) return;
     processFunctions(here);
     if (!here.gone()) processHooks(here);
 }
 
-// Calls what others wrote. False if it threw; the component is in Exception then.
+// Calls user code. False if that threw; the component is then in Exception.
 template <class Action>
 bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& action) {
     try {
@@ -150,7 +150,7 @@ bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& actio
     return false;
 }
 
-// Apart, so that a step that goes well does not prepare for it.
+// Separate, so that a normal step does not prepare for it.
 [[gnu::cold, gnu::noinline]] void ExecutionEngine::logException(const Step& here, const char* what, const char* why) {
     log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task_)) << ": " << what
                << " threw: " << why << endlog();
@@ -160,17 +160,17 @@ void ExecutionEngine::processMailbox(const Step& here, Depth depth) {
     if (depth == Depth::Step) callDeferredPorts(here);
     Mailbox::Item item;
     bool any = false;
-    // What a step executes may ask for more of it, again and again: the rest of the step comes first.
+    // Bounded, because executed items may queue others again and again; the rest of the step comes first.
     for (std::uint32_t left = Mailbox::kCapacity; !here.gone() && left != 0 && mailbox_.take(item); any = true) {
         if (depth == Depth::Step) --left;
         execute(here, item, depth);
     }
     if (here.gone()) return;
-    // Those that came up while one of these messages waited for something.
+    // Callbacks that became due while one of these messages waited.
     if (depth == Depth::Step) callDeferredPorts(here);
     if (depth == Depth::Step && !here.gone()) callMissedPorts(here);
     if (here.gone()) return;
-    // Other threads may wait here for what a message does.
+    // Other threads may wait here for the effect of a message.
     if (any) gate_->waitPoint.notify();
     if (depth == Depth::Step && !mailbox_.empty()) triggerSelf();
 }
@@ -183,7 +183,7 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
                     [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
             break;
         case Mailbox::Kind::Port:
-            // A component in the middle of its updateHook() does not expect its callbacks because it calls somebody.
+            // A component that calls an operation in its updateHook() does not expect its callbacks there.
             if (depth == Depth::Waiting || !deferred_ports_.empty()) {
                 if (deferred_ports_.size() == deferred_ports_.capacity()) {
                     missed_ports_.exchange(true);
@@ -202,7 +202,7 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
             auto* const removal = static_cast<Removal*>(item.what);
             functions_.remove(removal->function);
             if (executing_ == removal->function) {
-                // Its execute() waits for something, further down the stack.
+                // Its execute() is waiting, further down the stack.
                 removal->next = removals_;
                 removals_ = removal;
             } else {
@@ -215,7 +215,7 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
 
 void ExecutionEngine::callDeferredPorts(const Step& here) {
     if (!deferred_) return;
-    // By index: a callback that waits for something may add to the list.
+    // By index: a callback that waits may add to the list.
     for (std::size_t i = 0; i != deferred_ports_.size(); ++i) {
         callPort(here, deferred_ports_[i]);
         if (here.gone()) return;
@@ -224,7 +224,7 @@ void ExecutionEngine::callDeferredPorts(const Step& here) {
     deferred_ = false;
 }
 
-// Whoever sets the flag has announced its port before, and triggers afterwards.
+// A thread that sets the flag has announced its port before, and triggers afterwards.
 void ExecutionEngine::callMissedPorts(const Step& here) {
     if (missed_ports_ && missed_ports_.exchange(false)) callPort(here, nullptr);
 }
@@ -235,7 +235,7 @@ void ExecutionEngine::callPort(const Step& here, base::PortInterface* port) {
 }
 
 void ExecutionEngine::processFunctions(const Step& here) {
-    // Functions added or removed by those that run here take effect in the next step; those that are woken, in this one, if
+    // Functions that are added or removed meanwhile take effect in the next step; those that are woken, in this one if
     // their turn is still to come.
     internal::FunctionList::Round round = functions_.begin();
     if (round.end == 0) return;
@@ -263,7 +263,7 @@ void ExecutionEngine::processFunctions(const Step& here) {
     functions_.tidy();
 }
 
-// While the component waits. True if there are some left: nobody will tell that it is their turn.
+// While the component waits. True if some have to be executed again, which no notification will announce.
 bool ExecutionEngine::processAwaited(const Step& here) {
     bool left = false;
     internal::FunctionList::Round round = functions_.begin();
@@ -293,12 +293,12 @@ void ExecutionEngine::callHook(const Step& here, const char* what, Hook&& hook) 
 
 void ExecutionEngine::processHooks(const Step& here) {
     if (!task_) return;
-    // Not through the virtual functions: a sub-class of a component that was stopped may be under destruction.
+    // No virtual calls: a stopped component's subclass may be under destruction.
     using Core = base::TaskCore;
     if (task_->Core::getTaskState() == Core::Running && task_->Core::getTargetState() == Core::Running)
         callHook(here, "updateHook()", [this] { task_->updateHook(); });
     if (here.gone()) return;
-    // error() in updateHook() is served in the same step.
+    // error() in updateHook() takes effect in the same step.
     if (task_->Core::getTaskState() == Core::RunTimeError && task_->Core::getTargetState() >= Core::Running)
         callHook(here, "errorHook()", [this] { task_->errorHook(); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What is wrong with a generic call of an operation. All of these are thrown while a call is put together, none while it runs.
+// Errors of generic calls of operations, thrown while a call is put together and never while it runs.
 #ifndef ORO_FACTORY_EXCEPTIONS_HPP
 #define ORO_FACTORY_EXCEPTIONS_HPP
 

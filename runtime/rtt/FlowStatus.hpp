@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a write to, or a read from, a port came to.
+// The results of writing to and reading from a port.
 #ifndef ORO_FLOW_STATUS_HPP
 #define ORO_FLOW_STATUS_HPP
 
@@ -10,10 +10,10 @@
 
 namespace RTT {
 
-/** Result of InputPort::read(). NoData is 0, so `if (port.read(x))` asks "is there any value". */
+/** Result of InputPort::read(). NoData is 0, so `if (port.read(x))` means "is there any value". */
 enum FlowStatus { NoData = 0, OldData = 1, NewData = 2 };
 
-/** Result of OutputPort::write(); the larger, the worse. */
+/** Result of OutputPort::write(); larger is worse. */
 enum WriteStatus { WriteSuccess = 0, WriteFailure = 1, NotConnected = 2 };
 
 /** Prints the enumerator's name. Not real-time safe. */

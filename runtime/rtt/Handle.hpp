@@ -7,18 +7,18 @@
 
 namespace RTT {
 
-/** Refers to one connection of a function to a signal. Copies refer to the same connection. Thread safe. */
+/** Refers to a subscription of a function to a signal. Copies refer to the same one. Thread safe. */
 class RTT_API Handle {
 public:
     Handle() = default;
     explicit Handle(internal::SignalBase::ConnectionPtr connection);
 
-    /** Has the function called again; false if the signal is gone or it is connected already. */
+    /** Renews the subscription; false if the signal is gone or it is connected already. */
     bool connect();
-    /** No call begins after this; one in another thread may still be ending. */
+    /** No call begins after this; one in another thread may still be in progress. */
     bool disconnect();
     bool connected() const;
-    /** True if there is a signal behind this handle. */
+    /** True if the handle belongs to a signal. */
     bool ready() const;
     operator bool() const { return ready(); }
     bool operator!() const { return !ready(); }
@@ -36,7 +36,7 @@ public:
     ScopedHandle& operator=(const ScopedHandle&) = delete;
 };
 
-/** Owns the connection: the function is forgotten when this goes out of scope. */
+/** Owns the subscription: ends it for good when this goes out of scope. */
 class RTT_API CleanupHandle : public Handle {
 public:
     CleanupHandle() = default;

@@ -14,16 +14,16 @@ namespace RTT {
 template <typename T>
 class OutputPort;
 
-/** Reading is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does, and never
-    blocks. It is meant for the component's own thread, but several threads may read: each new sample is then new for one
-    of them. */
+/** Reading is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does, and
+    never blocks. It is meant for the component's own thread. If several threads read, each new sample is new for one of
+    them. */
 template <typename T>
 class InputPort : public base::InputPortInterface {
 public:
     typedef T value_t;
     typedef T& reference_t;
 
-    /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
+    /** The compiler fills in the schema, the definition of T in the plugin that makes the port. */
     [[gnu::cold]] InputPort(const std::string& name = "unnamed",
                             const ConnPolicy& default_policy = internal::policyOfPorts(),
                             const types::Schema& schema = types::schemaOf<T>())
@@ -36,18 +36,18 @@ public:
     /** Waits for a callback that is using this port in another thread. */
     ~InputPort() override { this->leaveInterface(); }
 
-    /** NewData: a sample never read before. OldData: none is new, `sample` is the last one again unless copy_old_data is
-        false. NoData: nothing was written yet; `sample` is untouched. */
+    /** NewData: a sample that was never read before. OldData: there is no new one, and `sample` is the last one again
+        unless copy_old_data is false. NoData: no sample was written yet; `sample` is unchanged. */
     FlowStatus read(reference_t sample, bool copy_old_data = true) { return readSample(&sample, copy_old_data); }
     using base::InputPortInterface::read;
-    /** Reads all samples that are there when it begins and gives the last one; NewData if any was new. */
+    /** Reads all samples that exist when it begins and gives the last one; NewData if any was new. */
     FlowStatus readNewest(reference_t sample, bool copy_old_data = true) {
         return readNewestSample(&sample, copy_old_data);
     }
-    /** A sample of the size the writer announced with setDataSample(); untouched if there is none. */
+    /** A sample of the size of the writer's setDataSample(); `sample` is unchanged if there is none. */
     void getDataSample(reference_t sample) { copyDataSample(&sample); }
-    /** The storage that all connections of this port share, those with the policy PerInputPort or Shared; null if they do
-        not, or there is none. Not real-time safe. */
+    /** The storage that all connections of this port share with the policy PerInputPort or Shared; null if there is
+        none. Not real-time safe. */
     [[gnu::cold]] typename base::ChannelElement<T>::shared_ptr getSharedBuffer() const {
         return boost::dynamic_pointer_cast<base::ChannelElement<T>>(this->sharedStorage());
     }

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <string_view>
 
-/** @file The face of the log: << ─► line of this thread (detail/log_line) ─► sink of the process (detail/log_sink). */
+/** @file The API of the log: << ─► line of this thread (detail/log_line) ─► sink of the process (detail/log_sink). */
 namespace RTT {
 
 using detail::logLine;
@@ -27,12 +27,12 @@ void logFromOs(int number, const char* module, std::string_view text) {
     if (logMayReach(level)) logSink().write(level, module, text, true);
 }
 
-/** A thread that begins: what it needs to log, and to use ports, as a real-time thread. */
+/** Prepares a new thread to log and to use ports as a real-time thread. */
 void prepareRealTimeThread() {
     Logger::Instance();
     logSink().startDrain();
     logLine();
-    const internal::Reclaimer::Guard record;  // of the thread, from now on
+    const internal::Reclaimer::Guard record;  // takes the thread's record
 }
 
 int startLogging() {
@@ -41,12 +41,12 @@ int startLogging() {
     return 0;
 }
 
-// When the library is loaded: a thread may be created before anything else asks for the log.
+// When the library is loaded, because a thread may be created before the first use of the log.
 const bool hooked = (os::setLogHook(&logFromOs), os::setRealTimeThreadHook(&prepareRealTimeThread), true);
 os::InitFunction onStart(&startLogging, os::StartLogging);
 os::CleanupFunction onStop(&Logger::Release, os::StopLogging);
 
-/** Static objects of programs and plugins are gone by now, those of this library partly. */
+/** By then static objects of programs and plugins are gone, and some of those of this library. */
 const struct AtExit {
     ~AtExit() { logSink().finish(); }
 } atExit;

@@ -14,10 +14,10 @@
 
 namespace RTT {
 
-// Code inside this namespace that takes a logarithm would find only the functions below without this.
+// Without this, code in this namespace that takes a logarithm would find only the functions below.
 using std::log;
 
-/** How bad or how detailed a message is; smaller is worse. */
+/** Severity of a message; smaller is worse. */
 enum LoggerLevel { Never = 0, Fatal = 1, Critical = 2, Error = 3, Warning = 4, Info = 5, Debug = 6, RealTime = 7 };
 
 namespace detail {
@@ -29,18 +29,18 @@ constexpr std::size_t kLongestLogModule = 255;
  *
  * The console (std::cerr) shows lines up to the log level (default Warning), the file `orocos.log` those up to Info or
  * the log level, whichever is more. Environment at start-up: ORO_LOGLEVEL (number; negative: no logging at all) and
- * ORO_LOGFILE (file name). Logging starts by itself with the first use.
+ * ORO_LOGFILE (file name). The first use starts logging.
  *
- * Every thread composes its own line, with its own level and module name; a finished line is handed over as a whole, so
+ * Every thread composes its own line, with its own level and module name; a finished line is passed on as a whole, so
  * lines of several threads never mix. A message below both levels costs one comparison per `<<`.
  *
- * A line is written before endlog() returns, unless its thread is scheduled as a real-time thread at that moment: that
- * one puts it into a queue, neither allocating nor waiting for anybody, and a thread of ordinary priority writes it. That
+ * A line is written before endlog() returns, unless its thread is scheduled as a real-time thread at that moment: it
+ * then puts the line into a queue, without allocating or waiting, and a thread of ordinary priority writes it. That
  * thread exists from __os_init(), or the first real-time os::Thread; without it, the next line of an ordinary thread or
- * the end of the process brings out what is queued.
- * All log(), <<, In, endlog() and nlog() are real-time safe there, but not what an operator<< of a type may do itself.
+ * the end of the process writes the queue.
+ * All log(), <<, In, endlog() and nlog() are real-time safe there, unless an operator<< of a type is not.
  * A line of a real-time thread is cut after about 1750 characters, and says so; lines for which the queue (at least 64
- * lines) has no room are counted, and a warning tells how many.
+ * lines) has no room are counted, and a warning gives the number.
  */
 class RTT_API Logger {
 public:
@@ -54,7 +54,7 @@ public:
     static constexpr LogLevel Debug = RTT::Debug;
     static constexpr LogLevel RealTime = RTT::RealTime;
 
-    /** Names the module of this thread's messages until the end of the scope. Takes up to 255 characters of the name. */
+    /** Names the module of this thread's messages until the end of the scope, by up to 255 characters. */
     class RTT_API In {
     public:
         explicit In(const std::string& module);
@@ -72,10 +72,10 @@ public:
     static Logger& log();
     /** Sets the level of this thread's current line, and of its next ones. */
     static Logger& log(LogLevel level);
-    /** Starts logging if it was not started. The argument sets the console stream. */
+    /** Starts logging if necessary. The argument sets the console stream. */
     static Logger* Instance();
     static Logger* Instance(std::ostream& console);
-    /** Ends logging, as shutdown(). The instance stays valid. */
+    /** Ends logging, like shutdown(). The instance stays valid. */
     static void Release();
 
     /** Ends the line and flushes. On another stream: std::endl. */
@@ -97,7 +97,7 @@ public:
     /** Logger::endl, Logger::nl, Logger::flush, or a manipulator of the text stream. */
     Logger& operator<<(LogFunction manipulator);
 
-    /** End the line of this thread; logendl() also flushes. */
+    /** These end the line of this thread; logendl() also flushes. */
     void logendl();
     void lognl();
     void logflush();
@@ -109,23 +109,23 @@ public:
 
     void setLogLevel(LogLevel level);
     LogLevel getLogLevel() const;
-    /** Console stream; it must live as long as it is used. Default: std::cerr. Lines that real-time threads have logged
-        before go to the former one. */
+    /** Sets the console stream, which must outlive its use. Default: std::cerr. Earlier lines of real-time threads go
+        to the previous one. */
     void setStdStream(std::ostream& stream);
     /** True if the level of this thread's current line reaches the console or the file. */
     bool mayLog() const;
     bool mayLogStdOut() const;
     bool mayLogFile() const;
-    /** Switch the console and the file on or off. */
+    /** These switch the console and the file on or off. */
     void mayLogStdOut(bool yes);
     void mayLogFile(bool yes);
     /** Without this, the log level RealTime silences everything. */
     void allowRealTime();
     void disallowRealTime();
 
-    /** The next line that went to the console, without its end of line, and removes it; the last 1000 are kept. */
+    /** Removes and returns the oldest of the last 1000 lines of the console, without its end of line. */
     std::string getLogLine();
-    /** Ticks at which logging started: zero of the time in the lines. */
+    /** The ticks at which logging started, the zero of the time in the lines. */
     os::TimeService::ticks getReferenceTime() const;
 
     void startup();
@@ -141,7 +141,7 @@ inline Logger& log() { return Logger::log(); }
 inline Logger& log(LoggerLevel level) { return Logger::log(level); }
 /** Ends a line and flushes. */
 inline Logger::LogFunction endlog() { return Logger::endl; }
-/** Ends a line that shall have this level. */
+/** Ends a line with this level. */
 inline Logger::LogFunction endlog(LoggerLevel level) {
     Logger::log(level);
     return Logger::endl;

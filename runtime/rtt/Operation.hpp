@@ -15,8 +15,8 @@ template <class Signature>
 class Operation;
 
 /**
- * A function that a component offers to others, with a name and documentation. Belongs to the component; the function is
- * set before addOperation(), callers made before a later calls() keep the old one. Not thread safe.
+ * A function that a component offers to others, with a name and documentation. Belongs to the component. Set the
+ * function before addOperation(); callers made before a later calls() keep the old one. Not thread safe.
  */
 template <class R, class... Args>
 class Operation<R(Args...)> : public base::OperationBase {
@@ -24,7 +24,7 @@ public:
     typedef R Signature(Args...);
     typedef boost::shared_ptr<Operation> shared_ptr;
 
-    /** Without a function: calls() comes later. */
+    /** Without a function; call calls() later. */
     explicit Operation(const std::string& name)
         : OperationBase(name, new internal::LocalOperationCaller<Signature>(),
                         internal::OperationTableOf<Signature>::table) {}
@@ -68,7 +68,7 @@ public:
         return calls(internal::BoundMember<Function, Object>{function, object}, et, ownerEngine);
     }
 
-    /** Makes this a signal too: functions connected to it are called, with the arguments, before the operation is. */
+    /** Makes this also a signal: subscribed functions are called with the arguments before the operation is. */
     Operation& signals() {
         listeners();
         return *this;
@@ -82,8 +82,8 @@ public:
         return listeners().connect(internal::BoundMember<Function, Object>{function, object});
     }
 
-    /** The signal by itself: `signal->connect(function)`, `signal->emit(arguments)`. True if signals() was called; using it
-        does that. */
+    /** The signal itself: `signal->connect(function)`, `signal->emit(arguments)`. Converts to true if signals() was
+        called, which any use does. */
     class Listeners {
     public:
         explicit Listeners(Operation& operation) : operation_(operation) {}
@@ -111,7 +111,7 @@ private:
         return static_cast<internal::LocalOperationCaller<Signature>*>(this->implementation().get());
     }
     OperationSignal& listeners() {
-        // An operation that is only a signal.
+        // An operation without a function is only a signal.
         if (!this->hasFunction()) calls([](Args...) -> R { return internal::NA<R>::na(); });
         internal::CalleeBase& callee = *caller()->callee();
         if (!callee.signal()) callee.listen(std::make_shared<OperationSignal>());

@@ -19,7 +19,7 @@ class OperationInterfacePart;
 class Service;
 
 namespace internal {
-/** What callers of that signature call behind `part`; null if it is remote. */
+/** The function of `part` for callers of that signature; null if it is remote. */
 RTT_API base::DisposableInterface::shared_ptr localOperation(OperationInterfacePart* part,
                                                              const std::type_info& signature);
 /** The operation `name` of `service`, or null. */
@@ -27,10 +27,10 @@ RTT_API OperationInterfacePart* findOperation(const boost::shared_ptr<Service>& 
 RTT_API std::string operationName(OperationInterfacePart* part);
 /** `holder.reset(held)`, compiled once for all signatures. */
 RTT_API void hold(base::OperationCallerInterface::shared_ptr& holder, base::OperationCallerInterface* held);
-/** True for what can be held as the implementation of an operation. */
+/** True for types that can be the implementation of an operation. */
 template <class T>
 constexpr bool isImplementation = std::is_convertible_v<T*, base::DisposableInterface*>;
-/** Holds what a pointer of the standard library holds. */
+/** A boost pointer that shares ownership with `pointer`. */
 template <class T>
 base::DisposableInterface::shared_ptr held(const std::shared_ptr<T>& pointer) {
     return base::DisposableInterface::shared_ptr(pointer.get(), [pointer](base::DisposableInterface*) {});
@@ -38,7 +38,7 @@ base::DisposableInterface::shared_ptr held(const std::shared_ptr<T>& pointer) {
 }  // namespace internal
 
 namespace base {
-/** A caller without its signature, as requesters hold it. */
+/** A caller without its signature, as service requesters hold it. */
 class RTT_API OperationCallerBaseInvoker {
 public:
     OperationCallerBaseInvoker() = default;
@@ -48,7 +48,7 @@ public:
 
     const std::string& getName() const { return name_; }
     virtual bool ready() const = 0;
-    /** Binds to an operation; null unbinds. False, and an error, if it cannot be called with this signature. */
+    /** Binds to an operation; null unbinds. False, with an error logged, if it cannot be called with this signature. */
     virtual bool setImplementationPart(OperationInterfacePart* part, ExecutionEngine* caller = nullptr) = 0;
     virtual bool setImplementation(DisposableInterface::shared_ptr implementation,
                                    ExecutionEngine* caller = nullptr) = 0;
@@ -62,18 +62,18 @@ protected:
 }  // namespace base
 
 /**
- * Calls an operation of this or another component. The caller's engine is needed to call operations that execute in
- * their own component's thread: while it waits, the calling component goes on executing what others ask of it.
+ * Calls an operation of this or another component. Operations that execute in their own component's thread need the
+ * caller's engine: while it waits, the calling component continues to execute requests of others.
  *
- * call(): runs the operation in this thread, or waits until its component has; blocks then. Real-time safe if the
- * operation is and runs in this thread. Throws what the operation throws in this thread; std::runtime_error with its text
- * if it threw in another; SendError if its component takes no calls. If not ready(), call() returns a default value.
+ * call(): runs the operation in this thread, or blocks until its component has run it. Real-time safe if the operation
+ * is and runs in this thread. Throws what the operation throws in this thread; std::runtime_error with its text if it
+ * threw in another; SendError if its component takes no calls. If not ready(), call() returns a default value.
  * send(): never waits.
  *
- * An operation of another signature, or of another process, is called through data sources: each argument, and the result,
- * is converted if the type system can; a caller without result ignores the one of the operation. Such a call is slower and
- * keeps copies of its arguments and result until the next one. It allocates the first time after setCaller(), and while the
- * caller is in use already; send() and everything a SendHandle does then always allocate. If something cannot be converted,
+ * An operation of another signature, or of another process, is called through data sources: arguments and result are
+ * converted if the type system can; a caller without a result ignores that of the operation. Such a call is slower and
+ * keeps copies of its arguments and result until the next one. It allocates the first time after setCaller(), and while
+ * the caller is in use already; send() and all uses of its SendHandle always allocate. If a value cannot be converted,
  * or the result has no default value, an error names both signatures and the caller is not ready().
  */
 template <class Signature>
@@ -100,7 +100,7 @@ public:
         : OperationCallerBaseInvoker(name, caller) {
         setImplementationPart(internal::findOperation(service, name), caller);
     }
-    /** From what Service::getLocalOperation() or Operation::getOperationCaller() gives. */
+    /** From the result of Service::getLocalOperation() or Operation::getOperationCaller(). */
     template <class T, std::enable_if_t<internal::isImplementation<T>, int> = 0>
     OperationCaller(const boost::shared_ptr<T>& implementation, ExecutionEngine* caller = nullptr) {
         setImplementation(implementation, caller);
@@ -109,7 +109,7 @@ public:
     OperationCaller(const std::shared_ptr<T>& implementation, ExecutionEngine* caller = nullptr) {
         setImplementation(internal::held(implementation), caller);
     }
-    /** A function that nobody registered, called like an operation; in OwnThread it is executed by `owner`. */
+    /** A function that is not registered, called like an operation; in OwnThread `owner` executes it. */
     template <class Function, std::enable_if_t<std::is_invocable_r_v<R, Function&, Args...>, int> = 0>
     OperationCaller(const std::string& name, Function function, ExecutionEngine* owner = nullptr,
                     ExecutionEngine* caller = nullptr, ExecutionThread et = ClientThread)
@@ -138,7 +138,7 @@ public:
         setImplementationPart(part, caller_);
         return *this;
     }
-    /** Looks its own name up in the service. */
+    /** Resolves its own name in the service. */
     OperationCaller& operator=(boost::shared_ptr<Service> service) {
         setImplementationPart(internal::findOperation(service, name_), caller_);
         return *this;
@@ -188,7 +188,7 @@ public:
                                     : internal::copyRemoteOperation(*implementation, signature(), caller_, name_));
         return ready();
     }
-    /** Null also for an operation of another signature or of another process, though ready(). */
+    /** Null, even if ready(), for an operation of another signature or of another process. */
     const OperationCallerBasePtr getOperationCallerImpl() const { return OperationCallerBasePtr(holder_, impl_); }
     void disconnect() override {
         impl_ = nullptr;
@@ -201,7 +201,7 @@ public:
 
 private:
     static const internal::CallerSignature& signature() { return internal::CallerSignatureOf<Signature>::signature; }
-    // Also for a caller that is not ready: the result is the default value then.
+    // Also for a caller that is not ready, which returns the default value.
     [[gnu::noinline]] R callRemote(std::remove_reference_t<Args>&... args) const {
         void* const all[] = {const_cast<void*>(static_cast<const volatile void*>(std::addressof(args)))..., nullptr};
         if constexpr (std::is_void_v<R> || std::is_reference_v<R>) {
@@ -228,7 +228,7 @@ private:
     }
 
     base::OperationCallerInterface::shared_ptr holder_;
-    base::OperationCallerBase<Signature>* impl_ = nullptr;  // what holder_ holds; null if that has another signature
+    base::OperationCallerBase<Signature>* impl_ = nullptr;  // the object of holder_; null if that has another signature
 };
 
 }  // namespace RTT

@@ -106,7 +106,7 @@ bool OperationInterface::isCommon(const std::string&) const { return false; }
 void OperationInterface::addCommon() {}
 
 const OperationInterface::Parts& OperationInterface::parts() const {
-    // What is added here was there all the time for those who look.
+    // For callers, the operations that this adds have always existed.
     if (common_.load(std::memory_order_acquire) != Common::None) const_cast<OperationInterface*>(this)->complete();
     return parts_;
 }
@@ -116,14 +116,14 @@ void OperationInterface::completeFor(const std::string& added) {
 }
 
 void OperationInterface::complete() {
-    static std::recursive_mutex completing;  // of all services: each is completed once
+    static std::recursive_mutex completing;  // of all services, because each is completed only once
     const std::lock_guard<std::recursive_mutex> lock(completing);
     if (common_ != Common::Later) return;
     common_ = Common::Now;
     try {
         addCommon();
     } catch (...) {
-        common_ = Common::Later;  // who looks the next time tries again
+        common_ = Common::Later;  // the next access tries again
         throw;
     }
     common_.store(Common::None, std::memory_order_release);

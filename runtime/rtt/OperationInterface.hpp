@@ -16,8 +16,8 @@ class OperationCallerC;
 }
 
 /**
- * The operations of a service by name. Not thread safe, not real-time safe; any number of threads may look for operations
- * while none is added or removed.
+ * The operations of a service by name. Not thread safe, not real-time safe; any number of threads may look operations
+ * up while none is added or removed.
  */
 class RTT_API OperationInterface {
 public:
@@ -56,11 +56,11 @@ public:
     const types::TypeInfo* getCollectType(const std::string& name, int index) const;
     bool isSynchronous(const std::string& name) const;
 
-    /** A generic caller of an operation, for the component of that engine: `create("add", engine()).argC(2).ret(sum)`. Not
-        ready, and a warning, if there is no such operation. */
+    /** A generic caller of an operation, for the component of that engine: `create("add", engine()).argC(2).ret(sum)`.
+        Not ready, with a warning logged, if there is no such operation. */
     internal::OperationCallerC create(const std::string& name, ExecutionEngine* caller) const;
 
-    /** Takes ownership; replaces what has the name. */
+    /** Takes ownership; replaces an operation of that name. */
     void add(const std::string& name, OperationInterfacePart* part);
     void remove(const std::string& name);
     virtual void clear();
@@ -68,15 +68,15 @@ public:
 protected:
     typedef std::map<std::string, boost::shared_ptr<OperationInterfacePart>> Parts;
 
-    /** Has addCommon() called once, when somebody looks for operations, or adds or removes one that is common. */
+    /** Has addCommon() called once, before operations are looked up, or a common one is added or removed. */
     void addCommonLater() { common_ = Common::Later; }
-    /** Has that done now if an operation of this name is to come by it. */
+    /** Calls addCommon() now if that would add an operation of this name. */
     void completeFor(const std::string& added);
-    /** Those added until now. */
+    /** The operations added so far. */
     const Parts& partsNow() const { return parts_; }
 
 private:
-    /** Operations that many services have alike, each of which few users ever look for. */
+    /** Operations that many services have in common, and that are rarely looked up. */
     virtual bool isCommon(const std::string& name) const;
     virtual void addCommon();
 

@@ -14,8 +14,8 @@ namespace RTT {
 template <typename T>
 class InputPort;
 
-/** Writing is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does (avoid it
-    by setDataSample()), and never blocks. Several threads may write. */
+/** Writing is real-time safe unless a connection's policy says LOCKED, allocates only where assigning a T does (avoid
+    that by setDataSample()), and never blocks. Several threads may write. */
 template <typename T>
 class OutputPort : public base::OutputPortInterface {
 public:
@@ -23,7 +23,7 @@ public:
     typedef const T& param_t;
     typedef T& reference_t;
 
-    /** The schema is for the compiler to fill in: how the plugin that makes the port sees T. */
+    /** The compiler fills in the schema, the definition of T in the plugin that makes the port. */
     [[gnu::cold]] OutputPort(const std::string& name = "unnamed", bool keep_last_written_value = true,
                              const types::Schema& schema = types::schemaOf<T>())
         : base::OutputPortInterface(name, &types::typeOps<T>(), keep_last_written_value) {
@@ -33,20 +33,20 @@ public:
         this->setSampleSchema(schema);
     }
 
-    /** NotConnected if there is no connection, WriteFailure if a mandatory one could not take the sample, else WriteSuccess. */
+    /** NotConnected if there is no connection, WriteFailure if a mandatory one did not take it, or WriteSuccess. */
     WriteStatus write(param_t sample) { return writeSample(&sample); }
     using base::OutputPortInterface::write;
-    /** Sizes the storage of all connections, also later ones, for samples like this one. Readers never see it; samples
-        that they have not read yet, and the last written value, are forgotten. Not real-time safe. */
+    /** Sizes the storage of all connections, also later ones, for samples like this one. Readers never see it; drops
+        samples that they have not read yet, and the last written value. Not real-time safe. */
     void setDataSample(param_t sample) { setSample(&sample); }
 
-    /** A default value if nothing was written yet, or nothing is kept. */
+    /** A default value if no value was written or kept. */
     value_t getLastWrittenValue() const;
-    /** False, and `sample` untouched, if nothing was written yet, or nothing is kept. */
+    /** False, with `sample` unchanged, if no value was written or kept. */
     bool getLastWrittenValue(reference_t sample) const { return copyLastWritten(&sample); }
 
-    /** The storage that all connections of this port share, those with the policy PerOutputPort or Shared; null if they do
-        not, or there is none. Not real-time safe. */
+    /** The storage that all connections of this port share with the policy PerOutputPort or Shared; null if there is
+        none. Not real-time safe. */
     [[gnu::cold]] typename base::ChannelElement<T>::shared_ptr getSharedBuffer() const {
         return boost::dynamic_pointer_cast<base::ChannelElement<T>>(this->sharedStorage());
     }

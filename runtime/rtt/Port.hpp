@@ -8,7 +8,7 @@
 #include <rtt/OutputPort.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 
-// Users rely on it for more than this header needs.
+// Users rely on this include, which the header itself does not need.
 #include <rtt/usual_includes.hpp>
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef ORO_PORTS_HPP
 #define ORO_PORTS_HPP
 
-// Older name of Port.hpp.
+// The older name of Port.hpp.
 #include <rtt/Port.hpp>
 
 #endif

@@ -13,9 +13,9 @@ class PropertyBag;
 
 namespace internal {
 namespace detail {
-/** Logs that a property of type `source` cannot stand behind a Property of type `destination`. */
+/** Logs that the value of `from` cannot be used as a Property of type `destination`. */
 RTT_API void logPropertyMismatch(const base::PropertyBase& from, const std::string& destination);
-/** The property is null: returns an empty string instead of its name or description. */
+/** These return an empty string if `property` is null. */
 RTT_API const std::string& nameOf(const base::PropertyBase* property);
 RTT_API const std::string& descriptionOf(const base::PropertyBase* property);
 }  // namespace detail
@@ -48,7 +48,7 @@ public:
     /** Copies the value. */
     [[gnu::cold]] Property(const Property<T>& other)
         : PropertyBase(other), _value(other._value ? internal::ValueDataSource<T>::make(other.rvalue()) : nullptr) {}
-    /** Shares the value of `source`; not ready, and an error in the log, if it is of another type. */
+    /** Shares the value of `source`; not ready, with an error logged, if that has another type. */
     [[gnu::cold]] Property(base::PropertyBase* source)
         : PropertyBase(internal::detail::nameOf(source), internal::detail::descriptionOf(source)),
           _value(source ? SourceType::narrow(source->getDataSource().get()) : nullptr) {
@@ -62,7 +62,7 @@ public:
         _value = made._value;
         return *this;
     }
-    /** Takes over name, description and value. */
+    /** Assigns name, description and value. */
     Property<T>& operator=(const Property<T>& other) {
         if (this == &other) return *this;
         PropertyBase::operator=(other);
@@ -90,7 +90,7 @@ public:
         _value->set(value);
         _value->updated();
     }
-    /** The stored value for direct change. */
+    /** The stored value, to be changed in place. */
     reference_t set() { return _value->set(); }
     reference_t value() { return _value->set(); }
     const_reference_t value() const { return _value->rvalue(); }

@@ -48,7 +48,7 @@ bool PropertyBag::ownProperty(PropertyBase* property) {
     if (!property || !property->ready()) return false;
     const auto at = std::lower_bound(mowned_props.begin(), mowned_props.end(), property, std::less<>());
     if (at != mowned_props.end() && *at == property) return true;
-    // If all are owned, none of them can be this one.
+    // If the bag owns all, this one is not among them.
     const bool known = mowned_props.size() != mproperties.size() &&
                        std::find(mproperties.begin(), mproperties.end(), property) != mproperties.end();
     if (!known) mproperties.push_back(property);
@@ -61,7 +61,7 @@ bool PropertyBag::ownsProperty(const PropertyBase* property) const {
 }
 
 bool PropertyBag::removeProperty(PropertyBase* property) {
-    // From the end, because what was added last is removed first most often.
+    // From the end, because the last one added is usually removed first.
     const auto found = std::find(mproperties.rbegin(), mproperties.rend(), property);
     if (found == mproperties.rend()) return false;
     mproperties.erase(std::next(found).base());

@@ -13,9 +13,9 @@ template <typename T>
 class Property;
 
 /**
- * Ordered container of properties, itself usable as the value of a property. Properties added are referred to,
- * those given to ownProperty() are owned and deleted with the bag. Names may occur more than once.
- * Not thread safe and not for real-time contexts, except looking at properties.
+ * Ordered container of properties, itself usable as the value of a property. Refers to added properties; owns those
+ * given to ownProperty() and deletes them with the bag. Names may occur more than once. Not thread safe and not for
+ * real-time contexts, except looking at properties.
  */
 class RTT_API PropertyBag {
 public:
@@ -51,7 +51,7 @@ public:
     /** The first property of that name, or null. Compares names one by one. */
     base::PropertyBase* find(const std::string& name) const;
     base::PropertyBase* getProperty(const std::string& name) const { return find(name); }
-    /** The same as a property of type T; null if it has another type. */
+    /** The same, as a property of type T; null if it has another type. */
     template <class T>
     Property<T>* getPropertyType(const std::string& name) const {
         return dynamic_cast<Property<T>*>(find(name));
@@ -86,14 +86,14 @@ public:
 
 protected:
     Properties mproperties;
-    /** Those to delete with the bag, by address. */
+    /** The owned properties, sorted by address. */
     Properties mowned_props;
     std::string type;
 };
 
 RTT_API std::ostream& operator<<(std::ostream& os, const PropertyBag& bag);
 
-/** Paths of all properties, bags included, depth first. */
+/** The paths of all properties, bags included, depth first. */
 RTT_API std::vector<std::string> listProperties(const PropertyBag& bag, const std::string& separator = ".");
 /** The descriptions in the order of listProperties(). */
 RTT_API std::vector<std::string> listPropertyDescriptions(const PropertyBag& bag, const std::string& separator = ".");
@@ -106,15 +106,15 @@ RTT_API bool storeProperty(PropertyBag& bag, const std::string& path, base::Prop
 RTT_API bool removeProperty(PropertyBag& bag, const std::string& path, const std::string& separator = ".");
 
 /**
- * Takes over from `source` the values of the properties that `target` has.
- * Returns false at the first one whose type does not fit, or, with `allprops`, if one is missing in `source`.
+ * Assigns the values of `source` to the properties of `target`. False if the type of one does not fit or, with
+ * `allprops`, if `source` lacks one.
  */
 RTT_API bool refreshProperties(const PropertyBag& target, const PropertyBag& source, bool allprops = false);
-/** Refreshes the property of the name of `source`. */
+/** Refreshes the property that has the name of `source`. */
 RTT_API bool refreshProperty(const PropertyBag& target, const base::PropertyBase& source);
 RTT_API bool refreshProperty(const PropertyBag& target, const PropertyBag& source, const std::string& path,
                              const std::string& separator = ".");
-/** As refreshProperties(), and adds copies of what `target` lacks. */
+/** Like refreshProperties(), and adds copies of the properties that `target` lacks. */
 RTT_API bool updateProperties(PropertyBag& target, const PropertyBag& source);
 RTT_API bool updateProperty(PropertyBag& target, const PropertyBag& source, const std::string& path,
                             const std::string& separator = ".");
@@ -122,9 +122,9 @@ RTT_API bool updateProperty(PropertyBag& target, const PropertyBag& source, cons
 RTT_API bool copyProperties(PropertyBag& target, const PropertyBag& source);
 /** Deletes the properties of the bag, owned or not. */
 RTT_API void deleteProperties(PropertyBag& bag);
-/** The same, with those of all bags inside. */
+/** The same, with those of all inner bags. */
 RTT_API void deletePropertyBag(PropertyBag& bag);
-/** Moves what is in bags inside up into `bag`, under the name "outer.inner"; empty bags stay. */
+/** Moves the properties of inner bags up into `bag`, as "outer.inner"; empty bags stay. */
 RTT_API void flattenPropertyBag(PropertyBag& bag, const std::string& separator = ".");
 
 namespace internal {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Where older code looks for this visitor.
+// The place where older code looks for this visitor.
 #ifndef ORO_OLD_PROPERTY_BAG_INTROSPECTOR_HPP
 #define ORO_OLD_PROPERTY_BAG_INTROSPECTOR_HPP
 

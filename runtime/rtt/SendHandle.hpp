@@ -14,8 +14,8 @@ template <class Signature>
 class SendHandle;
 
 /**
- * The result of OperationCaller::send(), now or later. Copies refer to the same call; without any copy the operation
- * is executed all the same. For the thread that sent, or threads of its component.
+ * The result of OperationCaller::send(), now or later. Copies refer to the same call; the operation is executed even if
+ * no copy is left. For the sending thread, or threads of its component.
  *
  * collect() waits (and blocks), collectIfDone() does not. Both take the result, if the operation has one, and then the
  * arguments it takes by non-const reference; or nothing. They throw std::runtime_error if the operation threw.
@@ -26,10 +26,10 @@ public:
     typedef internal::CallValues<R(Args...)> Call;
 
     SendHandle() = default;
-    /** Null: an operation that was not accepted. */
+    /** A null call is that of an operation that was refused. */
     explicit SendHandle(typename Call::shared_ptr call) : call_(std::move(call)) {}
 
-    /** True if there is a sent operation behind this handle. */
+    /** True if an operation was sent. */
     bool ready() const { return call_ != nullptr; }
     operator bool() const { return ready(); }
 

@@ -9,7 +9,7 @@
 
 namespace RTT {
 
-/** What became of a sent operation. Positive is good, zero means: not yet. */
+/** The status of a sent operation. Positive means success, zero means not yet. */
 enum SendStatus {
     CollectFailure = -2,  ///< it cannot be collected, because no caller was set
     SendFailure = -1,     ///< it was never queued

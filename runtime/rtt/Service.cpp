@@ -24,7 +24,7 @@ Service::shared_ptr Service::Create(const std::string& name, TaskContext* owner)
 
 namespace {
 
-/** Null if it is none of this process. */
+/** Null if it belongs to another process. */
 const internal::OperationPart* localOperation(const OperationInterfacePart* part) {
     return dynamic_cast<const internal::OperationPart*>(part);
 }
@@ -41,7 +41,7 @@ Service::Service(const std::string& name, TaskContext* owner) : DataFlowInterfac
 Service::~Service() { clear(); }
 
 void Service::setOwner(TaskContext* owner) {
-    // A component's own service becomes one of another component's: with the operations of the first one.
+    // A component's own service moves to another component with the operations of the first one.
     if (owner && getOwner() && owner != owner_) (void)hasMember(name_);
     knowOwner(owner);
     for (const Parts* const parts : {&partsNow(), &std::as_const(local_)})
@@ -73,7 +73,7 @@ void Service::setParent(shared_ptr parent) {
 Service::shared_ptr Service::getParent() const { return holder_ ? holder_->provides() : parent_.lock(); }
 
 Service::shared_ptr Service::provides() {
-    // In the constructor of a sub-class nobody owns this yet; the pointer then does not either.
+    // In the constructor of a subclass no pointer owns this yet, so this one does not either.
     shared_ptr self = weak_from_this().lock();
     return self ? self : shared_ptr(this, [](Service*) {});
 }
@@ -119,15 +119,15 @@ bool Service::addService(shared_ptr service) {
 void Service::removeService(const std::string& name) {
     const auto found = services_.find(name);
     if (found == services_.end()) return;
-    const shared_ptr removed = found->second;  // may be held by others
+    const shared_ptr removed = found->second;  // others may hold it
     services_.erase(found);
-    if (removed->holder_ && removed->holder_ != this) return;  // was added elsewhere since
+    if (removed->holder_ && removed->holder_ != this) return;  // was added elsewhere meanwhile
     removed->leaveComponent();
     removed->setParent(nullptr);
     removed->setOwner(nullptr);
 }
 
-// Before the owner is another: writers of samples ask for it.
+// Call it before the owner changes, because writers of samples use the owner.
 void Service::leaveComponent() {
     if (getOwner()) silencePorts();
     for (auto& entry : services_) entry.second->leaveComponent();

@@ -28,8 +28,7 @@ class PortOperation;
 
 [[noreturn]] RTT_API void throwNoObject();
 
-/** A member function of an object that is looked up with each call, and held meanwhile. Throws std::runtime_error if there is
-    none. */
+/** A member function of an object that each call looks up and holds. Throws std::runtime_error if there is none. */
 template <class Member, class Object, class Signature = typename SignatureOf<Member>::type>
 struct LateMember;
 template <class Member, class Object, class R, class... A>
@@ -99,22 +98,21 @@ public:
     const std::string& doc() const { return doc_; }
     void doc(const std::string& text) { doc_ = text; }
 
-    /** Null too if it was destroyed. */
+    /** Null if there is none or it was destroyed. */
     TaskContext* getOwner() const { return owner_gate_ && owner_gate_->closed() ? nullptr : owner_; }
-    /** For the component: its services do not outlive it as its services. */
+    /** For the component, which releases its services before it is destroyed. */
     void setOwner(TaskContext* owner);
-    /** For the component: the operations that every component has are added when somebody looks for one. */
+    /** For the component: adds the operations that every component has when operations are first looked up. */
     void addStandardLater() { addCommonLater(); }
     ExecutionEngine* getOwnerExecutionEngine() const;
     /** Null for the root. */
     shared_ptr getParent() const;
     void setParent(shared_ptr parent);
 
-    /** This service. */
     shared_ptr provides();
-    /** The service of that name, which is made if there is none; "this" is this one. */
+    /** The service of that name, made if there is none; "this" is this one. */
     shared_ptr provides(const std::string& name);
-    /** As above, but null if there is none. */
+    /** The same, but null if there is none. */
     shared_ptr getService(const std::string& name);
     bool hasService(const std::string& name) const;
     ProviderNames getProviderNames() const;
@@ -124,24 +122,24 @@ public:
     /** Removes everything. */
     void clear() override;
 
-    /** Null, and a warning, if there is none. */
+    /** Null, with a warning logged, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name);
-    /** What to make an OperationCaller of, also of a local operation; null if there is none, or it is remote. */
+    /** The implementation for an OperationCaller, also of a local operation; null if there is none, or it is remote. */
     base::DisposableInterface::shared_ptr getLocalOperation(const std::string& name);
-    /** As getOperation(), with the local ones; without a warning. */
+    /** Like getOperation(), but includes local operations and gives no warning. */
     OperationInterfacePart* findOperation(const std::string& name) const;
-    /** With the local ones. */
+    /** Includes local operations. */
     bool hasOperation(const std::string& name) const;
     std::vector<std::string> getOperationNames() const;
-    /** Registers an operation for getLocalOperation() only: scripts, tools and other processes do not see it. False, and an
-        error, if it has no name or no function. */
+    /** Registers an operation for getLocalOperation() only: scripts, tools and other processes do not see it. False,
+        with an error logged, if it has no name or no function. */
     bool addLocalOperation(base::OperationBase& operation);
     void removeOperation(const std::string& name);
     /** For local operations; callers made before are not affected. */
     bool setOperationThread(const std::string& name, ExecutionThread et);
-    /** Gives the operation `name` the function of another one, and its thread, for callers made from now on. It keeps its
-        name, its description and its listeners. False, and an error, if there is no local operation of that name, its
-        signature is another one or the new one has no function. */
+    /** Gives the operation `name` the function and the thread of another one, for callers made from now on. It keeps
+        its name, description and subscribers. False, with an error logged, if there is no local operation of that name,
+        its signature is another one or the new one has no function. */
     bool resetOperation(const std::string& name, base::OperationBase* operation);
     OperationInterface* operations() { return this; }
     DataFlowInterface* ports() { return this; }
@@ -160,14 +158,14 @@ public:
         return make<typename internal::SignatureOf<Function>::type>(
             name, internal::BoundMember<Function, Object>{function, object}, et, false);
     }
-    /** Registers anything that can be called and has one signature: functions, lambdas, boost::function. */
+    /** Registers a callable with a single signature: function, lambda, boost::function. */
     template <class Function, std::enable_if_t<!std::is_member_function_pointer_v<Function>, int> = 0>
     Operation<typename internal::SignatureOf<Function>::type>& addOperation(const std::string& name, Function function,
                                                                             ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, false);
     }
-    /** Registers a member function of the object that the source gives at the time of the call, in the thread of the call.
-        Callers in C++ may give an object instead, as first argument: a pointer or a boost::shared_ptr. */
+    /** Registers a member function of the object that the source gives at the time, and in the thread, of the call. C++
+        callers may instead pass an object as first argument: a pointer or a boost::shared_ptr. */
     template <class Function, class Object>
     Operation<typename internal::SignatureOf<Function>::type>& addOperationDS(
         const std::string& name, Function function, internal::DataSource<boost::shared_ptr<Object>>* object,
@@ -183,8 +181,8 @@ public:
                                                                               ExecutionThread et = ClientThread) {
         return addOperationDS(name, function, object.get(), et);
     }
-    /** Registers an operation whose first argument is an object: `Object*` or a boost::shared_ptr. Callers in C++ give it;
-        for scripts and tools the operation does not have that argument, they call it with what the source gives then. */
+    /** Registers an operation whose first argument is an object: `Object*` or a boost::shared_ptr. C++ callers pass it.
+        For scripts and tools the operation lacks that argument: the source gives the object. */
     template <class Object, class R, class First, class... Args>
     Operation<R(First, Args...)>& addOperationDS(internal::DataSource<boost::shared_ptr<Object>>* object,
                                                  Operation<R(First, Args...)>& operation) {
@@ -199,8 +197,8 @@ public:
     Operation<Signature>& addOperationDS(boost::intrusive_ptr<Source> object, Operation<Signature>& operation) {
         return addOperationDS(object.get(), operation);
     }
-    /** Lets callers in C++ that have another signature than an operation of this service call another function by its name,
-        in the same thread. Scripts and tools do not see it. False if there is no such operation in this process. */
+    /** Registers another function for an operation of this service, in the same thread, for C++ callers with another
+        signature. Scripts and tools do not see it. False if there is no such operation in this process. */
     template <class Signature, class Function>
     bool addOverload(const std::string& name, Function function) {
         auto* const made = new internal::LocalOperationCaller<Signature>();
@@ -232,7 +230,7 @@ public:
         const std::string& name, Function function, ExecutionThread et = ClientThread) {
         return make<typename internal::SignatureOf<Function>::type>(name, std::move(function), et, true);
     }
-    /** An operation whose calls others can listen to. */
+    /** An operation with a signal, to which others can subscribe. */
     template <class Signature>
     Operation<Signature>& addEventOperation(Operation<Signature>& operation) {
         operation.signals();
@@ -267,13 +265,12 @@ private:
 
     typedef std::map<std::string, shared_ptr> Services;
     Services services_;
-    std::vector<std::unique_ptr<base::OperationBase>> owned_;  // the others belong to the component
-    Parts local_;                                              // that others in this process alone can call
+    std::vector<std::unique_ptr<base::OperationBase>> owned_;  // other operations belong to the component
+    Parts local_;                                              // operations for callers in this process only
     std::string name_, doc_;
     TaskContext* owner_;
-    boost::intrusive_ptr<const internal::EngineGate>
-        owner_gate_;             // of its engine: a service that was never added is not told
-    Service* holder_ = nullptr;  // has this in services_; a parent may have no owner yet, in its constructor
+    boost::intrusive_ptr<const internal::EngineGate> owner_gate_;  // of its engine, shows that the owner is gone
+    Service* holder_ = nullptr;  // has this in services_; no pointer may own the parent yet, in its constructor
     boost::weak_ptr<Service> parent_;
 };
 
@@ -281,7 +278,7 @@ typedef boost::shared_ptr<Service> ServicePtr;
 
 }  // namespace RTT
 
-// Users rely on it for more than this header needs.
+// Users rely on this include, which the header itself does not need.
 #include <rtt/usual_includes.hpp>
 
 #endif

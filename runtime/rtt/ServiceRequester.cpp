@@ -39,7 +39,7 @@ base::OperationCallerBaseInvoker* ServiceRequester::getOperationCaller(const std
 
 void ServiceRequester::setOwner(TaskContext* owner) {
     owner_ = owner;
-    // Without owner the callers are left alone: they are members of a component whose destructor is under way, and gone.
+    // Without an owner do not touch the callers: they were members of a component under destruction and are gone.
     if (owner)
         for (auto& entry : callers_) entry.second->setCaller(owner->engine());
     for (auto& entry : requesters_) entry.second->setOwner(owner);

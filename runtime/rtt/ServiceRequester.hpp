@@ -15,7 +15,7 @@
 
 namespace RTT {
 
-/** The operations that a component needs from another, grouped under a name. Not thread safe; not real-time safe. */
+/** The operations that a component requires of another, grouped under a name. Not thread safe; not real-time safe. */
 class RTT_API ServiceRequester : public boost::enable_shared_from_this<ServiceRequester> {
 public:
     typedef boost::shared_ptr<ServiceRequester> shared_ptr;
@@ -29,19 +29,19 @@ public:
     ServiceRequester(const ServiceRequester&) = delete;
     ServiceRequester& operator=(const ServiceRequester&) = delete;
 
-    /** The caller's name is that of the operation it will be bound to. False if there is one of that name. */
+    /** The caller has the name of the operation that it will be bound to. False if the name is taken. */
     bool addOperationCaller(base::OperationCallerBaseInvoker& caller);
     OperationCallerNames getOperationCallerNames() const;
     base::OperationCallerBaseInvoker* getOperationCaller(const std::string& name) const;
 
     const std::string& getRequestName() const { return name_; }
     TaskContext* getServiceOwner() const { return owner_; }
-    /** For the component. With null, the callers keep the engine they have. */
+    /** For the component. With null, the callers keep their engine. */
     void setOwner(TaskContext* owner);
-    /** The service this was connected to last. */
+    /** The service to which this was connected last. */
     Service::shared_ptr getReferencedService() const { return service_; }
 
-    /** This, and the requester of that name, which is made if there is none. */
+    /** This requester, and the one of that name, made if there is none. */
     shared_ptr requires_();
     shared_ptr requires_(const std::string& name);
 #if __cplusplus < 202002L
@@ -52,12 +52,12 @@ public:
     bool requiresService(const std::string& name) const;
     RequesterNames getRequesterNames() const;
 
-    /** Binds each caller that is not ready to the operation of its name. True if all are ready then; an Info line names those
-        that the service lacks. */
+    /** Binds each caller that is not ready to the operation of its name. True if all are ready afterwards; an Info line
+        names those that the service lacks. */
     virtual bool connectTo(Service::shared_ptr service);
-    /** Names of the callers that are not ready, in alphabetical order and separated by commas. */
+    /** The names of the callers that are not ready, in alphabetical order, separated by commas. */
     std::string missingOperations() const;
-    /** All callers are ready. */
+    /** True if all callers are ready. */
     bool ready() const;
     void disconnect();
     void clear();

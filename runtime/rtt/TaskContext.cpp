@@ -25,7 +25,7 @@ base::ActivityInterface* makeDefaultActivity(const std::string& name) {
     return new extras::SequentialActivity;
 #else
     if (internal::ActivityFollows::take(name)) return new internal::DeferredActivity(name);
-    // Without the engine, which others may be triggering while its constructor runs.
+    // Without the engine, because others may be triggering that while the activity is being constructed.
     return new Activity(nullptr, name);
 #endif
 }
@@ -54,13 +54,13 @@ TaskContext::TaskContext(const std::string& name, TaskState initial_state)
 }
 
 TaskContext::~TaskContext() {
-    // Without a thread of its own nobody executes it now.
+    // A component without a thread of its own is not being executed now.
     if (isRunning() && isActive() && activity_->thread() && !activity_->thread()->isSelf())
         log(Warning) << getName()
                      << " is destroyed while it is running: its thread may meet what is left of it. Call stopForGood() "
                      << "in the destructor of its class" << endlog();
     endExecution();
-    // Others may hold these pointers longer than the component lives.
+    // Others may hold these pointers longer than the component exists.
     service_->setOwner(nullptr);
     requester_->setOwner(nullptr);
     releaseProviders();
@@ -69,7 +69,7 @@ TaskContext::~TaskContext() {
     releaseActivity();
 }
 
-// Who still holds one can connect it to something else. Its callers are its own, other than those of requires_().
+// Code that still holds one can connect it to another service. It owns its callers, unlike those of requires_().
 void TaskContext::releaseProviders() {
     for (const auto& entry : providers_) {
         if (!entry.second) continue;
@@ -84,7 +84,7 @@ const std::string& TaskContext::getName() const { return service_->getName(); }
 
 bool TaskContext::setActivity(base::ActivityInterface* new_act) {
     if (new_act && (new_act == activity_.get() || isMadeBy(activity_.get(), new_act)))
-        return true;  // and owned already
+        return true;  // it is owned already
     base::ActivityInterface::shared_ptr owned(new_act);
     const char* why = nullptr;
     if (isRunning())
@@ -96,7 +96,7 @@ bool TaskContext::setActivity(base::ActivityInterface* new_act) {
     if (why) {
         log(Error) << getName() << ": the activity cannot be changed " << why << endlog();
         owned.reset();
-        // The new one was attached to the engine if it was made with it.
+        // If the new one was made with the engine, it is attached to that.
         if (engine()->getActivity() != activity_.get()) engine()->setActivity(activity_.get());
         return false;
     }
@@ -113,22 +113,22 @@ void TaskContext::forceActivity(base::ActivityInterface* new_act) {
 
 void TaskContext::exchangeActivity(base::ActivityInterface::shared_ptr next) {
     next->stop();
-    next->run(engine());  // before the old one lets go: who sends meanwhile must find one
+    next->run(engine());  // before the old one is detached, because senders must find an activity meanwhile
     activity_.swap(next);
     if (next) next->run(nullptr);
-    next.reset();  // its thread ends before the new one begins
+    next.reset();  // its thread ends before the new one starts
     engine()->startActivity();
 }
 
 namespace {
 
-/** Destroys an activity, in the thread of the GlobalEngine, when it has returned from the step that asks for that. */
+/** Destroys an activity in the thread of the GlobalEngine, when it has returned from the step that requested it. */
 class ActivityRelease : public base::DisposableInterface {
 public:
     ActivityRelease(base::ActivityInterface::shared_ptr activity, boost::intrusive_ptr<const internal::EngineGate> gate)
         : activity_(std::move(activity)), gate_(std::move(gate)) {}
     void executeAndDispose() override {
-        gate_->waitForVisitors();  // who executes a sequential activity or a slave
+        gate_->waitForVisitors();  // threads that execute a sequential activity or a slave
         delete this;               // joins the thread
     }
     void dispose() override { delete this; }
@@ -143,8 +143,8 @@ private:
 void TaskContext::releaseActivity() {
     if (!activity_) return;
     const bool withinStep = engine()->isStepping();
-    // Its destructor would wait for who is executing, too, but not execute the messages of this thread, for one of which that
-    // may be waiting.
+    // The activity's destructor would also wait for an executing thread, but without executing this thread's messages,
+    // for one of which that thread may be waiting.
     engine()->setActivity(nullptr);
     if (!withinStep && activity_->isActive()) {
         engine()->gate()->waitForStep();
@@ -152,7 +152,7 @@ void TaskContext::releaseActivity() {
     }
     activity_->run(nullptr);
     if (withinStep) {
-        // Its code is further down the stack of this very thread. Moved, so that it is not destroyed below.
+        // Its code is further down the stack of this thread. Moved, so that it is not destroyed below.
         auto* const release = new ActivityRelease(std::move(activity_), engine()->gate());
         if (!internal::GlobalEngine::Instance()->process(release))
             log(Error) << getName() << ": the activity of the destroyed component cannot be released" << endlog();
@@ -160,7 +160,7 @@ void TaskContext::releaseActivity() {
     activity_.reset();
 }
 
-// Who looks at it may want to do so as an Activity; but a destructor that stops it shall make none.
+// The caller may want an Activity, so one is made; but not by a destructor that stops it.
 base::ActivityInterface* TaskContext::getActivity() {
     auto* const deferred = dynamic_cast<internal::DeferredActivity*>(activity_.get());
     if (!deferred) return activity_.get();
@@ -172,10 +172,10 @@ base::ActivityInterface* TaskContext::getActivity() {
 bool TaskContext::endExecution(Seconds limit) {
     const std::int64_t deadline =
         limit < 0 ? INT64_MAX : os::TimeService::Instance()->getNSecs() + Seconds_to_nsecs(limit);
-    // No step begins after that; one that is being executed is asked to end.
+    // No step begins after that; the current one is asked to end.
     if (activity_ && !engine()->gate()->retired()) activity_->stop();
     const bool left = engine()->retire(deadline);
-    // A thread that was starting it at that moment may have done so.
+    // Another thread may have started it at that moment.
     if (activity_ && activity_->isActive()) activity_->stop();
     return left;
 }
@@ -201,7 +201,7 @@ bool TaskContext::start() {
         return false;
     }
     try {
-        if (mTriggerOnStart && getTaskState() == Stopped) (void)getActivity();  // it needs its thread now
+        if (mTriggerOnStart && getTaskState() == Stopped) (void)getActivity();  // the component needs its thread now
     } catch (const std::bad_alloc& thrown) {
         log(Error) << getName() << " cannot be started: " << thrown.what() << endlog();
         return false;
@@ -270,7 +270,7 @@ bool TaskContext::loadService(const std::string& name) {
 bool TaskContext::dataOnPortHook(base::PortInterface*) { return isRunning(); }
 
 void TaskContext::dataOnPort(base::PortInterface* port) {
-    // The hook is one of a class that may be under destruction.
+    // The hook belongs to a class that may be under destruction.
     const internal::EngineGate::Visit visit(*engine()->gate());
     if (!visit.engine()) return;
     // The component may be started, and stopped, while the hook decides.
@@ -291,9 +291,9 @@ void TaskContext::portStep(base::TaskCore& task, base::PortInterface* port) {
     while (base::PortInterface* const next = self.port_callbacks_.nextAnnounced(last)) self.callbackOf(next);
 }
 
-// stop() changes the target first and then waits for the step in progress, so every later step sees the change. After it
-// the sub-class may be under destruction, so that its functions, too, are out of reach; unless its own hook wants to be called
-// while it is stopped. A port that was removed after it had been queued is nobody's any more, and may be destroyed.
+// stop() changes the target first and then waits for the step in progress, so every later step sees the change. After
+// it the subclass may be under destruction, so its functions must not be called, unless its own hook wants callbacks
+// while it is stopped. A port that was removed after it had been queued may be destroyed.
 void TaskContext::callbackOf(base::PortInterface* port) {
     typedef internal::PortCallbacks::Announced Announced;
     const internal::PortCallbacks::Execution execution(port_callbacks_, port);

@@ -21,16 +21,16 @@
 namespace RTT {
 
 /**
- * A component: a life cycle (base::TaskCore), an interface of ports, operations, properties, attributes and services, an
- * activity that executes it, and peers it knows by name.
+ * A component: a life cycle (base::TaskCore), an interface of ports, operations, properties, attributes and services,
+ * an activity that executes it, and peers with names.
  *
- * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use its
- * members calls stopForGood() first in its destructor, because its thread executes operations also after stop(). Components that
- * a ComponentLoader unloads are stopped for good before any destructor runs.
+ * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use
+ * its members calls stopForGood() first in its destructor, because its thread executes operations even after stop(). A
+ * ComponentLoader stops components for good before any destructor runs.
  *
- * Changing the interface or the activity is for one thread at a time and not real-time safe; others may call operations,
- * send, trigger and write to the ports meanwhile. Peers may be changed by any thread. A component may be destroyed in any
- * thread, its own included (see ExecutionEngine), while others call operations that it executes itself: those fail.
+ * Only one thread at a time may change the interface or the activity, which is not real-time safe; others may call
+ * operations, send, trigger and write to the ports meanwhile. Any thread may change peers. Any thread, even its own
+ * (see ExecutionEngine), may destroy a component while others call operations that it executes: those calls fail.
  */
 class RTT_API TaskContext : public base::TaskCore {
 public:
@@ -42,9 +42,9 @@ public:
 
     const std::string& getName() const override;
 
-    /** Takes ownership, stops the old activity and starts the new one, which executes what was queued meanwhile; null gives
-        a new default activity, the present one changes nothing. False, with an error, while running, within a step of the
-        component, and if the old one does not stop. Blocks until the step that is being executed is over. */
+    /** Takes ownership, stops the old activity and starts the new one, which executes items queued meanwhile. Null
+        gives a new default activity; the current one changes nothing. False, with an error logged, while running,
+        within a step of the component, and if the old one does not stop. Blocks until the current step is over. */
     bool setActivity(base::ActivityInterface* new_act);
     base::ActivityInterface* getActivity();
     template <class ActivityType>
@@ -55,17 +55,17 @@ public:
     bool start() override;
     bool stop() override;
     /**
-     * Stops the component and its activity; from then on no other thread executes its operations, callbacks or hooks: what was
-     * sent fails, what they send is refused. The first statement of a destructor, or of a program before it deletes a
-     * component, in the same thread; afterwards the component can only be destroyed. Blocks until threads that are executing the
-     * component have finished, but no longer than `limit` seconds, if that is not negative: then it is false, with an error in the
-     * log. Later calls wait for what is left, and else do nothing. Makes no thread. Throws nothing: what a hook throws is logged.
+     * Stops the component and its activity; from then on no other thread executes its operations, callbacks or hooks:
+     * pending calls fail, new ones are refused. Call it first in a destructor, or before deleting a component, in the
+     * same thread; the component can then only be destroyed. Blocks until threads that are executing the component have
+     * finished. If `limit` is not negative, it gives up after that many seconds: false, with an error logged. Later
+     * calls only wait for threads that are left. Makes no thread. Logs exceptions of hooks and throws none.
      *
-     * A ClientThread operation that a caller executes itself, without send(), at that moment is not waited for.
+     * Does not wait for a ClientThread operation that a caller is executing itself, without send().
      */
     bool stopForGood(Seconds limit = -1) noexcept;
     virtual void clear();
-    /** True if the component can be used; for sub-classes. */
+    /** True if the component can be used; for subclasses. */
     virtual bool ready();
 
     // --- peers ---
@@ -76,7 +76,7 @@ public:
     /** Makes both known to each other; false if one already has a peer of that name. */
     virtual bool connectPeers(TaskContext* peer);
     virtual void disconnectPeers(const std::string& name);
-    /** Leaves everybody: ports, peers, and those who have this as a peer. */
+    /** Disconnects all ports and all peers, also components that have this as a peer. */
     virtual void disconnect();
     /** In alphabetical order. */
     virtual PeerList getPeerList() const;
@@ -86,7 +86,7 @@ public:
 
     /** Connects ports of equal name and opposite direction, with the default policy; false if one of them failed. */
     virtual bool connectPorts(TaskContext* peer);
-    /** Connects what each requires with what the other provides; false if one of them failed. */
+    /** Connects the services that each requires with those that the other provides; false if one of them failed. */
     virtual bool connectServices(TaskContext* peer);
 
     // --- services ---
@@ -100,8 +100,8 @@ public:
 #endif
     /** True if the component has the service or a plugin could load it into this component. */
     virtual bool loadService(const std::string& name);
-    /** The service `name` seen through a requester class (made as ServiceType(this) and connected), or as the service class
-        itself. Loads the service if it is not there; null if it cannot be had. */
+    /** The service `name`, by a requester class (made as ServiceType(this) and connected) or as the service class
+        itself. Loads the service if necessary; null if that fails. */
     template <class ServiceType>
     boost::shared_ptr<ServiceType> getProvider(const std::string& name) {
         if (!loadService(name)) return nullptr;
@@ -145,7 +145,7 @@ public:
     Operation<Signature>& addEventOperation(Operation<Signature>& operation) {
         return service_->addEventOperation(operation);
     }
-    /** Null, and a warning, if there is none. */
+    /** Null, with a warning logged, if there is none. */
     OperationInterfacePart* getOperation(const std::string& name) { return service_->getOperation(name); }
 
     template <class T>
@@ -189,9 +189,9 @@ public:
     base::PortInterface* getPort(const std::string& name) const { return ports()->getPort(name); }
 
 protected:
-    /** As setActivity(), without the checks; null is ignored. */
+    /** Like setActivity(), without the checks; ignores null. */
     void forceActivity(base::ActivityInterface* new_act);
-    /** Decides whether data on an event port wakes this component. Called in the writer's thread. Default: isRunning(). */
+    /** Decides, in the writer's thread, whether data on an event port wakes this component. Default: isRunning(). */
     virtual bool dataOnPortHook(base::PortInterface* port);
     void dataOnPortCallback(base::PortInterface* port) override;
 
@@ -217,16 +217,16 @@ private:
     Service::shared_ptr service_;
     ServiceRequester::shared_ptr requester_;
     std::map<std::string, ServiceRequester::shared_ptr> providers_;
-    // Of all components, these are changed under one lock, because each change concerns two of them.
+    // One lock guards these of all components, because each change concerns two components.
     std::map<std::string, TaskContext*> peers_;
-    std::vector<TaskContext*> users_;  // those that have this as a peer
+    std::vector<TaskContext*> users_;  // components that have this as a peer
     internal::PortCallbacks port_callbacks_;
     base::ActivityInterface::shared_ptr activity_;
 };
 
 /** Makes both known to each other. */
 inline bool connectPeers(TaskContext* a, TaskContext* b) { return a->connectPeers(b); }
-/** Connects the equally named ports of both. */
+/** Connects ports of equal names. */
 inline bool connectPorts(TaskContext* a, TaskContext* b) { return a->connectPorts(b); }
 
 }  // namespace RTT

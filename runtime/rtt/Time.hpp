@@ -22,8 +22,8 @@ constexpr Seconds InfiniteSeconds = std::numeric_limits<Seconds>::max();
 constexpr nsecs InfiniteNSecs = std::numeric_limits<nsecs>::max();
 
 /**
- * Seconds as nanoseconds, rounded to the nearest one; what does not fit (InfiniteSeconds, for example) is
- * clamped, a not-a-number gives 0.
+ * Seconds as nanoseconds, rounded to the nearest one. Clamps values that do not fit (such as InfiniteSeconds); a
+ * not-a-number gives 0.
  */
 constexpr nsecs Seconds_to_nsecs(Seconds s) {
     if (s != s) return 0;

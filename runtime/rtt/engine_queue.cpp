@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// How other threads ask an engine for something, and how its own thread waits for others.
+// How an engine takes requests of other threads, and how its own thread waits for others.
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t kForever = INT64_MAX;
 constexpr std::int64_t kMillisecond = 1000000;
 
-/** A moment from now, for somebody who waits for two things and can sleep for one of them only. */
+/** A deadline soon, for a thread that waits for two events and can sleep for only one of them. */
 std::int64_t soon(std::int64_t ms) { return rtos_get_time_ns() + ms * kMillisecond; }
 }  // namespace
 
@@ -40,19 +40,19 @@ void ExecutionEngine::disposeQueued() {
 }
 
 // The component may enter FatalError between our look at its state and put(). Its thread then enters the new state,
-// notifies and disposes of what is queued, in this order; we put, notify and look at the state again. Both change one
-// word, so one of the two comes second and sees what the other did before: the message is disposed of.
+// notifies and disposes of the queue, in this order; we put, notify and look at the state again. Both change one word,
+// so one of the two comes second and sees what the other did before: the message is disposed of.
 bool ExecutionEngine::accepts() const { return !(task_ && task_->base::TaskCore::inFatalError()); }
 
-// In a visit to the gate, so that neither the engine nor its activity go away.
+// Call it in a visit to the gate, so that neither the engine nor its activity goes away.
 bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activity) {
     if (!item.what || !activity || gate_->retired() || !accepts()) return false;
     if (!mailbox_.put(item)) {
         if (item.kind != Mailbox::Kind::Port) return false;
-        // An exchange, so that who takes the flag away sees what all those have done who set it.
+        // An exchange, so that the thread that clears the flag sees what all threads that set it did before.
         missed_ports_.exchange(true);
     }
-    // The engine's thread may be inside waitForMessages(). It does not need to know of ports there.
+    // The engine's thread may be inside waitForMessages(), where it need not learn of ports.
     if (item.kind == Mailbox::Kind::Port)
         gate_->waitPoint.mark();
     else
@@ -96,7 +96,7 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
         Removal removal(function, waiting);
         awaitRemoval(removal, waiting);
         if (removal.state() == Removal::Disposed) {
-            // Nobody executes any more, at most what is left of the last step. Other threads may remove as well.
+            // No thread executes the engine now, except the rest of the last step. Other threads may remove as well.
             gate_->waitForStep();
             static os::Mutex removers;
             const os::MutexLock lock(removers);
@@ -108,8 +108,8 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     return true;
 }
 
-// Takes the function out in this thread, if this is the component's thread or if nobody executes the component. A `removal` that is
-// queued is withdrawn first; false if it cannot be, because the engine has taken it.
+// Removes the function in this thread, if that is the component's or if no thread executes the component. Withdraws a
+// queued `removal` first; false if the engine has taken it.
 bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* removal) {
     const EngineGate::Stand stand(gate_.get(), EngineGate::Stand::Anybody);
     if (!stand || (removal && !mailbox_.withdraw({Mailbox::Kind::RemoveFunction, removal}))) return false;
@@ -119,26 +119,26 @@ bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* r
     return true;
 }
 
-// While nobody executes the component nobody empties its queue, and functions that are added and removed would fill it. Called by
-// the thread that may touch the component.
+// While no thread executes the component none empties its queue, and functions that are added and removed would fill
+// it. For the thread that may touch the component.
 void ExecutionEngine::takeAdditions() {
     Mailbox::Item item;
     const auto isWithdrawn = [&] { return !item.what && item.kind == Mailbox::Kind::RemoveFunction; };
     while (mailbox_.peek(item) && (item.kind == Mailbox::Kind::AddFunction || isWithdrawn()) && mailbox_.take(item)) {
         if (item.kind != Mailbox::Kind::AddFunction)
-            dispose(item);  // after a fatal error, when another thread clears the queue at this moment
+            dispose(item);  // after a fatal error, while another thread clears the queue
         else if (item.what)
             functions_.add(static_cast<base::ExecutableInterface*>(item.what));
     }
 }
 
-// The thread of a component goes on executing its messages: the function may be waiting for one of them.
+// A component's thread executes its messages meanwhile, because the function may be waiting for one of them.
 void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) {
     const auto finished = [&] { return removal.state() != Removal::Waiting; };
-    // The queue is in order, so an addition that still waits in it is executed before the removal. It may be full.
+    // The queue keeps the order, so a queued addition is executed before the removal. The queue may be full.
     bool queued = false;
-    // Looks at once, and then from time to time, because an activity that is stopped meanwhile tells nobody, nor does a
-    // thread that executes it no more.
+    // Looks at once, and then from time to time, because neither an activity that stops meanwhile nor a thread that no
+    // longer executes it notifies.
     do {
         if (!queued) queued = enqueue({Mailbox::Kind::RemoveFunction, &removal});
         if (removeHere(removal.function, queued ? &removal : nullptr)) return removal.finish(Removal::Removed);
@@ -151,8 +151,8 @@ void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) 
     } while (!waiting.engine()->waitForMessages(finished, soon(queued ? 20 : 1)));
 }
 
-// Executes the messages of all engines that this thread is executing, and the functions that others wait for. True if some of
-// those have to be executed again soon.
+// Executes the messages of all engines that this thread is executing, and functions that others wait for. True if some
+// of these functions have to be executed again soon.
 bool ExecutionEngine::processWaiting() {
     bool again = false;
     for (const Step* step = Step::innermost(); step; step = step->outer()) {
@@ -177,13 +177,13 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
         sleep.until(again ? std::min(deadline, soon(1)) : deadline);
     }
-    // The trigger that came with a port may have been used up before we waited.
+    // The trigger of a port may have been used up before we waited.
     for (const Step* step = &here; step; step = step->outer())
         if (ExecutionEngine* const engine = step->engine()) engine->triggerDeferred();
     return true;
 }
 
-// False if this thread must leave the component alone. `again` as processWaiting().
+// False if this thread must not touch the component. `again` is the result of processWaiting().
 bool ExecutionEngine::processInStead(bool& again) {
     const EngineGate::Stand stand(gate_.get());
     if (!stand) return false;
@@ -192,7 +192,7 @@ bool ExecutionEngine::processInStead(bool& again) {
     return true;
 }
 
-// By a thread that stands for the activity and is not within a step: another one may execute the component at any moment.
+// For a thread that acts as the activity outside a step: another one may execute the component at any moment.
 bool ExecutionEngine::waitInStead(const boost::function<bool()>& done, std::int64_t deadline) {
     internal::detail::EngineSleep sleep(*gate_);
     while (!done()) {
@@ -202,7 +202,7 @@ bool ExecutionEngine::waitInStead(const boost::function<bool()>& done, std::int6
         if (done()) break;
         if (mine && !mailbox_.empty()) continue;
         if (deadline != kForever && rtos_get_time_ns() >= deadline) return false;
-        // Who executes it now may leave something to this thread, and tells nobody.
+        // A thread that executes it now may leave work to this thread without a notification.
         sleep.until(mine && !again ? deadline : std::min(deadline, soon(1)));
     }
     triggerDeferred();

@@ -9,7 +9,7 @@
 
 namespace RTT {
 
-/** A list whose nodes lie in real-time memory. Inserting throws std::bad_alloc when that is used up. */
+/** A list with its nodes in real-time memory. Inserting throws std::bad_alloc when that is used up. */
 template <class T>
 using rt_list = std::list<T, os::rt_allocator<T>>;
 

@@ -10,7 +10,7 @@
 namespace RTT {
 
 /**
- * A string whose characters lie in real-time memory, so that real-time threads may change and send it. Up to 15
+ * A string with its characters in real-time memory, so that real-time threads may change and send it. Up to 15
  * characters need no memory at all. Throws std::bad_alloc when the memory is used up.
  */
 typedef std::basic_string<char, std::char_traits<char>, os::rt_allocator<char>> rt_string;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The namespaces of the runtime. Users say `using namespace RTT::detail`, or `Orocos`, after any header, so
+// The namespaces of the runtime. Users write `using namespace RTT::detail`, or `Orocos`, after any header, so
 // <rtt/rtt-config.h> includes this one.
 #ifndef ORO_RTT_DETAIL_FWD_HPP
 #define ORO_RTT_DETAIL_FWD_HPP
@@ -14,7 +14,7 @@ namespace os {}
 namespace plugin {}
 namespace scripting {}
 namespace types {}
-/** All of them at once. */
+/** All namespaces at once. */
 namespace detail {
 using namespace base;
 using namespace internal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Forward declarations of the classes that components meet.
+// Forward declarations of the classes that components use.
 #ifndef ORO_RTT_FWD_HPP
 #define ORO_RTT_FWD_HPP
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Who knows whom.
+// The peers of components.
 #include <rtt/TaskContext.hpp>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace RTT {
 
 namespace {
 
-// A change concerns two components, and two of them may be destroyed at once.
+// One lock for all, because a change concerns two components, and both may be destroyed at the same time.
 std::mutex& peersMutex() {
     static std::mutex* const mutex = new std::mutex;  // never destroyed: components may be static
     return *mutex;
@@ -71,7 +71,7 @@ bool TaskContext::connectPeers(TaskContext* peer) {
     if (!peer || hasPeer(peer->getName()) || peer->hasPeer(getName())) return false;
     if (!addPeer(peer)) return false;
     if (peer->addPeer(this)) return true;
-    removePeer(peer->getName());  // somebody else was quicker
+    removePeer(peer->getName());  // another thread was faster
     return false;
 }
 

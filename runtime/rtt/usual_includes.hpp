@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What user code uses without including it: components rely on <rtt/TaskContext.hpp> for all of this.
+// Headers that user code does not include itself: components rely on <rtt/TaskContext.hpp> for them.
 #ifndef ORO_USUAL_INCLUDES_HPP
 #define ORO_USUAL_INCLUDES_HPP
 
 #ifndef BOOST_BIND_GLOBAL_PLACEHOLDERS
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS  // user code says _1, not boost::placeholders::_1
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS  // user code writes _1, not boost::placeholders::_1
 #endif
 #include <boost/bind.hpp>
 #include <boost/function.hpp>

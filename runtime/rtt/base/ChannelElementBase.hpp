@@ -60,7 +60,8 @@ public:
     /** Signals a new sample to the reader's side. Real-time safe; false if there is no reader. */
     virtual bool signal();
 
-    /** Breaks the chain from here on: towards the reader (forward) or the writer. The port at that end drops the channel. */
+    /** Breaks the chain from here towards the reader (forward) or the writer. The port at that end drops the
+        channel. */
     virtual void disconnect(bool forward);
     /** The same, on behalf of the neighbour `channel` (null: all neighbours). */
     virtual bool disconnect(shared_ptr const& channel, bool forward);

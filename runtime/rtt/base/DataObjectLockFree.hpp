@@ -8,7 +8,7 @@
 namespace RTT {
 namespace base {
 
-/** For any number of writers and readers; never blocks. Set() fails only while more threads use it than it was made for. */
+/** For any number of writers and readers; never blocks. Set() fails only while too many threads use it. */
 template <class T>
 class DataObjectLockFree : public internal::StoredDataObject<T> {
 public:

@@ -18,8 +18,8 @@ class ExecutionEngine;
 /** Which thread executes an operation: that of the component that provides it, or the caller's. */
 enum ExecutionThread { OwnThread, ClientThread };
 
-/** Thrown by call(): the operation never ran, because its component takes no messages (FatalError, no activity, queue full),
-    or because call() was used without a caller. */
+/** Thrown by call() if the operation never ran, because its component takes no messages (FatalError, no activity, queue
+    full) or call() was used without a caller. */
 class RTT_API SendError : public std::runtime_error {
 public:
     SendError(SendStatus status, const std::string& why);

@@ -165,7 +165,7 @@ bool OutputPortInterface::initialise(ChannelElementBase& channel, bool init) {
     internal::SampleArray sample(*ops, 1, initial ? initial->get() : nullptr);
     // The sample of setDataSample() takes precedence over the last value, which may be smaller.
     bool has_last = !initial && copyLastWritten(sample.sample(0));
-    // A default value is useless for local storage, which consists of such and is sized by the first written sample.
+    // A default value is useless for local storage, which consists of default values until the first sample sizes it.
     const bool tells = initial || has_last || !channel.storageCore();
     if (tells && channel.sampleErased(sample.sample(0), false) != WriteSuccess) {
         log(Error) << "output port " << getFullName()

@@ -12,8 +12,8 @@ namespace base {
 class PropertyIntrospection;
 
 /**
- * A named, documented value that tools may read, change, save and load.
- * Not thread safe; reading and setting the value is real-time safe if copying its type is, nothing else.
+ * A named, documented value that tools may read, change, save and load. Not thread safe. Only reading and setting the
+ * value is real-time safe, if copying its type is.
  */
 class RTT_API PropertyBase {
 public:

@@ -255,7 +255,7 @@ bool TaskCore::recover() {
     const bool recovered = modify([&](States& now) {
         from = now.state;
         if (from != Exception && from != RunTimeError) return false;
-        if (now.target != from) return false;  // stop() is under way
+        if (now.target != from) return false;  // stop() is in progress
         now.state = now.target = from == Exception ? mInitialState : Running;
         return true;
     });

@@ -22,7 +22,7 @@ public:
     void write(const char* text, std::size_t size) noexcept;
     void flush() noexcept;
     void close() noexcept;
-    /** The error number of the first write that failed, once; else 0. */
+    /** The error number of the first write that failed, once; otherwise 0. */
     int takeFailure() noexcept;
 
 private:

@@ -42,9 +42,9 @@ public:
         Presence::Place* const place_;
     };
 
-    /** Call it before others get the gate; without it close() waits for nobody. Real-time safe. */
+    /** Call it before others get the gate; without it close() does not wait. Real-time safe. */
     void share() noexcept { shared_ = true; }
-    /** Blocks until nobody is inside, except this thread: an object may be destroyed by what its user makes it do. */
+    /** Blocks until no other thread is inside. This one may be: a user of the object may cause its destruction. */
     void close() noexcept;
     /** The same for a gate that will not be opened again: it may be destroyed while this thread is inside. */
     void closeForGood() noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Memory for calls under way, so that sending an operation does not ask the system for memory.
+// Memory for calls in progress, so that sending an operation does not allocate.
 #ifndef ORO_INTERNAL_CALL_POOL_HPP
 #define ORO_INTERNAL_CALL_POOL_HPP
 

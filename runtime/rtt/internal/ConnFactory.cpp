@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// What a connection is made of, and what policies are valid.
+// Makes the parts of a connection, and checks policies.
 #include <rtt/internal/ConnFactory.hpp>
 
 #include <rtt/Logger.hpp>
@@ -35,7 +35,7 @@ ConnFactory::ElementPtr ConnFactory::makeChannelInput(base::OutputPortInterface&
 
 namespace {
 
-/** What is wrong with a policy; null if nothing. */
+/** The fault of a policy; null if it is valid. */
 const char* fault(const ConnPolicy& policy) {
     if (policy.type == ConnPolicy::UNBUFFERED)
         return "UNBUFFERED is only for output streams, expected a type with storage";

@@ -98,7 +98,7 @@ void EngineGate::close() {
     engine_.store(nullptr);
     activity_.store(nullptr);
     waitForVisitors();
-    // An engine may be destroyed within its own step, and this thread then goes on using the gate.
+    // An engine may be destroyed within its own step, and this thread then continues to use the gate.
     for (unsigned visits = Presence::keep(this); visits; --visits) ref();
     for (const Step* step = Step::innermost_; step; step = step->outer_)
         if (step->gate_ == this) step->gate_ = nullptr;

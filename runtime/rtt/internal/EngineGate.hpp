@@ -46,7 +46,7 @@ public:
         Presence::Place& place_;
     };
 
-    /** A step of the engine in this thread. Steps nest: a sequential activity may execute within the step of another. */
+    /** A step of the engine in this thread. Steps nest: a sequential activity may execute within another's step. */
     class RTT_API Step {
     public:
         explicit Step(const EngineGate& gate) noexcept;

@@ -35,7 +35,7 @@ public:
     FunctionList();
     /** Allocates beyond 64 functions. */
     void add(base::ExecutableInterface* function);
-    /** Leaves a hole, because a round may be under way. */
+    /** Leaves a hole, because a round may be in progress. */
     void remove(base::ExecutableInterface* function);
     /** Closes the holes. Not for use within a round. */
     void tidy();

@@ -80,7 +80,7 @@ public:
         const Kind outer_;
     };
 
-    /** The period, in nanoseconds, in which a waiting thread looks at asked(). */
+    /** A waiting thread reads asked() every so many nanoseconds. */
     static constexpr std::int64_t kLook = 50000000;
 
 private:

@@ -95,7 +95,7 @@ private:
         return &record;
     }
     static void leave(Record& record) noexcept {
-        // Pairs with the acquire loads of collect() and synchronize(): what we did inside happens before the destruction.
+        // Pairs with the acquire loads of collect() and synchronize(): our use inside happens before the destruction.
         record.epoch.store(0, std::memory_order_release);
         if (__builtin_expect(!record.deferred.empty(), 0)) record.deferred.run();
     }

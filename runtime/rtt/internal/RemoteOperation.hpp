@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls that go through the data sources of an operation, because it is remote or has another signature than the caller.
+// Calls through the data sources of an operation that is remote or has another signature than the caller.
 #ifndef ORO_INTERNAL_REMOTE_OPERATION_HPP
 #define ORO_INTERNAL_REMOTE_OPERATION_HPP
 

@@ -47,7 +47,7 @@ public:
     virtual int arity() const = 0;
     /** Adds a function; without `connect` its handle can connect it later. Not real-time safe. */
     void add(const ConnectionPtr& connection, bool connect);
-    /** Calls all connected functions, with pointers to the arguments. Never locks; real-time safe if the functions are. */
+    /** Calls all connected functions with pointers to the arguments. Never locks; real-time safe if they are. */
     void emitErased(void* const* arguments) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Members of the ports that are not on the data path. Not inline, so that `extern template class` keeps them out of users'
+// Members of ports outside the data path. Not inline, so that `extern template class` keeps them out of users'
 // translation units.
 #ifndef ORO_INTERNAL_PORTS_INL_HPP
 #define ORO_INTERNAL_PORTS_INL_HPP

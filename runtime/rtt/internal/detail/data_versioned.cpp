@@ -20,11 +20,12 @@
 // pairs with W3, W2 of that version happened before, and R4 finds the version changed. R3's acquire also keeps R4 after
 // it. A writer that claims a slot by W1, after its last owner's W5, sees that owner's W4 or a later publication. If the
 // slot is still current, the writer gives it back untouched; if not, only its new owner can make it current again. Thus
-// the current slot is never written. The home thread (home_thread.hpp) skips W1 and W5: it uses its own slots in turn,
-// so the next one is not the one that it published last, and only that one of them can be current. New or old: R5
-// succeeds only if no reader took any sample since R0, so each publication is new for exactly one reader. If it fails,
-// another reader was first; this one starts again and cannot return an older sample. The sole reader (sole_reader.hpp)
-// uses a plain store in R5: no other thread takes samples meanwhile.
+// the current slot is never written.
+// The home thread (home_thread.hpp) skips W1 and W5: it uses its own slots in turn, so the next one is not the one that
+// it published last, and only that one of them can be current.
+// New or old: R5 succeeds only if no reader took any sample since R0, so each publication is new for exactly one
+// reader. If it fails, another reader was first; this one starts again and cannot return an older sample.
+// The sole reader (sole_reader.hpp) uses a plain store in R5: no other thread takes samples meanwhile.
 #include <rtt/internal/detail/home_thread.hpp>
 #include <rtt/internal/detail/sample_words.hpp>
 #include <rtt/internal/detail/sole_reader.hpp>

@@ -17,8 +17,8 @@ namespace detail {
 /**
  * Which thread, if any, is the only one that takes samples out of a store.
  *
- *   undecided    a thread counts itself in `inside_` while it reads; one that reads often enough in a row becomes the sole
- *                reader, unless another one is inside at that moment
+ *   undecided    a thread counts itself in `inside_` while it reads; one that reads often enough in a row becomes the
+ *                sole reader, unless another one is inside at that moment
  *   sole         the sole reader says in `reading_` that it reads and then looks whether it is still the sole one
  *   ending       another thread reads
  *   shared       for good
