@@ -26,7 +26,7 @@ namespace RTT {
  *
  * Derive from it, add the interface in the constructor, override the hooks. A component whose hooks or operations use
  * its members calls stopForGood() first in its destructor, because its thread executes operations even after stop(). A
- * ComponentLoader stops components for good before any destructor runs.
+ * ComponentLoader stops the components that it unloads for good before any destructor runs.
  *
  * Only one thread at a time may change the interface or the activity, which is not real-time safe; others may call
  * operations, send, trigger and write to the ports meanwhile. Any thread may change peers. Any thread, even its own

@@ -17,8 +17,8 @@ public:
     virtual ~ExecutableInterface();
     /** One step, in the engine's thread; false when done. Must be real-time safe if the component is. */
     virtual bool execute() = 0;
-    /** True for a function that other threads wait for. It is also executed while the component waits for one of them,
-        even within an execute() that waits. Only the engine's own thread may remove it. */
+    /** True for a function that other threads wait for. It is also executed while the component waits for another one,
+        which may be waiting for it, even within an execute() that waits. Only the engine's own thread may remove it. */
     virtual bool isAwaited() const { return false; }
     /** True if execute() would do nothing: the engine leaves the function out until wake(). It asks after each
         execute() and each wake(), in its own thread. Real-time safe; calls nothing of the engine. */

@@ -24,7 +24,7 @@ bool isRegular(int file) {
     return fstat(file, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/** Until the file is closed. A process that empties it has an exclusive lock for a moment; others share the lock. */
+/** Held until the file is closed. Processes that add to it share the lock; one that empties it needs it alone. */
 void lockForAdding(int file) {
     for (int times = 0; times != kTries && flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++times)
         nanosleep(&kPause, nullptr);

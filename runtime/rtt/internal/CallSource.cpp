@@ -13,7 +13,7 @@ namespace RTT::internal {
 
 namespace {
 
-/** The calling thread would execute the operation itself, on what is left of its component. Sending is refused. */
+/** The calling thread would execute the operation itself, on what is left of its component. A sent call is refused. */
 bool isOrphan(const base::OperationCallerInterface& caller) {
     return caller.getThread() == ClientThread && caller.callee() && !caller.ready();
 }

@@ -27,7 +27,7 @@ public:
     virtual bool evaluate() const = 0;
     /** The value of the last evaluation; never null. */
     virtual void* value() const = 0;
-    /** The same, but evaluates first if that has no effect except finding the value. */
+    /** The same, but evaluates first, except in a PartPlace. */
     virtual void* get() const = 0;
     /** The value, to be changed in place; updated() follows. */
     virtual void* forChange() = 0;
