@@ -19,11 +19,8 @@ EXPLANATIONS = ("deployer/explain/", "generator/explain/")
 PAGES = ("docs/", "examples/")
 # This page shows what not to write.
 EXEMPT = ("docs/design/style.md",)
-# Folders of C++ whose comments and literals are read. To be filled: a folder is added when it has no finding.
-SOURCES = ("deployer/", "generator/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/",
-           "typekit_gen/collect/", "typekit_gen/diff/", "typekit_gen/plan/",
-           *(f"runtime/rtt/{folder}/" for folder in
-             ("deployment", "extras", "marsh", "os", "plugin", "scripting", "types", "typekit")))
+# Folders of C++ whose comments and literals are read. A folder is added when it has no finding.
+SOURCES = ("deployer/", "generator/", "runtime/", "typekit_gen/collect/", "typekit_gen/diff/", "typekit_gen/plan/")
 CODE = (".cpp", ".hpp", ".h", ".inl")
 MAX_COLUMNS = 120
 
