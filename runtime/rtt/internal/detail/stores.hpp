@@ -15,15 +15,23 @@ namespace detail {
 
 typedef std::unique_ptr<SampleStore> StorePtr;
 
-/** Whether makeVersionedData() can store the type. */
-bool fitsVersionedData(const types::TypeOps& ops);
+// Data keeps the newest sample, a buffer a queue. `first`, which may be null, is the sample that all elements copy at
+// first; plain samples need none, because they all have one size.
+
+/** LockFree, small plain samples: a reader copies words and then checks that their version did not change. */
 StorePtr makeVersionedData(const types::TypeOps& ops, const StoreSpec& spec);
+bool fitsVersionedData(const types::TypeOps& ops);
+/** LockFree, other samples: a slot counts the threads that read it, and is not reused meanwhile. */
 StorePtr makeCountedData(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
+/** Locked: with a mutex. Unsync: without, for one thread at a time. */
 StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
-StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
-/** Whether makeWordBuffer() can store the type. */
-bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
+
+/** LockFree, small plain samples of a buffer that is not too long: samples are words, as in makeVersionedData(). */
 StorePtr makeWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
+bool fitsWordBuffer(const types::TypeOps& ops, const StoreSpec& spec);
+/** LockFree, other samples. */
+StorePtr makeLockFreeBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
+/** Locked or Unsync, as makePlainData(). */
 StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first);
 
 /** Runs a function at the end of the scope, even if assigning a sample throws. */
