@@ -80,7 +80,7 @@ std::vector<std::string> otherNames(const RTT::types::TypeInfo& type) {
     return {names.begin(), names.end()};
 }
 
-/** The types of which one value converts to `type`. */
+/** The types from which a single value converts to `type`. */
 std::vector<std::string> madeFrom(const RTT::types::TypeInfo& type) {
     std::set<std::string> names;
     for (const std::string& each : RTT::types::Types()->getTypes()) {

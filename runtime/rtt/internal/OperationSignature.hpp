@@ -48,7 +48,7 @@ public:
 
     std::vector<ArgumentDescription> getArgumentList() const final;
     std::string resultType() const final;
-    unsigned arity() const override;
+    unsigned arity() const final;
     const types::TypeInfo* getArgumentType(unsigned index) const final;
     unsigned collectArity() const final;
     const types::TypeInfo* getCollectType(unsigned index) const final;

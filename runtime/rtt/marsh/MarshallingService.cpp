@@ -108,10 +108,10 @@ std::string described(Service& service) {
 }
 
 /** Calls `use` with a loader for that service and returns its result. The loader logs the errors of the file. If `use`
-    fails, the calling script gets the reason: "could not", then `todo`, the name of the service and `file`. */
+    fails, the calling script gets the reason: what could not be done (`action`), the service and `file`. */
 template <class Use>
-bool used(Service* service, const std::string& todo, const std::string& file, Use use) {
-    return service && internal::toldOr("could not " + todo + " of " + described(*service) + file,
+bool used(Service* service, const std::string& action, const std::string& file, Use use) {
+    return service && internal::toldOr("could not " + action + " of " + described(*service) + file,
                                        [&] { return use(PropertyLoader(service)); });
 }
 

@@ -41,7 +41,7 @@ void findProperties(const xml::Element& parent, Elements& found) {
 
 bool isPlain(const std::string& type) { return type.empty() || type == "PropertyBag" || type == "type_less"; }
 
-/** True for the elements of a sequence or array, of which the order counts and the names do not. */
+/** True for the elements of a sequence or array: their order counts, their names do not. */
 bool areElements(const PropertyBag& bag) {
     if (isPlain(bag.getType())) return false;
     return isSequenceType(bag.getType()) || (!bag.empty() && bag.getItem(0)->getName() == "Element0");
