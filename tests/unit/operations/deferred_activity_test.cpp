@@ -129,6 +129,7 @@ TEST(DeferredActivity, IsKeptWhenItIsForcedAgain) {
     EXPECT_TRUE(component->isActive());
     ASSERT_TRUE(component->configure() && component->start());
     EXPECT_TRUE(eventually([&] { return component->updates > 0; }));
+    EXPECT_TRUE(component->getActivity()->stop());
 }
 
 TEST(DeferredActivity, StopsForAnotherThatTookTheRunner) {
