@@ -40,7 +40,7 @@ private:
     void analyse(std::size_t at);
     void reverse(std::size_t early, std::size_t late);
 
-    const bool reduction_;
+    bool reduction_;
     std::vector<Node> path_;
     std::size_t depth_ = 0;
     std::array<Clock, kThreads> last_{};  // Node::before of each thread's last step

@@ -241,6 +241,11 @@ Result explore(const Options& options, const std::function<void(Trial&)>& scenar
     state = &s;
     s.scenario = &scenario;
     Result result;
+    // The first run in a process makes what is static. Its objects would have other numbers than those of the next runs,
+    // and the explorer would not see which of their steps depend on each other.
+    oneRun();
+    s.explorer = Explorer(options.reduction);
+    s.failure.clear();
     do {
         if (result.executions == options.maxExecutions) break;
         oneRun();
