@@ -86,6 +86,10 @@ public:
     void waitForMessages(const boost::function<bool()>& done);
     /** The same, at most until the monotonic time `deadline` in ns; returns done(). */
     bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline);
+    /** The same, only within a step of this engine, for a condition that may also become true when the futex `also`
+        changes. */
+    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
+                         const internal::Presence::Word* also);
     /** For users that may outlive this engine. */
     const boost::intrusive_ptr<const internal::EngineGate>& gate() const { return gate_; }
     /** Queues a message for the engine of `gate`, if that still exists, like process(). */
@@ -138,8 +142,6 @@ private:
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();
     static bool processWaiting();
-    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
-                         const internal::Presence::Word* also);
     bool processInStead(bool& again);
     bool waitInStead(const boost::function<bool()>& done, std::int64_t deadline);
     void triggerDeferred();

@@ -20,6 +20,8 @@ inline void prepareWaiting() {
     prepareReclaimer();
     new (&Waiting::mutex()) std::mutex;
     new (&Waiting::all()) std::vector<Waiting*>;
+    new (&Waiting::number_) std::atomic<std::uint32_t>(0);
+    new (&Waiting::changes_) std::atomic<std::uint32_t>(0);
 }
 
 }  // namespace model

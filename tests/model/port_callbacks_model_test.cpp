@@ -136,11 +136,17 @@ void removingEachOther(Trial& trial) {
     prepareWaiting();
     std::array<PortCallbacks, 2> callbacks;
     const auto portOf = [&](std::size_t i) { return reinterpret_cast<RTT::base::PortInterface*>(&callbacks[i]); };
+    std::array<std::unique_ptr<PortCallbacks::Execution>, 2> executions;
     for (std::size_t i = 0; i < 2; ++i) {
-        callbacks[i].set(portOf(i), [&, i](RTT::base::PortInterface*) { callbacks[1 - i].remove(portOf(1 - i)); });
-        callbacks[i].announce(portOf(i), true);
+        callbacks[i].set(portOf(i), [](RTT::base::PortInterface*) {});
+        executions[i] = std::make_unique<PortCallbacks::Execution>(callbacks[i], portOf(i));
+        executions[i]->entry_->thread.store(static_cast<pthread_t>(i + 2));  // that of trial.thread()
     }
-    for (std::size_t i = 0; i < 2; ++i) trial.thread([&, i] { callbacks[i].call(portOf(i), true); });
+    for (std::size_t i = 0; i < 2; ++i)
+        trial.thread([&, i] {
+            callbacks[1 - i].remove(portOf(1 - i));
+            executions[i].reset();
+        });
     trial.go();
 }
 
@@ -162,6 +168,7 @@ TEST(PortCallbacks, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("callbacks_not_waited_for", removedWhileCalled));
     EXPECT_TRUE(model::catches("callbacks_removal_unseen", removedWhileCalled));
     EXPECT_TRUE(model::catches("callbacks_relaxed_end", removedWhileCalled));
+    EXPECT_TRUE(model::catches("callbacks_end_unheard", removedWhileCalled));
     EXPECT_TRUE(model::catches("callbacks_wait_for_each_other", removingEachOther, {0}));
 }
 

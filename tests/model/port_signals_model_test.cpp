@@ -78,27 +78,43 @@ void siblingDestroyed(Trial& trial) {
     require(second.component->told <= 1, "told of by who destroyed it");
 }
 
-/** In the callback of each of two ports, in two threads, the other one is taken out of its component. `pending`: one that
-    the other thread has yet to tell. */
-template <bool pending>
+/** The callbacks of two ports, in two threads, end each other's ports. */
 void endingEachOther(Trial& trial) {
     prepareWaiting();
-    World told[2], waiting[2];
-    for (int i = 0; i != 2; ++i)
-        told[i].component->onData = [&, i](InputPortInterface*) {
-            World& other = (pending ? waiting : told)[1 - i];
-            other.port->setInterface(nullptr);
-            other.port->finishSignals();
-        };
-    for (int i = 0; i != 2; ++i)
-        trial.thread([&, i] {
-            const Reclaimer::Guard guard;
-            told[i].write();
-            if (pending) waiting[i].write();
-        });
+    World told[2];
+    for (int i = 0; i != 2; ++i) {
+        told[i].component->onData = [&, i](InputPortInterface*) { told[1 - i].port->finishSignals(); };
+        trial.thread([&, i] { told[i].write(); });
+    }
     trial.go();
-    for (World* const world : {&told[0], &told[1], &waiting[0], &waiting[1]})
-        require(world->port->pinned_.load() == 0, "a signal was ended twice, or not at all");
+    for (World& world : told) require(world.port->pinned_.load() == 0, "a signal was ended twice, or not at all");
+}
+
+/** A thread waits for something that another one does after it has ended a port. The thread is telling that port's
+    component, or has yet to do so. */
+template <bool telling>
+void owingWhileWaiting(Trial& trial) {
+    prepareWaiting();
+    World world;
+    std::atomic<std::uint32_t> ended{0};
+    const auto wait = [&](InputPortInterface*) {
+        const model::Waiting here;
+        while (ended == 0) model::futexWait(ended, 0);
+    };
+    if (telling) world.component->onData = wait;
+    trial.thread([&] {
+        const Reclaimer::Guard guard;
+        world.write();
+        if (!telling) wait(world.port);
+    });
+    trial.thread([&] {
+        world.port->setInterface(nullptr);
+        world.port->finishSignals();
+        ended = 1;
+        model::futexWake(ended, 1);
+    });
+    trial.go();
+    require(world.port->pinned_.load() == 0, "a signal was ended twice, or not at all");
 }
 
 /** More signals than there are places for: after the last one the component has seen all samples. */
@@ -134,9 +150,10 @@ TEST(PortSignals, the_port_is_destroyed) { EXPECT_TRUE(model::holds(portDestroye
 TEST(PortSignals, the_component_is_destroyed) { EXPECT_TRUE(model::holds(componentDestroyed)); }
 
 TEST(PortSignals, a_port_is_destroyed_in_the_callback_of_another) { EXPECT_TRUE(model::holds(siblingDestroyed)); }
-TEST(PortSignals, two_callbacks_end_each_others_ports) {
-    EXPECT_TRUE(model::holds(endingEachOther<false>, {0}));
-    EXPECT_TRUE(model::holds(endingEachOther<true>, {0}));
+TEST(PortSignals, two_callbacks_end_each_others_ports) { EXPECT_TRUE(model::holds(endingEachOther, {0})); }
+TEST(PortSignals, a_thread_that_waits_owes_a_signal) {
+    EXPECT_TRUE(model::holds(owingWhileWaiting<true>));
+    EXPECT_TRUE(model::holds(owingWhileWaiting<false>));
 }
 TEST(PortSignals, more_signals_than_places) { EXPECT_TRUE(model::holds(manySignals)); }
 
@@ -145,9 +162,11 @@ TEST(PortSignals, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("signals_relaxed_end", portDestroyed));
     EXPECT_TRUE(model::catches("signals_not_waited_for", componentDestroyed));
     EXPECT_TRUE(model::catches("signals_not_cancelled", siblingDestroyed));
-    EXPECT_TRUE(model::catches("signals_wait_for_each_other", endingEachOther<false>, {0}));
-    EXPECT_TRUE(model::catches("signals_wait_for_each_other", endingEachOther<true>, {0}));
-    EXPECT_TRUE(model::catches("signals_not_taken_over_while_made", endingEachOther<false>, {0}));
+    EXPECT_TRUE(model::catches("signals_wait_for_each_other", endingEachOther, {0}));
+    EXPECT_TRUE(model::catches("signals_wait_for_each_other", owingWhileWaiting<false>));
+    EXPECT_TRUE(model::catches("signals_not_taken_over_while_made", owingWhileWaiting<true>));
+    EXPECT_TRUE(model::catches("signals_end_unheard", componentDestroyed));
+    EXPECT_TRUE(model::catches("signals_waiting_unheard", owingWhileWaiting<false>));
     EXPECT_TRUE(model::catches("signals_place_used_twice", manySignals));
     EXPECT_TRUE(model::catches("signals_owed_and_forgotten", manySignals));
     EXPECT_TRUE(model::catches("signals_relaxed_debt", manySignals));

@@ -127,7 +127,7 @@ TEST(Reclaimer, synchronize_waits_for_those_inside) {
     EXPECT_TRUE(model::holds(synchronizing<true>));
     EXPECT_TRUE(model::holds(synchronizing<false>));
 }
-TEST(Reclaimer, two_that_are_inside_may_synchronize) { EXPECT_TRUE(model::holds(bothInside)); }
+TEST(Reclaimer, two_that_are_inside_may_synchronize) { EXPECT_TRUE(model::holds(bothInside, {0})); }
 
 TEST(Reclaimer, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("reclaimer_no_barrier", oneReader<true>));
@@ -138,7 +138,9 @@ TEST(Reclaimer, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("reclaimer_relaxed_enter", oneReader<true>));
     EXPECT_TRUE(model::catches("reclaimer_relaxed_return", returningReader<true>));
     EXPECT_TRUE(model::catches("reclaimer_relaxed_synchronize", synchronizing<true>));
-    EXPECT_TRUE(model::catches("reclaimer_waiters_forgotten", bothInside));
+    EXPECT_TRUE(model::catches("reclaimer_waiters_forgotten", bothInside, {0}));
+    EXPECT_TRUE(model::catches("reclaimer_end_unheard", synchronizing<true>));
+    EXPECT_TRUE(model::catches("reclaimer_no_barrier_before_sleep", synchronizing<true>));
 }
 
 }  // namespace

@@ -15,12 +15,9 @@
 #include <rtt/Logger.hpp>
 #include <rtt/internal/PortEndpoint.hpp>
 #include <rtt/internal/Reclaimer.hpp>
-#include <rtt/internal/detail/message_pause.hpp>
 #include <rtt/internal/detail/waiting.hpp>
 
-#include <chrono>
 #include <exception>
-#include <thread>
 
 namespace RTT::base {
 
@@ -42,9 +39,9 @@ void InputPortInterface::signalLater() {
             return;
         }
         // A thread that delivers once more sees our sample, because it sees this, and so the pin.
-        if (pinned_.compare_exchange_weak(now, (now - 1) | kAgain, std::memory_order_acq_rel,
+        if (pinned_.compare_exchange_weak(now, (now - 1) | kAgain, std::memory_order_seq_cst,
                                           std::memory_order_acquire))
-            return;
+            return Waiting::mayBeOver();
     }
 }
 
@@ -66,29 +63,33 @@ bool InputPortInterface::unpin() {
     for (std::uint32_t now = pinned_.load(std::memory_order_relaxed);;) {
         const bool again = now == (kAgain | 1);
         // Release: our use of the port happens before its destructor continues. Acquire: the samples of the owed
-        // signal.
-        if (pinned_.compare_exchange_weak(now, again ? 1 : now - 1, std::memory_order_acq_rel,
-                                          std::memory_order_relaxed))
+        // signal. seq_cst: either a thread that waits finds that we unpinned, or mayBeOver() finds the thread.
+        if (pinned_.compare_exchange_weak(now, again ? 1 : now - 1, std::memory_order_seq_cst,
+                                          std::memory_order_relaxed)) {
+            if (!again) Waiting::mayBeOver();  // touches no port: it may be gone
             return !again;
+        }
     }
 }
 
 void InputPortInterface::finishSignals(bool executesMessages) {
-    if (const unsigned mine = Waiting::cancel(this)) pinned_.fetch_sub(mine, std::memory_order_release);
+    const auto unpinned = [this](unsigned pins) {
+        if (pins == 0) return;
+        pinned_.fetch_sub(pins);
+        Waiting::mayBeOver();
+    };
+    unpinned(Waiting::cancel(this));
     const auto over = [this] {
         const std::uint32_t pins = pinned_.load(std::memory_order_seq_cst) & ~kAgain;
-        return pins <= Waiting::making(this);  // after the pins: others may take over a delivery of ours
+        return pins == 0 || pins <= Waiting::making(this);  // after the pins: others may take over a delivery of ours
     };
     if (over()) return;
-    executesMessages = executesMessages && !internal::Reclaimer::inside();
     const Waiting here;
     for (;;) {
-        if (const unsigned theirs = Waiting::takeOver(this)) pinned_.fetch_sub(theirs, std::memory_order_release);
+        const std::uint32_t seen = Waiting::now();
+        unpinned(Waiting::takeOver(this));
         if (over()) return;
-        if (executesMessages)
-            internal::detail::pauseForMessages(over);
-        else
-            std::this_thread::sleep_for(std::chrono::microseconds(20));
+        here.sleep(seen, executesMessages);
     }
 }
 

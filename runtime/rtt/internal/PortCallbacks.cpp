@@ -3,11 +3,7 @@
 #include <rtt/internal/PortCallbacks.hpp>
 
 #include <rtt/internal/Reclaimer.hpp>
-#include <rtt/internal/detail/message_pause.hpp>
 #include <rtt/internal/detail/waiting.hpp>
-
-#include <chrono>
-#include <thread>
 
 namespace RTT::internal {
 
@@ -56,11 +52,10 @@ void PortCallbacks::waitFor(Entry& entry, bool executesMessages) {
     };
     if (!executes()) return;
     const Waiting here;
-    while (executes() && !Waiting::has(entry.thread.load(std::memory_order_relaxed))) {
-        if (executesMessages && !Reclaimer::inside())
-            detail::pauseForMessages([&executes] { return !executes(); });
-        else
-            std::this_thread::sleep_for(std::chrono::microseconds(20));
+    for (;;) {
+        const std::uint32_t seen = Waiting::now();
+        if (!executes() || Waiting::has(entry.thread.load(std::memory_order_relaxed))) return;
+        here.sleep(seen, executesMessages);
     }
 }
 
@@ -108,9 +103,11 @@ PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortIn
     entry_->executing.fetch_add(1, std::memory_order_seq_cst);
 }
 
-// Release: everything the callback did happens before what follows waitFor().
+// Everything the callback did happens before what follows waitFor().
 PortCallbacks::Execution::~Execution() {
-    if (entry_) entry_->executing.fetch_sub(1, std::memory_order_release);
+    if (!entry_) return;
+    entry_->executing.fetch_sub(1, std::memory_order_seq_cst);
+    Waiting::mayBeOver();
 }
 
 PortCallbacks::Announced PortCallbacks::Execution::announced() const {

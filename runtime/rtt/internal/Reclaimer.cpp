@@ -4,12 +4,11 @@
 
 #include <rtt/internal/detail/process_barrier.hpp>
 #include <rtt/internal/detail/thread_records.hpp>
+#include <rtt/os/detail/futex.hpp>
 
 #include <pthread.h>
 
-#include <chrono>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 namespace RTT::internal {
@@ -85,6 +84,29 @@ struct ReclaimerState {
         return oldest;
     }
 
+    /** True if its thread is inside with this or an older epoch, and not in synchronize(). */
+    static bool uses(const Record& record, std::uint64_t epoch) {
+        const std::uint64_t inside = record.epoch.load(std::memory_order_seq_cst);
+        return inside != 0 && inside <= epoch && !record.waiting.load(std::memory_order_seq_cst);
+    }
+
+    static void waitFor(Record& record, std::uint64_t epoch) {
+        record.awaited.fetch_add(1);
+        barrier();
+        for (;;) {
+            const std::uint32_t seen = record.rings.load(std::memory_order_acquire);
+            if (!uses(record, epoch)) break;
+            os::detail::futexWait(record.rings, seen, os::detail::kForever);
+        }
+        record.awaited.fetch_sub(1);
+    }
+
+    static void wakeThoseWaitingFor(Record& record) {
+        if (record.awaited == 0) return;
+        record.rings.fetch_add(1, std::memory_order_release);
+        os::detail::futexWakeAll(record.rings);
+    }
+
     static void threadEnds(void* record) {
         // Another key's destructor may still use a port: it then attaches anew, and this is called again.
         Reclaimer::record_ = nullptr;
@@ -100,6 +122,11 @@ struct ReclaimerState {
 };
 
 Reclaimer::Record* Reclaimer::attach() noexcept { return ReclaimerState::instance().attach(); }
+
+void Reclaimer::afterwards(Record& record) noexcept {
+    ReclaimerState::wakeThoseWaitingFor(record);
+    record.deferred.run();
+}
 
 void Reclaimer::retire(void* object, void (*destroy)(void*)) {
     ReclaimerState& state = ReclaimerState::instance();
@@ -117,18 +144,14 @@ void Reclaimer::collect() {
 void Reclaimer::synchronize() {
     ReclaimerState& state = ReclaimerState::instance();
     Record* const self = mine();
-    if (inside()) self->waiting.store(true, std::memory_order_seq_cst);
+    if (inside()) {
+        self->waiting.store(true, std::memory_order_seq_cst);
+        ReclaimerState::wakeThoseWaitingFor(*self);
+    }
     const std::uint64_t epoch = epoch_.fetch_add(1, std::memory_order_seq_cst);
     ReclaimerState::barrier();
-    for (Record* r = state.records_.first(); r; r = r->next) {
-        if (r == self) continue;
-        for (;;) {
-            const std::uint64_t inside = r->epoch.load(std::memory_order_seq_cst);
-            if (inside == 0 || inside > epoch || r->waiting.load(std::memory_order_seq_cst)) break;
-            // Sleep, do not spin: the thread inside may have a lower priority.
-            std::this_thread::sleep_for(std::chrono::microseconds(20));
-        }
-    }
+    for (Record* r = state.records_.first(); r; r = r->next)
+        if (r != self && ReclaimerState::uses(*r, epoch)) ReclaimerState::waitFor(*r, epoch);
     self->waiting.store(false, std::memory_order_release);
     collect();
 }

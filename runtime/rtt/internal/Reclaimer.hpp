@@ -30,7 +30,9 @@ public:
         std::atomic<std::uint64_t> epoch{0};  // 0: outside
         std::atomic<bool> waiting{false};     // the owner is inside and in synchronize()
         std::atomic<bool> used{false};
-        Record* next = nullptr;  // set before the record is published
+        std::atomic<std::uint32_t> awaited{0};  // the number of threads that wait until the owner has left
+        std::atomic<std::uint32_t> rings{0};    // where they sleep
+        Record* next = nullptr;                 // set before the record is published
         DeferredCalls deferred;
     };
 
@@ -96,9 +98,16 @@ private:
     }
     static void leave(Record& record) noexcept {
         // Pairs with the acquire loads of collect() and synchronize(): our use inside happens before the destruction.
-        record.epoch.store(0, std::memory_order_release);
-        if (__builtin_expect(!record.deferred.empty(), 0)) record.deferred.run();
+        // A thread that waits for us adds itself to `awaited` first: either we find it, or it finds that we have left.
+        if (__builtin_expect(asymmetric_, 1)) {
+            record.epoch.store(0, std::memory_order_release);
+            asm volatile("" ::: "memory");
+        } else {
+            record.epoch.exchange(0);
+        }
+        if (__builtin_expect(!record.deferred.empty() | (record.awaited != 0), 0)) afterwards(record);
     }
+    [[gnu::cold, gnu::noinline]] static void afterwards(Record& record) noexcept;
     static Record* attach() noexcept;
 
     static std::atomic<std::uint64_t> epoch_;

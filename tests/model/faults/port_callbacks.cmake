@@ -21,7 +21,8 @@ faulty_value(callbacks_relaxed_table ${file} [=[table_.store(next.release(), @{s
 faulty_statement(callbacks_not_waited_for ${file} [=[@{if (gone) waitFor(*gone, executesMessages);}@]=] [=[]=])
 faulty_value(callbacks_removal_unseen ${file} [=[if (!entry_ || entry_->removed.load(@{std::memory_order_seq_cst}@)) return]=]
   [=[std::memory_order_relaxed]=])
-faulty_value(callbacks_relaxed_end ${file} [=[entry_->executing.fetch_sub(1, @{std::memory_order_release}@);]=]
+faulty_value(callbacks_relaxed_end ${file} [=[entry_->executing.fetch_sub(1, @{std::memory_order_seq_cst}@);]=]
   [=[std::memory_order_relaxed]=])
 faulty_value(callbacks_wait_for_each_other ${file}
-  [=[while (executes() && @{!Waiting::has(entry.thread.load(std::memory_order_relaxed))}@)]=] [=[true]=])
+  [=[if (!executes() || @{Waiting::has(entry.thread.load(std::memory_order_relaxed))}@) return;]=] [=[false]=])
+faulty_statement(callbacks_end_unheard ${file} [=[Waiting::mayBeOver();]=] [=[]=])

@@ -9,14 +9,18 @@ faulty_value(reclaimer_too_early ${file} [=[if (@{one.epoch < oldest}@)]=] [=[on
 faulty_value(reclaimer_relaxed_look ${file}
   [=[r->epoch.load(@{std::memory_order_seq_cst}@);
             if (epoch != 0]=] [=[std::memory_order_relaxed]=])
-faulty_value(reclaimer_waiters_forgotten ${file} [=[@{r->waiting.load(std::memory_order_seq_cst)}@) break;]=] [=[false]=])
+faulty_value(reclaimer_waiters_forgotten ${file} [=[&& @{!record.waiting.load(std::memory_order_seq_cst)}@;]=] [=[true]=])
 faulty_value(reclaimer_relaxed_synchronize ${file}
-  [=[const std::uint64_t inside = r->epoch.load(@{std::memory_order_seq_cst}@);]=] [=[std::memory_order_relaxed]=])
+  [=[const std::uint64_t inside = record.epoch.load(@{std::memory_order_seq_cst}@);]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_leave ${header}
   [=[record.epoch.store(0, @{std::memory_order_release}@);]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_enter ${header}
   [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), ]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_return ${header} [=[), @{std::memory_order_release}@);
         if (__builtin_expect(asymmetric_, 1))]=] [=[std::memory_order_relaxed]=])
+faulty_statement(reclaimer_end_unheard ${header} [=[@{if (__builtin_expect(!record.deferred.empty() | (record.awaited != 0), 0)) afterwards(record);}@]=]
+  [=[]=])
+faulty_statement(reclaimer_no_barrier_before_sleep ${file} [=[awaited.fetch_add(1);
+        @{barrier();}@]=] [=[]=])
 faulty_value(reclaimer_relaxed_fence ${header} [=[epoch_.fetch_add(0, @{std::memory_order_acq_rel}@);]=]
   [=[std::memory_order_relaxed]=])

@@ -5,27 +5,20 @@
 
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/internal/EngineGate.hpp>
-#include <rtt/os/fosi.h>
-
-#include <boost/function.hpp>
-
-#include <chrono>
-#include <thread>
+#include <rtt/os/detail/futex.hpp>
 
 namespace RTT {
 namespace internal {
 namespace detail {
 
-constexpr std::int64_t kPauseNs = 20000;
-
-/** Sleeps for a moment, or until a notification makes over() true; executes the messages of the components that this
-    thread is executing. It does not spin, because the other thread may have a lower priority. */
-inline void pauseForMessages(const boost::function<bool()>& over) {
+/** Sleeps while the futex `word` holds `seen`, and executes the messages of the components that this thread is
+    executing. May return early. */
+inline void pauseForMessages(const Presence::Word& word, std::uint32_t seen) {
     const EngineGate* const gate = EngineGate::ofThisThread();
     if (gate && gate->engine())
-        gate->engine()->waitForMessages(over, rtos_get_time_ns() + kPauseNs);
+        gate->engine()->waitForMessages([&] { return word != seen; }, os::detail::kForever, &word);
     else
-        std::this_thread::sleep_for(std::chrono::nanoseconds(kPauseNs));
+        os::detail::futexWait(word, seen, os::detail::kForever);
 }
 
 }  // namespace detail

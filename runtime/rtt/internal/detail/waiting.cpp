@@ -3,10 +3,15 @@
 #include <rtt/internal/detail/waiting.hpp>
 
 #include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/detail/message_pause.hpp>
+#include <rtt/os/detail/futex.hpp>
 
 #include <algorithm>
 
 namespace RTT::internal::detail {
+
+std::atomic<std::uint32_t> Waiting::number_{0};
+std::atomic<std::uint32_t> Waiting::changes_{0};
 
 // Never destroyed: components with static storage may still remove ports while the process exits.
 std::mutex& Waiting::mutex() {
@@ -20,17 +25,35 @@ std::vector<Waiting*>& Waiting::all() {
 }
 
 Waiting::Waiting() : calls_(Reclaimer::deferred()), parked_{calls_.first_, nullptr, calls_.batches_} {
-    const std::lock_guard<std::mutex> lock(mutex());
-    calls_.first_ = calls_.last_ = nullptr;
-    calls_.batches_ = &parked_;
-    all().push_back(this);
+    {
+        const std::lock_guard<std::mutex> lock(mutex());
+        calls_.first_ = calls_.last_ = nullptr;
+        calls_.batches_ = &parked_;
+        all().push_back(this);
+    }
+    // From now on no thread waits for this one. It counts itself before it looks whether its own wait is over, so a
+    // thread that ends the wait finds it, or it finds that the wait is over.
+    if (number_.fetch_add(1) != 0) wakeAll();
 }
 
 Waiting::~Waiting() {
+    number_.fetch_sub(1);
     const std::lock_guard<std::mutex> lock(mutex());
     all().erase(std::find(all().begin(), all().end(), this));
     calls_.batches_ = parked_.outer;
     calls_.prepend(parked_.first);
+}
+
+void Waiting::sleep(std::uint32_t seen, bool executesMessages) const {
+    if (executesMessages && !Reclaimer::inside())
+        pauseForMessages(changes_, seen);
+    else
+        os::detail::futexWait(changes_, seen, os::detail::kForever);
+}
+
+void Waiting::wakeAll() noexcept {
+    changes_.fetch_add(1, std::memory_order_release);
+    os::detail::futexWakeAll(changes_);
 }
 
 bool Waiting::has(pthread_t thread) {

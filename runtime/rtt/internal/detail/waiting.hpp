@@ -7,6 +7,8 @@
 
 #include <pthread.h>
 
+#include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <vector>
 
@@ -26,6 +28,16 @@ public:
     Waiting(const Waiting&) = delete;
     Waiting& operator=(const Waiting&) = delete;
 
+    /** Another value whenever the wait of a thread in here may be over. */
+    static std::uint32_t now() noexcept { return changes_.load(std::memory_order_acquire); }
+    /** Sleeps until now() differs from `seen`. With `executesMessages` the components that this thread is executing
+        execute their messages meanwhile, unless it is inside a Guard. */
+    void sleep(std::uint32_t seen, bool executesMessages) const;
+    /** Call it after what others may be waiting for. Real-time safe; makes a system call only if a thread waits. */
+    static void mayBeOver() noexcept {
+        if (__builtin_expect(number_ != 0, 0)) wakeAll();
+    }
+
     static bool has(pthread_t thread);
     /** Cancels the deferred calls with this argument, waiting or in progress, in all other threads that are in here.
         Returns their number. */
@@ -39,6 +51,10 @@ public:
 private:
     static std::mutex& mutex();
     static std::vector<Waiting*>& all();
+    static void wakeAll() noexcept;
+
+    static std::atomic<std::uint32_t> number_;   // of the threads in here
+    static std::atomic<std::uint32_t> changes_;  // where they sleep
 
     const pthread_t thread_ = pthread_self();
     DeferredCalls& calls_;

@@ -4,15 +4,15 @@
 #ifndef OROFORGE_MODEL_MESSAGE_PAUSE_HPP
 #define OROFORGE_MODEL_MESSAGE_PAUSE_HPP
 
-#include <model/checker/checker.hpp>
-
-#include <boost/function.hpp>
+#include <rtt/os/detail/futex.hpp>
 
 namespace RTT {
 namespace internal {
 namespace detail {
 
-inline void pauseForMessages(const boost::function<bool()>&) { std::this_thread::yield(); }
+inline void pauseForMessages(const std::atomic<std::uint32_t>& word, std::uint32_t seen) {
+    os::detail::futexWait(word, seen, os::detail::kForever);
+}
 
 }  // namespace detail
 }  // namespace internal
