@@ -155,29 +155,10 @@ NOT_INSTALLED = ["runtime/diag/", "runtime/files/", "runtime/report/", "runtime/
 
 # Private headers (or folders of them) that a second part shares, because the two are one mechanism.
 SHARED_DETAIL = {
-    # Components and plugins are found on one search path and opened by one function.
-    "runtime/rtt/plugin/detail/": ["runtime/rtt/deployment/"],
-    # Property files update bags as updateProperties() does, but report where in the file.
-    "runtime/rtt/internal/detail/property_update.hpp": ["runtime/rtt/marsh/", "deployer/deployment/"],
-    # Parts that report errors in files first offer them to the program, which may collect them for --format.
-    "runtime/rtt/internal/detail/diagnostic_taker.hpp": ["runtime/rtt/marsh/", "runtime/rtt/scripting/",
-                                                         "deployer/deployment/", "deployer/bin/"],
     # The deployer reads property structs that stand inside its own XML.
     "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
     # ... and tells the syntax errors of scripts before it creates the components that they are for.
     "runtime/rtt/scripting/detail/service/script_syntax.hpp": ["deployer/deployment/"],
-    # The compiler of scripts says itself where a value is converted.
-    "runtime/rtt/types/detail/conversion_watch.hpp": ["runtime/rtt/scripting/"],
-    # ... and why one is not.
-    "runtime/rtt/types/detail/refusal_watch.hpp": ["runtime/rtt/scripting/"],
-    # Scripts compute with numbers as the constructors of the built-in types do.
-    "runtime/rtt/types/detail/number_conversion.hpp": ["runtime/rtt/scripting/", "runtime/rtt/typekit/"],
-    # Activities and operation calls wait on the futex that threads wait on; activities log where os logs.
-    "runtime/rtt/os/detail/": ["runtime/rtt/extras/", "runtime/rtt/internal/"],
-    # Deployer and console both have handlers for the signals that end a program.
-    "runtime/rtt/os/detail/terminal_flow.hpp": ["deployer/deployment/", "deployer/console/"],
-    # The log and reports are opened alike.
-    "runtime/rtt/os/detail/own_file.hpp": ["runtime/rtt/detail/", "deployer/reporting/"],
 }
 
 # "file that includes -> file included": known exceptions. Keep it short; each line says why.

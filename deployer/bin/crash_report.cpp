@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "crash_report.hpp"
 
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <cerrno>
 #include <cstdint>

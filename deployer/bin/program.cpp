@@ -13,7 +13,7 @@
 #include <diag/print.hpp>
 #include <ocl/DeploymentComponent.hpp>
 #include <rtt/Logger.hpp>
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/os/SignalCatcher.hpp>
 #include <rtt/os/startstop.h>
 #include <rtt/types/SizeLimit.hpp>

@@ -7,7 +7,7 @@
 #include "explain.hpp"
 
 #include <diag/print.hpp>
-#include <rtt/internal/detail/diagnostic_taker.hpp>
+#include <rtt/internal/diagnostic_taker.hpp>
 
 #include <cerrno>
 #include <cstring>

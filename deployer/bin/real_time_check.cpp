@@ -12,7 +12,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 #include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 

@@ -3,7 +3,7 @@
 #ifndef OROFORGE_DEPLOYER_SCRIPT_END_HPP
 #define OROFORGE_DEPLOYER_SCRIPT_END_HPP
 
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 #include <rtt/os/SignalCatcher.hpp>
 
 #include <thread>

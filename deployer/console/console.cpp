@@ -10,7 +10,7 @@
 
 #include <diag/nearest_match.hpp>
 #include <rtt/internal/DataSource.hpp>
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -12,7 +12,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/standard_operations.hpp>
+#include <rtt/internal/calls/standard_operations.hpp>
 #include <rtt/types/CompositionFactory.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/MemberFactory.hpp>

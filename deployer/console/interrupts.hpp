@@ -3,7 +3,7 @@
 #ifndef OROFORGE_CONSOLE_INTERRUPTS_HPP
 #define OROFORGE_CONSOLE_INTERRUPTS_HPP
 
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 
 #include <csignal>
 #include <cstdint>

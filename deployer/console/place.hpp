@@ -6,7 +6,7 @@
 
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <string>
 #include <vector>

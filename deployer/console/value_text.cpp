@@ -6,7 +6,7 @@
 #include <rtt/rt_string.hpp>
 #include <rtt/internal/DataSource.hpp>
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/SentCall.hpp>
+#include <rtt/internal/calls/sent_call.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/Types.hpp>
 

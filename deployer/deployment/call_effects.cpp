@@ -5,7 +5,7 @@
 #include "lookup.hpp"
 
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/standard_operations.hpp>
+#include <rtt/internal/calls/standard_operations.hpp>
 
 #include <algorithm>
 #include <initializer_list>

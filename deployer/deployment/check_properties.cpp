@@ -10,7 +10,7 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/types/TypeInfo.hpp>
 

@@ -6,7 +6,7 @@
 #include "xml_to_plan.hpp"
 
 #include <rtt/PropertyBag.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>

@@ -4,7 +4,7 @@
 #ifndef OROFORGE_DEPLOYMENT_FAILURE_HPP
 #define OROFORGE_DEPLOYMENT_FAILURE_HPP
 
-#include <rtt/internal/failed.hpp>
+#include <rtt/internal/calls/failed.hpp>
 
 namespace OCL::deploy {
 

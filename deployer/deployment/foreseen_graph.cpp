@@ -8,7 +8,7 @@
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
-#include <rtt/internal/sample_type_name.hpp>
+#include <rtt/internal/flow/sample_type_name.hpp>
 
 #include <set>
 #include <sstream>

@@ -10,7 +10,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/sample_type_name.hpp>
+#include <rtt/internal/flow/sample_type_name.hpp>
 
 #include <map>
 #include <set>

@@ -11,7 +11,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
-#include <rtt/internal/DeferredActivity.hpp>
+#include <rtt/internal/engine/deferred_activity.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <diag/print.hpp>
 #include <rtt/Logger.hpp>
-#include <rtt/internal/detail/diagnostic_taker.hpp>
+#include <rtt/internal/diagnostic_taker.hpp>
 
 #include <iostream>
 

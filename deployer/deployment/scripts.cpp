@@ -8,7 +8,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <algorithm>
 #include <exception>

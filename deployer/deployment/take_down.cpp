@@ -7,7 +7,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <exception>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/internal/PortSources.hpp>
+#include <rtt/internal/flow/port_sources.hpp>
 
 #include <memory>
 #include <string>

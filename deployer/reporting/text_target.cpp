@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "text_target.hpp"
 
-#include <rtt/os/detail/own_file.hpp>
+#include <rtt/os/own_file.hpp>
 
 #include <cerrno>
 #include <chrono>

@@ -6,8 +6,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/HookInProgress.hpp>
-#include <rtt/internal/detail/engine_removal.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
+#include <rtt/internal/engine/detail/engine_removal.hpp>
 
 #include <exception>
 #include <utility>

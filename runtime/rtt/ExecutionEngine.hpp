@@ -6,9 +6,9 @@
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
 #include <rtt/base/RunnableInterface.hpp>
-#include <rtt/internal/EngineGate.hpp>
-#include <rtt/internal/FunctionList.hpp>
-#include <rtt/internal/Mailbox.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/engine/function_list.hpp>
+#include <rtt/internal/engine/mailbox.hpp>
 
 #include <boost/function.hpp>
 

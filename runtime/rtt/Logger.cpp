@@ -4,7 +4,7 @@
 
 #include <rtt/detail/log_line.hpp>
 #include <rtt/detail/log_sink.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/located_log.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/os/log_hook.hpp>

@@ -5,9 +5,9 @@
 
 #include <rtt/base/OperationBase.hpp>
 #include <rtt/internal/LocalOperationCaller.hpp>
-#include <rtt/internal/OperationTable.hpp>
+#include <rtt/internal/calls/operation_table.hpp>
 #include <rtt/internal/Signal.hpp>
-#include <rtt/internal/Signature.hpp>
+#include <rtt/internal/calls/signature.hpp>
 
 namespace RTT {
 

@@ -4,7 +4,7 @@
 
 #include <rtt/OperationInterfacePart.hpp>
 #include <rtt/Service.hpp>
-#include <rtt/internal/OperationPart.hpp>
+#include <rtt/internal/calls/operation_part.hpp>
 
 namespace RTT {
 

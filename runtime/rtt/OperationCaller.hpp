@@ -7,8 +7,8 @@
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/internal/LocalOperationCaller.hpp>
 #include <rtt/internal/NA.hpp>
-#include <rtt/internal/RemoteOperation.hpp>
-#include <rtt/internal/Signature.hpp>
+#include <rtt/internal/calls/remote_operation.hpp>
+#include <rtt/internal/calls/signature.hpp>
 
 #include <memory>
 #include <string>

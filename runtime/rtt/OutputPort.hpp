@@ -62,6 +62,6 @@ public:
 
 }  // namespace RTT
 
-#include <rtt/internal/ports_inl.hpp>
+#include <rtt/internal/flow/ports_inl.hpp>
 
 #endif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// The container itself; paths and updates are in internal/detail.
+// The container itself; paths and updates are in internal/values.
 #include "PropertyBag.hpp"
 
 #include <rtt/base/PropertyIntrospection.hpp>
-#include <rtt/types/detail/member_update.hpp>
+#include <rtt/types/member_update.hpp>
 #include <algorithm>
 #include <functional>
 #include <ostream>

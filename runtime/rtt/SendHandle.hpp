@@ -4,7 +4,7 @@
 #define ORO_SEND_HANDLE_HPP
 
 #include <rtt/internal/NA.hpp>
-#include <rtt/internal/TypedCall.hpp>
+#include <rtt/internal/calls/typed_call.hpp>
 
 #include <tuple>
 

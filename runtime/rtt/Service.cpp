@@ -4,7 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/OperationPart.hpp>
+#include <rtt/internal/calls/operation_part.hpp>
 
 #include <algorithm>
 #include <stdexcept>

@@ -10,7 +10,7 @@
 #include <rtt/ServiceRequester.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/PortCallbacks.hpp>
+#include <rtt/internal/flow/port_callbacks.hpp>
 
 #include <boost/make_shared.hpp>
 

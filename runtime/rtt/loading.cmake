@@ -13,6 +13,6 @@ target_sources(orocos-rtt PRIVATE
   rtt/plugin/PluginLoader.cpp
   rtt/plugin/detail/plugin_table.cpp
   rtt/plugin/detail/needed_library.cpp
-  rtt/plugin/detail/search_path.cpp
-  rtt/plugin/detail/shared_library.cpp
+  rtt/plugin/search_path.cpp
+  rtt/plugin/shared_library.cpp
   rtt/plugin/detail/trusted_file.cpp)

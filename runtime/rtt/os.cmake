@@ -21,7 +21,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/extras/SimulationThread.cpp
   rtt/extras/TimerThread.cpp
   rtt/extras/detail/poll_set.cpp
-  rtt/internal/DeferredActivity.cpp
+  rtt/internal/engine/deferred_activity.cpp
   rtt/os/Condition.cpp
   rtt/os/MainThread.cpp
   rtt/os/Mutex.cpp
@@ -35,7 +35,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/os/Timer.cpp
   rtt/os/detail/memory_check.cpp
   rtt/os/detail/memory_pool.cpp
-  rtt/os/detail/os_log.cpp
+  rtt/os/os_log.cpp
   rtt/os/detail/pool_registry.cpp
   rtt/os/detail/scheduling.cpp
   rtt/os/oro_malloc.cpp

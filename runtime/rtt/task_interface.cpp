@@ -3,7 +3,7 @@
 // The operations that every component has.
 #include <rtt/TaskContext.hpp>
 
-#include <rtt/internal/standard_operations.hpp>
+#include <rtt/internal/calls/standard_operations.hpp>
 
 namespace RTT {
 

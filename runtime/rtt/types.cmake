@@ -9,9 +9,9 @@ target_sources(orocos-rtt PRIVATE
   rtt/base/DataSourceBase.cpp
   rtt/base/PropertyBase.cpp
   rtt/internal/DataSources.cpp
-  rtt/internal/ValuePlace.cpp
-  rtt/internal/detail/property_paths.cpp
-  rtt/internal/detail/property_update.cpp
+  rtt/internal/values/value_place.cpp
+  rtt/internal/values/property_paths.cpp
+  rtt/internal/values/property_update.cpp
   rtt/types/ErasedFunction.cpp
   rtt/types/GlobalsRepository.cpp
   rtt/types/Operators.cpp

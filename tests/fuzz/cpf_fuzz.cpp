@@ -5,7 +5,7 @@
 
 #include <rtt/Property.hpp>
 #include <rtt/PropertyBag.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/marsh/detail/cpf_edit.hpp>
 #include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/marsh/detail/cpf_writer.hpp>

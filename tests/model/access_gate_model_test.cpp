@@ -5,7 +5,7 @@
 #include <model/checker/substitute.hpp>
 #include <model/checked_presence.hpp>
 
-#include <rtt/internal/AccessGate.cpp>
+#include <rtt/internal/engine/access_gate.cpp>
 
 namespace {
 

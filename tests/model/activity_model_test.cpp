@@ -10,7 +10,7 @@
 #include <rtt/base/ActivityInterface.cpp>
 #include <rtt/base/DisposableInterface.cpp>
 #include <rtt/base/RunnableInterface.cpp>
-#include <rtt/internal/AccessGate.cpp>
+#include <rtt/internal/engine/access_gate.cpp>
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <model/checker/substitute.hpp>
 #include <model/traced_sample.hpp>
 
-#include <rtt/internal/SampleBox.cpp>
-#include <rtt/internal/detail/buffer_lock_free.cpp>
+#include <rtt/internal/flow/sample_box.cpp>
+#include <rtt/internal/flow/detail/buffer_lock_free.cpp>
 
 #include <model/buffer_scenarios.hpp>
 

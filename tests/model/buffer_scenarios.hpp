@@ -4,7 +4,7 @@
 #ifndef OROFORGE_MODEL_BUFFER_SCENARIOS_HPP
 #define OROFORGE_MODEL_BUFFER_SCENARIOS_HPP
 
-#include <rtt/internal/SampleStore.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 
 namespace model {
 

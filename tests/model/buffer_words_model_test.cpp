@@ -3,7 +3,7 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/detail/buffer_words.cpp>
+#include <rtt/internal/flow/detail/buffer_words.cpp>
 
 #include <model/buffer_scenarios.hpp>
 

@@ -3,7 +3,7 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/CallPool.cpp>
+#include <rtt/internal/calls/call_pool.cpp>
 
 namespace {
 

@@ -21,7 +21,7 @@ void linkAll(Records& records) {
 
 }  // namespace model
 
-#include <rtt/internal/Presence.cpp>
+#include <rtt/internal/engine/presence.cpp>
 
 namespace model {
 

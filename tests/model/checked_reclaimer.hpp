@@ -7,8 +7,8 @@
 // All threads of the checker are one of the system's, which is what a key would belong to.
 #define pthread_key_create(key, destructor) static_cast<void>(0)
 #define pthread_setspecific(key, value) static_cast<void>(0)
-#include <rtt/internal/DeferredCalls.cpp>
-#include <rtt/internal/Reclaimer.cpp>
+#include <rtt/internal/flow/deferred_calls.cpp>
+#include <rtt/internal/flow/reclaimer.cpp>
 
 namespace model {
 

@@ -7,7 +7,7 @@
 
 #define pthread_self() static_cast<pthread_t>(model::self() + 1)
 #include <model/checked_reclaimer.hpp>
-#include <rtt/internal/detail/waiting.cpp>
+#include <rtt/internal/flow/detail/waiting.cpp>
 
 namespace model {
 

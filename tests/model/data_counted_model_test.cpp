@@ -4,8 +4,8 @@
 #include <model/checker/substitute.hpp>
 #include <model/traced_sample.hpp>
 
-#include <rtt/internal/SampleBox.cpp>
-#include <rtt/internal/detail/data_counted.cpp>
+#include <rtt/internal/flow/sample_box.cpp>
+#include <rtt/internal/flow/detail/data_counted.cpp>
 
 RTT::internal::SampleStore::~SampleStore() = default;
 void RTT::internal::SampleStore::grow(const void*, std::size_t) {}  // traced samples have no extent

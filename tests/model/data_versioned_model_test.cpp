@@ -3,8 +3,8 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/SampleBox.cpp>
-#include <rtt/internal/detail/data_versioned.cpp>
+#include <rtt/internal/flow/sample_box.cpp>
+#include <rtt/internal/flow/detail/data_versioned.cpp>
 
 RTT::internal::SampleStore::~SampleStore() = default;
 

@@ -10,12 +10,12 @@
 #define rtos_get_time_ns() NANO_TIME(0)
 #include <rtt/ExecutionEngine.cpp>
 #include <rtt/engine_queue.cpp>
-#include <rtt/internal/CallPool.cpp>
-#include <rtt/internal/EngineGate.cpp>
-#include <rtt/internal/FunctionList.cpp>
-#include <rtt/internal/Mailbox.cpp>
-#include <rtt/internal/SentCall.cpp>
-#include <rtt/internal/WaitPoint.cpp>
+#include <rtt/internal/calls/call_pool.cpp>
+#include <rtt/internal/engine/engine_gate.cpp>
+#include <rtt/internal/engine/function_list.cpp>
+#include <rtt/internal/engine/mailbox.cpp>
+#include <rtt/internal/calls/sent_call.cpp>
+#include <rtt/internal/engine/wait_point.cpp>
 #include <rtt/base/DisposableInterface.cpp>
 #include <rtt/base/RunnableInterface.cpp>
 

@@ -5,7 +5,7 @@
 #include <model/checker/substitute.hpp>
 
 #include <rtt/base/DisposableInterface.cpp>
-#include <rtt/internal/FunctionList.cpp>
+#include <rtt/internal/engine/function_list.cpp>
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/Mailbox.cpp>
+#include <rtt/internal/engine/mailbox.cpp>
 
 namespace {
 

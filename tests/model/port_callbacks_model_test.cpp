@@ -5,7 +5,7 @@
 #include <model/checker/substitute.hpp>
 #include <model/checked_waiting.hpp>
 
-#include <rtt/internal/PortCallbacks.cpp>
+#include <rtt/internal/flow/port_callbacks.cpp>
 
 namespace {
 

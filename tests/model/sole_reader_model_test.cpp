@@ -3,7 +3,7 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/detail/sole_reader.hpp>
+#include <rtt/internal/flow/detail/sole_reader.hpp>
 
 namespace {
 

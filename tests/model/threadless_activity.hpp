@@ -12,7 +12,7 @@
 #include <rtt/base/DisposableInterface.cpp>
 #include <rtt/base/RunnableInterface.cpp>
 #include <rtt/extras/SequentialActivity.cpp>
-#include <rtt/internal/AccessGate.cpp>
+#include <rtt/internal/engine/access_gate.cpp>
 #include <rtt/os/ThreadInterface.cpp>
 
 /** The main thread, which executes nothing here. */

@@ -3,7 +3,7 @@
 #include <model/expect.hpp>
 #include <model/checker/substitute.hpp>
 
-#include <rtt/internal/WaitPoint.cpp>
+#include <rtt/internal/engine/wait_point.cpp>
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <rtt/base/ActivityInterface.hpp>
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/AccessGate.hpp>
+#include <rtt/internal/engine/access_gate.hpp>
 
 namespace RTT::base {
 

@@ -3,7 +3,7 @@
 #ifndef ORO_CORELIB_BUFFER_LOCKED_HPP
 #define ORO_CORELIB_BUFFER_LOCKED_HPP
 
-#include <rtt/internal/StoredBuffer.hpp>
+#include <rtt/internal/flow/stored_buffer.hpp>
 
 namespace RTT {
 namespace base {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/base/ChannelElementBase.hpp>
 
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 namespace RTT::base {
 

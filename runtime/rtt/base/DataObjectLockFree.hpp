@@ -3,7 +3,7 @@
 #ifndef CORELIB_DATAOBJECT_LOCK_FREE_HPP
 #define CORELIB_DATAOBJECT_LOCK_FREE_HPP
 
-#include <rtt/internal/StoredDataObject.hpp>
+#include <rtt/internal/flow/stored_data_object.hpp>
 
 namespace RTT {
 namespace base {

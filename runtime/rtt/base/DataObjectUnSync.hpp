@@ -3,7 +3,7 @@
 #ifndef ORO_DATAOBJECT_UNSYNC_HPP
 #define ORO_DATAOBJECT_UNSYNC_HPP
 
-#include <rtt/internal/StoredDataObject.hpp>
+#include <rtt/internal/flow/stored_data_object.hpp>
 
 namespace RTT {
 namespace base {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "DataSourceBase.hpp"
 
-#include <rtt/internal/detail/assign_value_action.hpp>
+#include <rtt/internal/values/detail/assign_value_action.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <ostream>
 #include <sstream>

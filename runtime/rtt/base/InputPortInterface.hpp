@@ -6,7 +6,7 @@
 
 #include <rtt/ConnPolicy.hpp>
 #include <rtt/base/PortInterface.hpp>
-#include <rtt/internal/DeferredCalls.hpp>
+#include <rtt/internal/flow/deferred_calls.hpp>
 
 namespace RTT {
 namespace base {

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/base/OperationBase.hpp>
 
-#include <rtt/internal/OperationPart.hpp>
+#include <rtt/internal/calls/operation_part.hpp>
 
 namespace RTT::base {
 

@@ -5,8 +5,8 @@
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/base/DisposableInterface.hpp>
-#include <rtt/internal/Callee.hpp>
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/calls/callee.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <boost/shared_ptr.hpp>
 

@@ -5,13 +5,13 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/PortEndpoint.hpp>
-#include <rtt/internal/Reclaimer.hpp>
-#include <rtt/internal/SampleBox.hpp>
-#include <rtt/internal/StorageCore.hpp>
+#include <rtt/internal/flow/port_endpoint.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
+#include <rtt/internal/flow/sample_box.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <cstring>

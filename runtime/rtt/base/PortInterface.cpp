@@ -6,10 +6,10 @@
 #include <rtt/Logger.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/ChannelArray.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/PortEndpoint.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/port_endpoint.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 namespace RTT::base {

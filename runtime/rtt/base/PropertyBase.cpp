@@ -3,7 +3,7 @@
 #include "PropertyBase.hpp"
 
 #include <rtt/Property.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include "PropertyIntrospection.hpp"
 #include <ostream>
 

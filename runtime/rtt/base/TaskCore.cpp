@@ -5,7 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 
 #include <exception>
 #include <unistd.h>

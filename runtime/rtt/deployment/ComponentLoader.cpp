@@ -3,10 +3,10 @@
 #include "ComponentLoader.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/plugin/search_path.hpp>
 #include "detail/component_table.hpp"
 #include "detail/package_import.hpp"
 

@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/Component.hpp>
 
-#include <rtt/plugin/detail/search_path.hpp>
-#include <rtt/plugin/detail/shared_library.hpp>
+#include <rtt/plugin/search_path.hpp>
+#include <rtt/plugin/shared_library.hpp>
 #include "detail/registered_types.hpp"
 
 #include <map>

@@ -3,7 +3,7 @@
 // Loads the toolchain's own plugins and typekits when the runtime starts, and releases the loaders when it ends.
 #include "ComponentLoader.hpp"
 
-#include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/internal/service_loader.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <rtt/detail/log_queue.hpp>
 #include <rtt/detail/log_sink.hpp>
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>

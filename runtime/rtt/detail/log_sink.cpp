@@ -3,7 +3,7 @@
 #include <rtt/detail/log_sink.hpp>
 
 #include <rtt/detail/log_format.hpp>
-#include <rtt/os/detail/own_file.hpp>
+#include <rtt/os/own_file.hpp>
 #include <rtt/os/real_time_thread.hpp>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "detail/poll_waker.hpp"
 
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <algorithm>
 #include <cerrno>

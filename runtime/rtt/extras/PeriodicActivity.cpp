@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/PeriodicActivity.hpp>
 
-#include <rtt/internal/TryFlag.hpp>
-#include <rtt/os/detail/futex.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/internal/engine/try_flag.hpp>
+#include <rtt/os/futex.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <algorithm>
 #include <cxxabi.h>

@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include <rtt/extras/SequentialActivity.hpp>
 
-#include <rtt/internal/TryFlag.hpp>
+#include <rtt/internal/engine/try_flag.hpp>
 #include <rtt/os/MainThread.hpp>
-#include <rtt/os/detail/futex.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/futex.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <exception>
 

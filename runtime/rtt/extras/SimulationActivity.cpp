@@ -3,7 +3,7 @@
 #include <rtt/extras/SimulationActivity.hpp>
 
 #include <rtt/os/MainThread.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 
 namespace RTT::extras {
 

@@ -3,14 +3,14 @@
 #include <rtt/extras/SlaveActivity.hpp>
 
 #include <rtt/base/DisposableInterface.hpp>
-#include <rtt/internal/AccessGate.hpp>
-#include <rtt/internal/Presence.hpp>
-#include <rtt/internal/TryFlag.hpp>
+#include <rtt/internal/engine/access_gate.hpp>
+#include <rtt/internal/engine/presence.hpp>
+#include <rtt/internal/engine/try_flag.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/os/detail/futex.hpp>
-#include <rtt/os/detail/os_log.hpp>
-#include <rtt/os/detail/priority_lock.hpp>
+#include <rtt/os/futex.hpp>
+#include <rtt/os/os_log.hpp>
+#include <rtt/os/priority_lock.hpp>
 
 #include <exception>
 

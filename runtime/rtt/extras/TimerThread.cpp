@@ -4,8 +4,8 @@
 
 #include <rtt/extras/PeriodicActivity.hpp>
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/os/detail/futex.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/futex.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <boost/weak_ptr.hpp>
 

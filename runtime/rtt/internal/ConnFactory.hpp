@@ -5,8 +5,8 @@
 #define ORO_CONN_FACTORY_HPP
 
 #include <rtt/ConnPolicy.hpp>
-#include <rtt/internal/ChannelStorage.hpp>
-#include <rtt/internal/SampleStore.hpp>
+#include <rtt/internal/flow/channel_storage.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <boost/shared_ptr.hpp>

@@ -3,11 +3,11 @@
 #include <rtt/internal/ConnectionManager.hpp>
 
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/internal/ChannelArray.hpp>
-#include <rtt/internal/PortEndpoint.hpp>
-#include <rtt/internal/Reclaimer.hpp>
-#include <rtt/internal/StorageCore.hpp>
-#include <rtt/internal/detail/graph_lock.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
+#include <rtt/internal/flow/port_endpoint.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
+#include <rtt/internal/flow/detail/graph_lock.hpp>
 
 #include <algorithm>
 

@@ -149,6 +149,6 @@ private:
 }  // namespace internal
 }  // namespace RTT
 
-#include "ReferringDataSources.hpp"
+#include <rtt/internal/values/referring_data_sources.hpp>
 
 #endif

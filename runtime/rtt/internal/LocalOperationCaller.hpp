@@ -4,7 +4,7 @@
 #define ORO_LOCAL_OPERATION_CALLER_HPP
 
 #include <rtt/base/OperationCallerBase.hpp>
-#include <rtt/internal/SpareCalls.hpp>
+#include <rtt/internal/calls/spare_calls.hpp>
 
 #include <memory>
 

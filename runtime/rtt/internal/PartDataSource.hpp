@@ -4,7 +4,7 @@
 #define ORO_PART_DATA_SOURCE_HPP
 
 #include <rtt/types/carray.hpp>
-#include "PlacedDataSource.hpp"
+#include <rtt/internal/values/placed_data_source.hpp>
 
 namespace RTT {
 namespace internal {

@@ -3,7 +3,7 @@
 #include <rtt/internal/SignalBase.hpp>
 
 #include <rtt/Handle.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "PropertyLoader.hpp"
 
-#include <rtt/internal/failed.hpp>
+#include <rtt/internal/calls/failed.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 
 namespace RTT::marsh {

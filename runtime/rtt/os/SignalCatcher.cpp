@@ -3,7 +3,7 @@
 // The handler does only what is safe in any thread at any point: it writes the number into a pipe.
 #include <rtt/os/SignalCatcher.hpp>
 
-#include <rtt/os/detail/terminal_flow.hpp>
+#include <rtt/os/terminal_flow.hpp>
 
 #include <algorithm>
 #include <cerrno>

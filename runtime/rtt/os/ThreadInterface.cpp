@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/os/ThreadInterface.hpp>
 
-#include <rtt/os/detail/futex.hpp>
+#include <rtt/os/futex.hpp>
 #include <rtt/os/detail/thread_list.hpp>
 
 namespace RTT::os {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/thread_state.hpp>
 
 #include <cxxabi.h>

@@ -4,7 +4,7 @@
 
 #include <rtt/Activity.hpp>
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 
 namespace RTT::os {
 

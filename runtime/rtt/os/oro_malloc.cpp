@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/os/oro_malloc.h>
 
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/pool_registry.hpp>
 #include <rtt/os/tlsf/tlsf.h>
 

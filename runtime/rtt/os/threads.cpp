@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/os/threads.hpp>
 
-#include <rtt/os/detail/os_log.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_list.hpp>
 

@@ -7,7 +7,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include "detail/plugin_table.hpp"
-#include "detail/search_path.hpp"
+#include <rtt/plugin/search_path.hpp>
 
 #include <exception>
 #include <mutex>

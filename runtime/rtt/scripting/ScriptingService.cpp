@@ -4,7 +4,7 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/plugin/ServicePlugin.hpp>
 #include <rtt/scripting/detail/service/loaded.hpp>
 #include <rtt/scripting/detail/execute/log_diagnostics.hpp>

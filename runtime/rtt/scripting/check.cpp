@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/check.hpp>
 
-#include <rtt/internal/detail/diagnostic_taker.hpp>
+#include <rtt/internal/diagnostic_taker.hpp>
 #include <rtt/scripting/detail/service/script_checker.hpp>
 #include <rtt/scripting/detail/syntax/script_text.hpp>
 

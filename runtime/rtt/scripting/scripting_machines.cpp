@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 // The functions of a scripting service for state machines.
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/failed.hpp>
+#include <rtt/internal/calls/failed.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/detail/service/loaded.hpp>
 

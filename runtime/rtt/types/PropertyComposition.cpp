@@ -3,10 +3,10 @@
 #include "PropertyComposition.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include "PropertyDecomposition.hpp"
 #include "Types.hpp"
-#include <rtt/types/detail/member_update.hpp>
+#include <rtt/types/member_update.hpp>
 
 namespace RTT::types {
 

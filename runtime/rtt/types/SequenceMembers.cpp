@@ -9,7 +9,7 @@
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
 #include <rtt/types/detail/count_data_source.hpp>
-#include <rtt/types/detail/member_update.hpp>
+#include <rtt/types/member_update.hpp>
 #include <cstdlib>
 #include <istream>
 #include <ostream>

@@ -9,7 +9,7 @@
 #include "TypeOps.hpp"
 #include "TypeThunkTable.hpp"
 #include "Types.hpp"
-#include <rtt/types/detail/member_update.hpp>
+#include <rtt/types/member_update.hpp>
 #include <boost/core/demangle.hpp>
 #include <istream>
 #include <ostream>

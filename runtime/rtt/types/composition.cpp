@@ -4,10 +4,10 @@
 #include "CompositionHooks.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include "CompositionFactory.hpp"
 #include "Types.hpp"
-#include <rtt/types/detail/member_update.hpp>
+#include <rtt/types/member_update.hpp>
 #include <algorithm>
 
 namespace RTT::types {

@@ -13,8 +13,8 @@
 #include "ValueFactory.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/types/detail/conversion_watch.hpp>
-#include <rtt/types/detail/refusal_watch.hpp>
+#include <rtt/types/conversion_watch.hpp>
+#include <rtt/types/refusal_watch.hpp>
 #include <rtt/base/ChannelElementBase.hpp>
 #include <rtt/internal/Reference.hpp>
 #include <sstream>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/detail/buffer_lock_free.cpp)
+set(file rtt/internal/flow/detail/buffer_lock_free.cpp)
 under_test(${file})
 faulty_value(buffer_relaxed_take ${file}
   [=[ring_[p & ringMask_].load(@{std::memory_order_acquire}@);]=] [=[std::memory_order_relaxed]=])

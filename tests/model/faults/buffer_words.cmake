@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/detail/buffer_words.cpp)
-set(words rtt/internal/detail/sample_words.hpp)
+set(file rtt/internal/flow/detail/buffer_words.cpp)
+set(words rtt/internal/flow/detail/sample_words.hpp)
 under_test(${file} ${words})
 faulty_value(words_relaxed_words ${words}
   [=[sizeof word);

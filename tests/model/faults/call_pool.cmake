@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/CallPool.cpp)
-set(header rtt/internal/CallPool.hpp)
+set(file rtt/internal/calls/call_pool.cpp)
+set(header rtt/internal/calls/call_pool.hpp)
 under_test(${file} ${header})
 adapt(${header} [=[kSmall = 256;]=] [=[kSmall = 2;]=])
 adapt(${header} [=[kLarge = 64;]=] [=[kLarge = 1;]=])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/detail/data_counted.cpp)
+set(file rtt/internal/flow/detail/data_counted.cpp)
 under_test(${file})
 faulty_value(counted_no_second_look ${file}
   [=[if (@{current_.load(std::memory_order_acquire) == c}@)]=] [=[true]=])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/detail/data_versioned.cpp)
-set(words rtt/internal/detail/sample_words.hpp)
+set(file rtt/internal/flow/detail/data_versioned.cpp)
+set(words rtt/internal/flow/detail/sample_words.hpp)
 under_test(${file} ${words})
 faulty_value(versioned_no_second_look ${file}
   [=[if (@{slot.version.load(std::memory_order_relaxed) != version}@) continue;]=] [=[false]=])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(header rtt/internal/FunctionList.hpp)
-set(file rtt/internal/FunctionList.cpp)
+set(header rtt/internal/engine/function_list.hpp)
+set(file rtt/internal/engine/function_list.cpp)
 under_test(${header} ${file})
 set(wake [=[wakes_.fetch_add(1, std::memory_order_release);]=])
 faulty_statement(functions_relaxed_wake ${header} "${wake}" [=[wakes_.fetch_add(1, std::memory_order_relaxed);]=])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/Mailbox.cpp)
-set(header rtt/internal/Mailbox.hpp)
+set(file rtt/internal/engine/mailbox.cpp)
+set(header rtt/internal/engine/mailbox.hpp)
 under_test(${file} ${header})
 adapt(${header} [=[kCapacity = 128;]=] [=[kCapacity = 2;]=])
 faulty_value(mailbox_relaxed_put ${file}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/PortCallbacks.cpp)
+set(file rtt/internal/flow/port_callbacks.cpp)
 under_test(${file})
 faulty_value(callbacks_relaxed_announcement ${file}
   [=[entry->round.fetch_or(1, @{std::memory_order_acq_rel}@) | 1;]=] [=[std::memory_order_relaxed]=])

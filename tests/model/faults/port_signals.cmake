@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 set(file rtt/base/input_port_signals.cpp)
-set(calls rtt/internal/DeferredCalls.hpp)
-set(waiting rtt/internal/detail/waiting.cpp)
+set(calls rtt/internal/flow/deferred_calls.hpp)
+set(waiting rtt/internal/flow/detail/waiting.cpp)
 under_test(${file} ${calls} ${waiting})
 adapt(${calls} [=[kSpare = 16;]=] [=[kSpare = 1;]=])
 adapt(${calls} [=[void* argument;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/Presence.cpp)
-set(header rtt/internal/Presence.hpp)
+set(file rtt/internal/engine/presence.cpp)
+set(header rtt/internal/engine/presence.hpp)
 under_test(${file} ${header})
 adapt(${file} [=[ThreadRecords<Record, 64>]=] [=[ThreadRecords<Record, 4>]=])
 adapt(${header} [=[kDepth = 12;]=] [=[kDepth = 2;]=])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/Reclaimer.cpp)
-set(header rtt/internal/Reclaimer.hpp)
+set(file rtt/internal/flow/reclaimer.cpp)
+set(header rtt/internal/flow/reclaimer.hpp)
 under_test(${file} ${header})
 adapt(${file} [=[kPool = 64;]=] [=[kPool = 4;]=])
 faulty_value(reclaimer_no_barrier ${file} [=[if (@{!Reclaimer::asymmetric_}@) return;]=] [=[true]=])

@@ -3,8 +3,8 @@
 # For scenarios about something else: Presence with few places, and with a record for each thread from the start. How threads
 # get their records is in presence_model_test. `depth` is how many uses nest in the scenarios, which have
 # `threads` threads with their own.
-set(presence rtt/internal/Presence.cpp)
-set(presence_header rtt/internal/Presence.hpp)
+set(presence rtt/internal/engine/presence.cpp)
+set(presence_header rtt/internal/engine/presence.hpp)
 under_test(${presence} ${presence_header})
 adapt(${presence} [=[ThreadRecords<Record, 64>]=] "ThreadRecords<Record, ${threads}>")
 adapt(${presence} [=[asymmetric_ = detail::offersProcessBarrier();]=]

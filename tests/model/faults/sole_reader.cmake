@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(header rtt/internal/detail/sole_reader.hpp)
+set(header rtt/internal/flow/detail/sole_reader.hpp)
 under_test(${header})
 faulty_value(sole_not_asked_again ${header}
   [=[if (__builtin_expect(@{thread_.load(std::memory_order_relaxed) == me}@, 1)) return true;]=] [=[true]=])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
-set(file rtt/internal/WaitPoint.cpp)
-set(header rtt/internal/WaitPoint.hpp)
+set(file rtt/internal/engine/wait_point.cpp)
+set(header rtt/internal/engine/wait_point.hpp)
 under_test(${file} ${header})
 faulty_value(wait_relaxed_notify ${header} [=[if (@{word_.fetch_add(kStep)}@ & kAsleep)]=]
   [=[word_.fetch_add(kStep, std::memory_order_relaxed)]=])

@@ -6,7 +6,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 
 #include <atomic>
 #include <exception>

@@ -8,7 +8,7 @@
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnID.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <gtest/gtest.h>
 

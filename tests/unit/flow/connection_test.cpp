@@ -5,7 +5,7 @@
 
 #include <rtt/Port.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <gtest/gtest.h>
 

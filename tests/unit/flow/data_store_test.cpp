@@ -3,7 +3,7 @@
 // The contract of a data object, run on every implementation of one.
 #include "store_cases.hpp"
 
-#include <rtt/internal/SampleStore.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <rtt/Port.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/StorageCore.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 
 #include <gtest/gtest.h>
 

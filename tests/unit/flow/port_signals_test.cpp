@@ -5,7 +5,7 @@
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/internal/ConnID.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/Port.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
-#include <rtt/internal/Reclaimer.hpp>
-#include <rtt/internal/StorageCore.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 
 #include <gtest/gtest.h>
 

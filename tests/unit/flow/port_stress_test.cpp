@@ -4,7 +4,7 @@
 #include "samples.hpp"
 
 #include <rtt/Port.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #ifndef OROFORGE_TESTS_FLOW_STORE_CASES_HPP
 #define OROFORGE_TESTS_FLOW_STORE_CASES_HPP
 
-#include <rtt/internal/SampleStore.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 
 #include <gtest/gtest.h>
 

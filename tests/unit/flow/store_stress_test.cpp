@@ -4,7 +4,7 @@
 // policy forbids it.
 #include "samples.hpp"
 
-#include <rtt/internal/SampleStore.hpp>
+#include <rtt/internal/flow/sample_store.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <gtest/gtest.h>

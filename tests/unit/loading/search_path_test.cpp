@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/plugin/search_path.hpp>
 #include <rtt/rtt-config.h>
 
 #include <support/temp_dir.hpp>

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "probe.hpp"
 
-#include <rtt/internal/CallPool.hpp>
+#include <rtt/internal/calls/call_pool.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
 #include <cstring>

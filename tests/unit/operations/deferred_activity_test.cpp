@@ -7,7 +7,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
-#include <rtt/internal/DeferredActivity.hpp>
+#include <rtt/internal/engine/deferred_activity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/internal/Mailbox.hpp>
+#include <rtt/internal/engine/mailbox.hpp>
 
 #include <gtest/gtest.h>
 

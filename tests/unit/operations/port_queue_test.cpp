@@ -4,7 +4,7 @@
 #include "probe.hpp"
 
 #include <rtt/Port.hpp>
-#include <rtt/internal/PortCallbacks.hpp>
+#include <rtt/internal/flow/port_callbacks.hpp>
 
 #include <optional>
 

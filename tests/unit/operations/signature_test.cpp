@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <rtt/Service.hpp>
-#include <rtt/internal/OperationSignature.hpp>
+#include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <gtest/gtest.h>

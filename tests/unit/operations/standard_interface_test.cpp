@@ -7,7 +7,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/internal/service_loader.hpp>
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,7 @@
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/GlobalService.hpp>
-#include <rtt/internal/ServiceLoader.hpp>
+#include <rtt/internal/service_loader.hpp>
 
 #include <gmock/gmock.h>
 

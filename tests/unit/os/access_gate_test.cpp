@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "os_test.hpp"
 
-#include <rtt/internal/AccessGate.hpp>
+#include <rtt/internal/engine/access_gate.hpp>
 
 #include <memory>
 #include <thread>

@@ -10,7 +10,7 @@
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
-#include <rtt/os/detail/futex.hpp>
+#include <rtt/os/futex.hpp>
 
 #include <fstream>
 #include <memory>

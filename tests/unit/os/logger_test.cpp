@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include <rtt/Logger.hpp>
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/internal/located_log.hpp>
 
 #include <support/child_process.hpp>

@@ -4,7 +4,7 @@
 #include "together.hpp"
 
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/Presence.hpp>
+#include <rtt/internal/engine/presence.hpp>
 
 #include <memory>
 #include <thread>

@@ -7,9 +7,9 @@
 #include <rtt/Port.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/AccessGate.hpp>
-#include <rtt/internal/Mailbox.hpp>
-#include <rtt/internal/WaitPoint.hpp>
+#include <rtt/internal/engine/access_gate.hpp>
+#include <rtt/internal/engine/mailbox.hpp>
+#include <rtt/internal/engine/wait_point.hpp>
 
 #include <atomic>
 #include <chrono>

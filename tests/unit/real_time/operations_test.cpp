@@ -7,7 +7,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/CallPool.hpp>
+#include <rtt/internal/calls/call_pool.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/OperationCallerC.hpp>

@@ -8,7 +8,7 @@
 #include <rtt/extras/FileDescriptorActivity.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/Reclaimer.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/os/Atomic.hpp>
 #include <rtt/os/CAS.hpp>
 #include <rtt/os/Condition.hpp>

@@ -6,7 +6,7 @@
 #include <rtt/os/Condition.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/Semaphore.hpp>
-#include <rtt/os/detail/futex.hpp>
+#include <rtt/os/futex.hpp>
 #include <rtt/os/oro_malloc.h>
 
 #include <chrono>

@@ -6,7 +6,7 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/HookInProgress.hpp>
+#include <rtt/internal/engine/hook_in_progress.hpp>
 #include <rtt/os/MainThread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 

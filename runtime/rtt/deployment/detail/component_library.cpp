@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "component_library.hpp"
 
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/plugin/search_path.hpp>
 
 #include <exception>
 

@@ -5,7 +5,7 @@
 #define OROFORGE_COMPONENT_LIBRARY_HPP
 
 #include <rtt/Component.hpp>
-#include <rtt/plugin/detail/shared_library.hpp>
+#include <rtt/plugin/shared_library.hpp>
 
 #include <string>
 

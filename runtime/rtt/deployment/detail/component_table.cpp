@@ -3,8 +3,8 @@
 #include "component_table.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/internal/Reclaimer.hpp>
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
+#include <rtt/plugin/search_path.hpp>
 
 #include <diag/type_match.hpp>
 

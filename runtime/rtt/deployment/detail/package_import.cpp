@@ -7,7 +7,7 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/plugin/search_path.hpp>
 #include <rtt/rtt-config.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "ros_packages.hpp"
 
 #include <rtt/Logger.hpp>
-#include <rtt/plugin/detail/search_path.hpp>
+#include <rtt/plugin/search_path.hpp>
 
 #include <diag/sink.hpp>
 #include <xml/document.hpp>

@@ -6,7 +6,7 @@
 #include "cpf_writer.hpp"
 #include "text_edit.hpp"
 
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/types/Types.hpp>
 
 #include <xml/escape.hpp>

@@ -4,7 +4,7 @@
 
 #include "cpf_values.hpp"
 
-#include <rtt/internal/detail/diagnostic_taker.hpp>
+#include <rtt/internal/diagnostic_taker.hpp>
 #include <rtt/internal/located_log.hpp>
 #include <diag/print.hpp>
 

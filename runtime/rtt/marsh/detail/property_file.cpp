@@ -6,7 +6,7 @@
 #include "cpf_writer.hpp"
 #include "replace_file.hpp"
 
-#include <rtt/internal/detail/property_update.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 #ifndef RTT_OS_DETAIL_WAKE_WORD_HPP
 #define RTT_OS_DETAIL_WAKE_WORD_HPP
 
-#include <rtt/os/detail/futex.hpp>
+#include <rtt/os/futex.hpp>
 
 namespace RTT {
 namespace os {

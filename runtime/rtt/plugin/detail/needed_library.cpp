@@ -5,8 +5,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/rtt-config.h>
-#include "search_path.hpp"
-#include "shared_library.hpp"
+#include <rtt/plugin/search_path.hpp>
+#include <rtt/plugin/shared_library.hpp>
 
 #include <algorithm>
 #include <filesystem>

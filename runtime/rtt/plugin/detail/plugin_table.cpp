@@ -6,7 +6,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/rtt-config.h>
 #include <rtt/plugin/version_guard.hpp>
-#include "search_path.hpp"
+#include <rtt/plugin/search_path.hpp>
 
 #include <algorithm>
 #include <exception>

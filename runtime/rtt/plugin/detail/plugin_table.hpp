@@ -5,7 +5,7 @@
 #define OROFORGE_PLUGIN_TABLE_HPP
 
 #include <rtt/Service.hpp>
-#include "shared_library.hpp"
+#include <rtt/plugin/shared_library.hpp>
 
 #include <condition_variable>
 #include <list>

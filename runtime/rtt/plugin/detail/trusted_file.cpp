@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "trusted_file.hpp"
 
-#include "search_path.hpp"
+#include <rtt/plugin/search_path.hpp>
 
 #include <grp.h>
 #include <pwd.h>

@@ -4,7 +4,7 @@
 #define ORO_BUILTIN_CONVERSIONS_HPP
 
 #include <rtt/types/TemplateConstructor.hpp>
-#include <rtt/types/detail/number_conversion.hpp>
+#include <rtt/types/number_conversion.hpp>
 
 namespace RTT {
 namespace types {

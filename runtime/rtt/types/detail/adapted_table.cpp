@@ -7,7 +7,7 @@
 #include <rtt/PropertyBag.hpp>
 #include <rtt/types/SequenceMembers.hpp>
 #include "count_data_source.hpp"
-#include "member_update.hpp"
+#include <rtt/types/member_update.hpp>
 #include "table_generator.hpp"
 
 namespace RTT::types::detail {

@@ -5,7 +5,7 @@
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/Operators.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
-#include "refusal_watch.hpp"
+#include <rtt/types/refusal_watch.hpp>
 #include "type_info_state.hpp"
 #include <diag/nearest_match.hpp>
 #include <algorithm>

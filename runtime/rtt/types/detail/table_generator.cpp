@@ -6,7 +6,7 @@
 #include <rtt/types/StreamFactory.hpp>
 #include <rtt/types/ValueFactory.hpp>
 #include <rtt/types/TypeOps.hpp>
-#include "member_update.hpp"
+#include <rtt/types/member_update.hpp>
 
 #include <charconv>
 #include <initializer_list>

@@ -12,7 +12,7 @@
 #include <rtt/types/TypeOps.hpp>
 #include <rtt/types/TypeThunkTable.hpp>
 #include <rtt/types/Types.hpp>
-#include "member_update.hpp"
+#include <rtt/types/member_update.hpp>
 #include "table_generator.hpp"
 #include <istream>
 #include <ostream>

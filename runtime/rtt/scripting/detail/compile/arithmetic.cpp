@@ -3,7 +3,7 @@
 #include <rtt/scripting/detail/compile/arithmetic.hpp>
 
 #include <rtt/scripting/detail/execute/process.hpp>
-#include <rtt/types/detail/number_conversion.hpp>
+#include <rtt/types/number_conversion.hpp>
 
 #include <functional>
 #include <type_traits>

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compile/call_words.hpp>
 
-#include <rtt/internal/OperationSignature.hpp>
+#include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
-#include <rtt/internal/OperationSignature.hpp>
+#include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/scripting/detail/compile/arithmetic.hpp>
 #include <rtt/scripting/detail/function/function_operation.hpp>
 #include <rtt/scripting/detail/execute/instructions.hpp>

@@ -5,7 +5,7 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
-#include <rtt/internal/standard_operations.hpp>
+#include <rtt/internal/calls/standard_operations.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 #include <rtt/types/Types.hpp>

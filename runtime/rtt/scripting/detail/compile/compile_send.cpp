@@ -7,7 +7,7 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>

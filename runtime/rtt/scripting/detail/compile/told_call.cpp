@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compile/told_call.hpp>
 
-#include <rtt/internal/FailureReport.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 
 #include <utility>
 

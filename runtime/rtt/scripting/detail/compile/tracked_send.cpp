@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/compile/tracked_send.hpp>
 
-#include <rtt/internal/EngineGate.hpp>
-#include <rtt/internal/FailureReport.hpp>
-#include <rtt/internal/SentCall.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
+#include <rtt/internal/calls/sent_call.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 
 #include <rtt/SendStatus.hpp>
 #include <rtt/internal/DataSource.hpp>
-#include <rtt/internal/Sending.hpp>
+#include <rtt/internal/calls/sending.hpp>
 #include <rtt/scripting/detail/execute/failed_call.hpp>
 
 #include <atomic>

@@ -7,8 +7,8 @@
 #include <rtt/Service.hpp>
 #include <rtt/scripting/detail/compile/compiler.hpp>
 #include <rtt/scripting/detail/compile/operand.hpp>
-#include <rtt/types/detail/conversion_watch.hpp>
-#include <rtt/types/detail/refusal_watch.hpp>
+#include <rtt/types/conversion_watch.hpp>
+#include <rtt/types/refusal_watch.hpp>
 
 #include <functional>
 #include <set>

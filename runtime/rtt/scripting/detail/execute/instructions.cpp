@@ -5,7 +5,7 @@
 #include <rtt/SendStatus.hpp>
 #include <rtt/os/TimeService.hpp>
 #include <rtt/scripting/detail/compile/tracked_send.hpp>
-#include <rtt/types/detail/refusal_watch.hpp>
+#include <rtt/types/refusal_watch.hpp>
 
 namespace RTT::scripting::detail {
 namespace instructions {

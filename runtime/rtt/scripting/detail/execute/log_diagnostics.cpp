@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/execute/log_diagnostics.hpp>
 
-#include <rtt/internal/detail/diagnostic_taker.hpp>
+#include <rtt/internal/diagnostic_taker.hpp>
 #include <rtt/internal/located_log.hpp>
 
 #include <diag/print.hpp>

@@ -3,7 +3,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_PEERS_HPP
 #define ORO_SCRIPTING_DETAIL_PEERS_HPP
 
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <string>
 #include <vector>

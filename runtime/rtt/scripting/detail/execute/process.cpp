@@ -4,10 +4,10 @@
 
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/EngineGate.hpp>
-#include <rtt/internal/Interruption.hpp>
-#include <rtt/internal/Sending.hpp>
-#include <rtt/types/detail/refusal_watch.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/engine/interruption.hpp>
+#include <rtt/internal/calls/sending.hpp>
+#include <rtt/types/refusal_watch.hpp>
 
 #include <diag/print.hpp>
 

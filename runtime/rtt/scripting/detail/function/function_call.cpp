@@ -7,7 +7,7 @@
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 #include <rtt/os/fosi.h>
 #include <rtt/scripting/detail/function/function_pool.hpp>
 #include <rtt/scripting/detail/execute/log_diagnostics.hpp>

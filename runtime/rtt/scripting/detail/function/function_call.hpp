@@ -7,7 +7,7 @@
 #include <rtt/SendStatus.hpp>
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/scripting/detail/compile/compiler.hpp>
 
 #include <atomic>

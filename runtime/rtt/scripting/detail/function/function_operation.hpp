@@ -4,7 +4,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_FUNCTION_OPERATION_HPP
 #define ORO_SCRIPTING_DETAIL_FUNCTION_OPERATION_HPP
 
-#include <rtt/internal/OperationSignature.hpp>
+#include <rtt/internal/calls/operation_signature.hpp>
 #include <rtt/scripting/detail/function/function_pool.hpp>
 #include <rtt/scripting/detail/function/function_sources.hpp>
 

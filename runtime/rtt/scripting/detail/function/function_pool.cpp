@@ -5,7 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/os/MutexLock.hpp>
-#include <rtt/types/detail/conversion_watch.hpp>
+#include <rtt/types/conversion_watch.hpp>
 
 #include <diag/print.hpp>
 

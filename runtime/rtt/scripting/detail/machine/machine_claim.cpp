@@ -3,7 +3,7 @@
 #include <rtt/scripting/detail/machine/machine_claim.hpp>
 
 #include <rtt/ExecutionEngine.hpp>
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/os/fosi.h>
 
 #include <unistd.h>

@@ -7,7 +7,7 @@
 #include <rtt/FlowStatus.hpp>
 #include <rtt/base/ActionInterface.hpp>
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/internal/PortSources.hpp>
+#include <rtt/internal/flow/port_sources.hpp>
 #include <rtt/scripting/detail/compile/compiler.hpp>
 #include <rtt/scripting/detail/machine/machine_model.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <rtt/Handle.hpp>
 #include <rtt/base/DisposableInterface.hpp>
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/scripting/detail/machine/machine_code.hpp>
 
 #include <boost/weak_ptr.hpp>

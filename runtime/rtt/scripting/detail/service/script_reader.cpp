@@ -4,7 +4,7 @@
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
-#include <rtt/internal/Interruption.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 #include <rtt/scripting/detail/syntax/parser.hpp>
 #include <rtt/scripting/detail/execute/process.hpp>
 

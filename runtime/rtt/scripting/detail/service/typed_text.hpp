@@ -4,7 +4,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_TYPED_TEXT_HPP
 #define ORO_SCRIPTING_DETAIL_TYPED_TEXT_HPP
 
-#include <rtt/internal/EngineGate.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/scripting/detail/service/script_reader.hpp>
 #include <rtt/scripting/typed_input.hpp>
 

@@ -4,8 +4,8 @@
 #ifndef OROFORGE_MODEL_INPUT_PORT_INTERFACE_HPP
 #define OROFORGE_MODEL_INPUT_PORT_INTERFACE_HPP
 
-#include <rtt/internal/DeferredCalls.hpp>
-#include <rtt/internal/PortEndpoint.hpp>
+#include <rtt/internal/flow/deferred_calls.hpp>
+#include <rtt/internal/flow/port_endpoint.hpp>
 
 #include <atomic>
 
