@@ -6,20 +6,18 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/engine/hook_in_progress.hpp>
-#include <rtt/internal/engine/detail/engine_removal.hpp>
+#include <rtt/internal/engine/detail/function_removal.hpp>
+#include <rtt/internal/engine/detail/guarded_call.hpp>
 
-#include <exception>
 #include <utility>
 
 namespace RTT {
 
 using internal::EngineGate;
 using internal::Mailbox;
+using internal::detail::guarded;
 
 namespace {
-std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskCore::getName() : "GlobalEngine"; }
-
 /** Raises a flag, if there is one, until the end of the scope. */
 class Raised {
 public:
@@ -37,18 +35,16 @@ private:
 };
 }  // namespace
 
-ExecutionEngine::ExecutionEngine(base::TaskCore* owner) : gate_(new EngineGate(this)), task_(owner) {
-    deferred_ports_.reserve(16);  // its final capacity
-}
+ExecutionEngine::ExecutionEngine(base::TaskCore* owner)
+    : gate_(new EngineGate(this)), task_(owner), functions_(owner) {}
 
 ExecutionEngine::~ExecutionEngine() {
     const_cast<EngineGate&>(*gate_).close();  // from here on no thread puts anything into the queue
     disposeQueued();
-    functions_.forEach([](base::ExecutableInterface& function) { function.unloaded(); });
 }
 
 void ExecutionEngine::setExceptionTask() {
-    log(Error) << "in " << nameOf(task_) << ": a sent operation threw an exception" << endlog();
+    log(Error) << "in " << internal::detail::nameOf(task_) << ": a sent operation threw an exception" << endlog();
     enterException();
 }
 
@@ -116,7 +112,7 @@ bool ExecutionEngine::breakLoop() {
            task_->breakUpdateHook();
 }
 void ExecutionEngine::finalize() {}
-bool ExecutionEngine::hasWork() { return !mailbox_.empty() || deferred_ || missed_ports_; }
+bool ExecutionEngine::hasWork() { return !mailbox_.empty() || ports_.any(); }
 
 void ExecutionEngine::work(WorkReason reason) {
     const Step here(*gate_);
@@ -130,30 +126,8 @@ void ExecutionEngine::work(WorkReason reason) {
     // While a slave waits, its master executes the slave's triggers.
     if (ExecutionEngine::hasWork()) processMailbox(here, nested ? Depth::Waiting : Depth::Step);
     if (nested || reason == Trigger || here.gone()) return;
-    processFunctions(here);
+    functions_.process(here);
     if (!here.gone()) processHooks(here);
-}
-
-// Calls user code. False if that threw; the component is then in Exception.
-template <class Action>
-bool ExecutionEngine::guarded(const Step& here, const char* what, Action&& action) {
-    try {
-        const internal::HookInProgress hook(task_, what);
-        action();
-        return true;
-    } catch (const std::exception& e) {
-        logException(here, what, e.what());
-    } catch (...) {
-        logException(here, what, "something that is no std::exception");
-    }
-    if (!here.gone() && task_) task_->exception();
-    return false;
-}
-
-// Separate, so that a normal step does not prepare for it.
-[[gnu::cold, gnu::noinline]] void ExecutionEngine::logException(const Step& here, const char* what, const char* why) {
-    log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task_)) << ": " << what
-               << " threw: " << why << endlog();
 }
 
 void ExecutionEngine::processMailbox(const Step& here, Depth depth) {
@@ -168,7 +142,7 @@ void ExecutionEngine::processMailbox(const Step& here, Depth depth) {
     if (here.gone()) return;
     // Callbacks that became due while one of these messages waited.
     if (depth == Depth::Step) callDeferredPorts(here);
-    if (depth == Depth::Step && !here.gone()) callMissedPorts(here);
+    if (depth == Depth::Step && !here.gone() && ports_.takeMissed()) callPort(here, nullptr);
     if (here.gone()) return;
     // Other threads may wait here for the effect of a message.
     if (any) gate_->waitPoint.notify();
@@ -179,115 +153,39 @@ void ExecutionEngine::execute(const Step& here, Mailbox::Item item, Depth depth)
     if (!item.what) return;  // withdrawn
     switch (item.kind) {
         case Mailbox::Kind::Message:
-            guarded(here, "a message",
+            guarded(here, task_, "a message",
                     [&] { static_cast<base::DisposableInterface*>(item.what)->executeAndDispose(); });
             break;
         case Mailbox::Kind::Port:
             // A component that calls an operation in its updateHook() does not expect its callbacks there.
-            if (depth == Depth::Waiting || !deferred_ports_.empty()) {
-                if (deferred_ports_.size() == deferred_ports_.capacity()) {
-                    missed_ports_.exchange(true);
-                } else {
-                    deferred_ports_.push_back(static_cast<base::PortInterface*>(item.what));
-                    deferred_ = true;
-                }
-            } else {
-                callPort(here, static_cast<base::PortInterface*>(item.what));
-                if (here.gone()) return;
-            }
+            if (depth == Depth::Waiting || ports_.waiting())
+                ports_.defer(static_cast<base::PortInterface*>(item.what));
+            else if (!callPort(here, static_cast<base::PortInterface*>(item.what)))
+                return;
             if (depth == Depth::Step) callDeferredPorts(here);
             break;
         case Mailbox::Kind::AddFunction: functions_.add(static_cast<base::ExecutableInterface*>(item.what)); break;
-        case Mailbox::Kind::RemoveFunction: {
-            auto* const removal = static_cast<Removal*>(item.what);
-            functions_.remove(removal->function);
-            if (executing_ == removal->function) {
-                // Its execute() is waiting, further down the stack.
-                removal->next = removals_;
-                removals_ = removal;
-            } else {
-                removal->finish(Removal::Removed);
-            }
+        case Mailbox::Kind::RemoveFunction:
+            functions_.remove(*static_cast<internal::FunctionRemoval*>(item.what));
             break;
-        }
     }
 }
 
 void ExecutionEngine::callDeferredPorts(const Step& here) {
-    if (!deferred_) return;
-    // By index: a callback that waits may add to the list.
-    for (std::size_t i = 0; i != deferred_ports_.size(); ++i) {
-        callPort(here, deferred_ports_[i]);
-        if (here.gone()) return;
-    }
-    deferred_ports_.clear();
-    deferred_ = false;
+    ports_.callDeferred([&](base::PortInterface* port) { return callPort(here, port); });
 }
 
-// A thread that sets the flag has announced its port before, and triggers afterwards.
-void ExecutionEngine::callMissedPorts(const Step& here) {
-    if (missed_ports_ && missed_ports_.exchange(false)) callPort(here, nullptr);
-}
-
-void ExecutionEngine::callPort(const Step& here, base::PortInterface* port) {
-    if (!task_ || !task_->port_step_) return;
-    guarded(here, "the callback of a port", [&] { task_->port_step_(*task_, port); });
-}
-
-void ExecutionEngine::processFunctions(const Step& here) {
-    // Functions that are added or removed meanwhile take effect in the next step; those that are woken, in this one if
-    // their turn is still to come.
-    internal::FunctionList::Round round = functions_.begin();
-    if (round.end == 0) return;
-    functions_.takeWoken();
-    while (base::ExecutableInterface* const function = functions_.next(round)) {
-        if (task_ && task_->base::TaskCore::inFatalError()) return;
-        if (task_ && task_->base::TaskCore::inException() && function->pausesInException()) continue;
-        executing_ = function;
-        bool again = false;
-        const bool returned = guarded(here, "a function", [&] { again = function->execute(); });
-        if (here.gone()) return;
-        executing_ = nullptr;
-        if (functions_.has(round, function)) {
-            if (returned && again)
-                functions_.rest(round);
-            else
-                unload(round, *function);
-        }
-        while (Removal* const removal = removals_) {
-            removals_ = removal->next;
-            removal->finish(Removal::Removed);
-        }
-        functions_.takeWoken();
-    }
-    functions_.tidy();
-}
-
-// While the component waits. True if some have to be executed again, which no notification will announce.
-bool ExecutionEngine::processAwaited(const Step& here) {
-    bool left = false;
-    internal::FunctionList::Round round = functions_.begin();
-    while (base::ExecutableInterface* const function = functions_.next(round)) {
-        if (task_ && task_->base::TaskCore::inFatalError()) return false;
-        if (function == executing_ || !function->isAwaited()) continue;
-        bool again = false;
-        guarded(here, "a function", [&] { again = function->execute(); });
-        if (here.gone()) return false;
-        left = left || again;
-        if (!again && functions_.has(round, function)) unload(round, *function);
-    }
-    return left;
-}
-
-void ExecutionEngine::unload(const internal::FunctionList::Round& round, base::ExecutableInterface& function) {
-    functions_.drop(round);
-    function.unloaded();
+/** False if the engine is gone. */
+bool ExecutionEngine::callPort(const Step& here, base::PortInterface* port) {
+    if (!task_ || !task_->port_step_) return true;
+    guarded(here, task_, "the callback of a port", [&] { task_->port_step_(*task_, port); });
+    return !here.gone();
 }
 
 template <class Hook>
 void ExecutionEngine::callHook(const Step& here, const char* what, Hook&& hook) {
     in_hook_ = true;
-    guarded(here, what, std::forward<Hook>(hook));
+    guarded(here, task_, what, std::forward<Hook>(hook));
     if (!here.gone()) in_hook_ = false;
 }
 

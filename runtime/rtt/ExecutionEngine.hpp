@@ -7,14 +7,14 @@
 #include <rtt/base/ExecutableInterface.hpp>
 #include <rtt/base/RunnableInterface.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
-#include <rtt/internal/engine/function_list.hpp>
+#include <rtt/internal/engine/due_ports.hpp>
+#include <rtt/internal/engine/engine_functions.hpp>
 #include <rtt/internal/engine/mailbox.hpp>
 
 #include <boost/function.hpp>
 
 #include <atomic>
 #include <cstdint>
-#include <vector>
 
 namespace RTT {
 namespace internal {
@@ -106,6 +106,8 @@ public:
 
     /** For messages that threw in this engine: logs that and puts the component into Exception. */
     void setExceptionTask();
+    /** Puts the component, if there is one, into Exception. In a step of this engine. */
+    void enterException();
     /** Called by the component in FatalError: stops the activity for good and disposes of queued items. */
     void setFatalTask();
     /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop, or within a
@@ -134,10 +136,8 @@ private:
     friend class internal::SentCall;
     enum class Depth { Step, Waiting };
     typedef internal::EngineGate::Step Step;
-    class Removal;
 
     bool accepts() const;
-    void enterException();
     bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();
@@ -148,22 +148,15 @@ private:
     void triggerSelf();
     static void dispose(internal::Mailbox::Item item);
     void takeAdditions();
-    bool removeHere(base::ExecutableInterface* function, Removal* removal = nullptr);
-    void awaitRemoval(Removal& removal, const internal::EngineGate& waiting);
+    bool removeHere(base::ExecutableInterface* function, internal::FunctionRemoval* removal = nullptr);
+    void awaitRemoval(internal::FunctionRemoval& removal, const internal::EngineGate& waiting);
 
     // These take their step, because the code that they call may destroy this engine; they then return.
     void processMailbox(const Step& here, Depth depth);
     void execute(const Step& here, internal::Mailbox::Item item, Depth depth);
     void callDeferredPorts(const Step& here);
-    void callMissedPorts(const Step& here);
-    void callPort(const Step& here, base::PortInterface* port);
-    void processFunctions(const Step& here);
-    bool processAwaited(const Step& here);
-    void unload(const internal::FunctionList::Round& round, base::ExecutableInterface& function);
+    bool callPort(const Step& here, base::PortInterface* port);
     void processHooks(const Step& here);
-    template <class Action>
-    bool guarded(const Step& here, const char* what, Action&& action);
-    void logException(const Step& here, const char* what, const char* why);
     template <class Hook>
     void callHook(const Step& here, const char* what, Hook&& hook);
 
@@ -171,15 +164,10 @@ private:
     base::TaskCore* task_;
     internal::Mailbox mailbox_;
 
-    // Only for the engine's thread. Ports whose callbacks became due while the component was waiting:
-    std::vector<base::PortInterface*> deferred_ports_;
-    internal::FunctionList functions_;
-    base::ExecutableInterface* executing_ = nullptr;
-    bool in_hook_ = false;                   // updateHook() or errorHook() is being executed
-    Removal* removals_ = nullptr;            // of executing_
-    std::atomic<bool> break_asked_{false};   // by stopTask(), within a hook
-    std::atomic<bool> deferred_{false};      // deferred_ports_ is not empty
-    std::atomic<bool> missed_ports_{false};  // a port found no room here or in the mailbox
+    internal::DuePorts ports_;
+    internal::EngineFunctions functions_;
+    bool in_hook_ = false;                  // updateHook() or errorHook() is being executed
+    std::atomic<bool> break_asked_{false};  // by stopTask(), within a hook
 };
 
 }  // namespace RTT

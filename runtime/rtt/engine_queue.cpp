@@ -4,7 +4,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/engine/detail/engine_removal.hpp>
+#include <rtt/internal/engine/detail/function_removal.hpp>
 #include <rtt/internal/engine/detail/engine_sleep.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/fosi.h>
@@ -14,6 +14,7 @@
 namespace RTT {
 
 using internal::EngineGate;
+using internal::FunctionRemoval;
 using internal::Mailbox;
 
 namespace {
@@ -30,7 +31,9 @@ void ExecutionEngine::dispose(Mailbox::Item item) {
         case Mailbox::Kind::Message: static_cast<base::DisposableInterface*>(item.what)->dispose(); break;
         case Mailbox::Kind::Port: break;
         case Mailbox::Kind::AddFunction: static_cast<base::ExecutableInterface*>(item.what)->unloaded(); break;
-        case Mailbox::Kind::RemoveFunction: static_cast<Removal*>(item.what)->finish(Removal::Disposed); break;
+        case Mailbox::Kind::RemoveFunction:
+            static_cast<FunctionRemoval*>(item.what)->finish(FunctionRemoval::Disposed);
+            break;
     }
 }
 
@@ -49,8 +52,7 @@ bool ExecutionEngine::enqueue(Mailbox::Item item, base::ActivityInterface* activ
     if (!item.what || !activity || gate_->retired() || !accepts()) return false;
     if (!mailbox_.put(item)) {
         if (item.kind != Mailbox::Kind::Port) return false;
-        // An exchange, so that the thread that clears the flag sees what all threads that set it did before.
-        missed_ports_.exchange(true);
+        ports_.miss();
     }
     // The engine's thread may be inside waitForMessages(), where it need not learn of ports.
     if (item.kind == Mailbox::Kind::Port)
@@ -93,9 +95,9 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
     if (!removeHere(function)) {
         const EngineGate* const own = EngineGate::ofThisThread();
         const EngineGate& waiting = own ? *own : *gate_;
-        Removal removal(function, waiting);
+        FunctionRemoval removal(function, waiting);
         awaitRemoval(removal, waiting);
-        if (removal.state() == Removal::Disposed) {
+        if (removal.state() == FunctionRemoval::Disposed) {
             // No thread executes the engine now, except the rest of the last step. Other threads may remove as well.
             gate_->waitForStep();
             static os::Mutex removers;
@@ -110,7 +112,7 @@ bool ExecutionEngine::removeFunction(base::ExecutableInterface* function) {
 
 // Removes the function in this thread, if that is the component's or if no thread executes the component. Withdraws a
 // queued `removal` first; false if the engine has taken it.
-bool ExecutionEngine::removeHere(base::ExecutableInterface* function, Removal* removal) {
+bool ExecutionEngine::removeHere(base::ExecutableInterface* function, FunctionRemoval* removal) {
     const EngineGate::Stand stand(gate_.get(), EngineGate::Stand::Anybody);
     if (!stand || (removal && !mailbox_.withdraw({Mailbox::Kind::RemoveFunction, removal}))) return false;
     takeAdditions();
@@ -133,19 +135,19 @@ void ExecutionEngine::takeAdditions() {
 }
 
 // A component's thread executes its messages meanwhile, because the function may be waiting for one of them.
-void ExecutionEngine::awaitRemoval(Removal& removal, const EngineGate& waiting) {
-    const auto finished = [&] { return removal.state() != Removal::Waiting; };
+void ExecutionEngine::awaitRemoval(FunctionRemoval& removal, const EngineGate& waiting) {
+    const auto finished = [&] { return removal.state() != FunctionRemoval::Waiting; };
     // The queue keeps the order, so a queued addition is executed before the removal. The queue may be full.
     bool queued = false;
     // Looks at once, and then from time to time, because neither an activity that stops meanwhile nor a thread that no
     // longer executes it notifies.
     do {
         if (!queued) queued = enqueue({Mailbox::Kind::RemoveFunction, &removal});
-        if (removeHere(removal.function, queued ? &removal : nullptr)) return removal.finish(Removal::Removed);
+        if (removeHere(removal.function, queued ? &removal : nullptr)) return removal.finish(FunctionRemoval::Removed);
         const EngineGate::Visit visit(*gate_);
         const bool executed = !gate_->retired() && visit.activity() && visit.activity()->isActive() && accepts();
         if (!executed && (!queued || mailbox_.withdraw({Mailbox::Kind::RemoveFunction, &removal}))) {
-            removal.finish(Removal::Disposed);
+            removal.finish(FunctionRemoval::Disposed);
             return;
         }
     } while (!waiting.engine()->waitForMessages(finished, soon(queued ? 20 : 1)));
@@ -160,7 +162,7 @@ bool ExecutionEngine::processWaiting() {
         if (!engine) continue;
         const Step here(*engine->gate_);
         engine->processMailbox(here, Depth::Waiting);
-        if (!here.gone()) again = engine->processAwaited(here) || again;
+        if (!here.gone()) again = engine->functions_.processAwaited(here) || again;
     }
     return again;
 }
@@ -224,7 +226,7 @@ bool ExecutionEngine::waitForMessages(const boost::function<bool()>& done, std::
 void ExecutionEngine::waitForMessages(const boost::function<bool()>& done) { waitForMessages(done, kForever); }
 
 void ExecutionEngine::triggerDeferred() {
-    if (deferred_ || missed_ports_) triggerSelf();
+    if (ports_.any()) triggerSelf();
 }
 
 void ExecutionEngine::triggerSelf() {

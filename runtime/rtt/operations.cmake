@@ -43,6 +43,8 @@ oroforge_unit(orocos-rtt rtt_step ${PROJECT_SOURCE_DIR}/runtime
   rtt/base/TaskCore.cpp
   rtt/extras/SlaveActivity.cpp
   rtt/internal/engine/access_gate.cpp
+  rtt/internal/engine/detail/guarded_call.cpp
+  rtt/internal/engine/engine_functions.cpp
   rtt/internal/engine/engine_gate.cpp
   rtt/internal/engine/function_list.cpp
   rtt/internal/engine/hook_in_progress.cpp

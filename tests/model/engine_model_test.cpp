@@ -11,6 +11,8 @@
 #include <rtt/ExecutionEngine.cpp>
 #include <rtt/engine_queue.cpp>
 #include <rtt/internal/calls/call_pool.cpp>
+#include <rtt/internal/engine/detail/guarded_call.cpp>
+#include <rtt/internal/engine/engine_functions.cpp>
 #include <rtt/internal/engine/engine_gate.cpp>
 #include <rtt/internal/engine/function_list.cpp>
 #include <rtt/internal/engine/mailbox.cpp>
