@@ -9,8 +9,6 @@
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <rtt/PropertyBag.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 
@@ -147,7 +145,7 @@ private:
                 typekits.check(component, *described->description);
                 if (!described->hasMore && !described->hasLater) checkPortNames(component, *described);
                 if (!described->hasMore) checkPropertyNames(component, *described);
-                checkDescribedValues(component, *described->description, sink_);
+                checkDescribedValues(component, *described->description, *around_.propertyFiles, sink_);
                 for (const PropertyFilePlan& file : component.propertyFiles)
                     if (file.mode == PropertyFilePlan::Strict) checkStrictFile(component, *described, file.file);
             }
@@ -176,13 +174,12 @@ private:
 
     /** A strict property file must have all properties of the component. It may have others. */
     void checkStrictFile(const ComponentPlan& component, const Described& described, const Text& file) {
-        diag::Sink unused;  // validate() reports errors in the file itself
-        RTT::PropertyBag bag;
-        if (!RTT::marsh::loadFromFile(bag, resolveFile(file), RTT::marsh::LoadMode::load, unused)) return;
-        const std::vector<std::string> inFile = bag.list();
+        const auto* read = around_.propertyFiles->readAgain(resolveFile(file));
+        if (!read) return;
+        const std::vector<std::string> inFile = read->bag.list();
         for (const auto& property : described.description->properties) {
             const std::string name = property.name;
-            if (name.find('.') != std::string::npos || bag.find(name)) continue;
+            if (name.find('.') != std::string::npos || read->bag.find(name)) continue;
             sink_
                 .error(file.where, "DEP052",
                        "could not set the properties of component '" + component.name.value + "' from '" + file.value +

@@ -11,12 +11,10 @@
 #include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/values/property_update.hpp>
-#include <rtt/marsh/detail/cpf_reader.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 namespace OCL::deploy {
 namespace {
@@ -155,61 +153,35 @@ void checkStruct(const xml::Element& properties, const ComponentRecord& record, 
             check.checkItem(*item, *target, item->getName());
 }
 
-/** The property files of a group, each read once, because many components may name one. */
-class PropertyFiles {
-public:
-    PropertyFiles(const Session& session, diag::Sink& sink) : session_(session), sink_(sink) {}
+/** True if a component, for which a property file may be as well, has the property. */
+bool isOfAny(const Session& session, const std::string& name) {
+    return std::any_of(session.records.all.begin(), session.records.all.end(), [&](const ComponentRecord& record) {
+        return record.instance->properties()->find(name) != nullptr;
+    });
+}
 
-    void check(const PropertyFilePlan& file, const ComponentRecord& record, const std::vector<std::string>& known) {
-        const Contents& contents = contentsOf(resolveFile(file.file));
-        if (!contents.good) return;
-        const PropertyBag& read = contents.read;
-        const bool grows = file.mode == PropertyFilePlan::Load;
-        // A misspelt name cannot mean a property that the file has as well.
-        std::vector<std::string> others;
-        std::copy_if(known.begin(), known.end(), std::back_inserter(others),
-                     [&](const std::string& name) { return !read.find(name); });
-        MemberCheck check(record, contents.places, grows, sink_);
-        for (const PropertyBase* item : read) {
-            const std::string& name = item->getName();
-            if (const PropertyBase* const target = record.instance->properties()->find(name))
-                check.checkItem(*item, *target, name);
-            else if (!grows && !name.empty() && isSlipOf(name, others) && !isOfAnother(name))
-                check.ignored(*item, "component '" + record.name + "' has no property", others);
-        }
+void checkFile(const PropertyFilePlan& file, const Session& session, const ComponentRecord& record,
+               const std::vector<std::string>& known, diag::Sink& sink) {
+    const RTT::marsh::PropertyFile* const read = session.propertyFiles->readAgain(resolveFile(file.file));
+    if (!read) return;
+    const bool grows = file.mode == PropertyFilePlan::Load;
+    // A misspelt name cannot mean a property that the file has as well.
+    std::vector<std::string> others;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(others),
+                 [&](const std::string& name) { return !read->bag.find(name); });
+    MemberCheck check(record, read->places, grows, sink);
+    for (const PropertyBase* item : read->bag) {
+        const std::string& name = item->getName();
+        if (const PropertyBase* const target = record.instance->properties()->find(name))
+            check.checkItem(*item, *target, name);
+        else if (!grows && !name.empty() && isSlipOf(name, others) && !isOfAny(session, name))
+            check.ignored(*item, "component '" + record.name + "' has no property", others);
     }
-
-private:
-    struct Contents {
-        PropertyBag read;
-        RTT::marsh::Places places;
-        bool good = false;
-    };
-
-    const Contents& contentsOf(const std::string& path) {
-        const auto [at, isNew] = contents_.try_emplace(path);
-        Contents& contents = at->second;
-        diag::Sink unused;  // errors are reported when the file is applied
-        if (isNew) contents.good = RTT::marsh::readFile(path, contents.read, unused, &contents.places);
-        return contents;
-    }
-
-    /** True if another component, for which the file may be as well, has the property. */
-    bool isOfAnother(const std::string& name) const {
-        return std::any_of(
-            session_.records.all.begin(), session_.records.all.end(),
-            [&](const ComponentRecord& record) { return record.instance->properties()->find(name) != nullptr; });
-    }
-
-    const Session& session_;
-    diag::Sink& sink_;
-    std::map<std::string, Contents> contents_;
-};
+}
 
 }  // namespace
 
 void checkProperties(const Session& session, int group, diag::Sink& sink) {
-    PropertyFiles files(session, sink);
     for (const ComponentRecord& record : session.records.all) {
         if (record.optionsGroup != group) continue;
         const std::vector<std::string> own = record.instance->properties()->list();
@@ -217,7 +189,7 @@ void checkProperties(const Session& session, int group, diag::Sink& sink) {
         if (record.instance == session.deployer)
             for (const std::string& name : shutdownProperties()) known.push_back(name);
         for (const xml::Element& properties : record.plan.properties) checkStruct(properties, record, known, sink);
-        for (const PropertyFilePlan& file : record.plan.propertyFiles) files.check(file, record, own);
+        for (const PropertyFilePlan& file : record.plan.propertyFiles) checkFile(file, session, record, own, sink);
     }
 }
 

@@ -136,7 +136,7 @@ bool configure(Session& session, int group, diag::Sink& sink) {
 
     const std::vector<ComponentRecord*> records = recordsToConfigure(session, group);
     setActivities(session, records, sink);
-    for (ComponentRecord* record : records) applyProperties(*record, session.deployer, sink);
+    for (ComponentRecord* record : records) applyProperties(session, *record, sink);
     if (sink.hadErrors()) return false;
     struct Component {
         const RTT::TaskContext* instance;

@@ -41,6 +41,8 @@ bool DeploymentComponent::Impl::configure(int group) {
     const RTT::Logger::In in(session.deployer->getName());
     oroforge::diag::Sink sink;
     valid = deploy::configure(session, group, sink);
+    // The components have the values now. Until then a file serves all groups.
+    if (group + 1 == session.nextGroup) session.propertyFiles->clear();
     deploy::report(sink);
     return valid;
 }
@@ -92,6 +94,7 @@ DeploymentComponent::Impl::State DeploymentComponent::Impl::state() const {
 
 void DeploymentComponent::Impl::undo(int group, const State& before) {
     (void)deploy::takeDown(session, group);
+    session.propertyFiles->clear();
     session.records.policies = before.policies;
     if (const auto former = session.formerDefaults.find(group); former != session.formerDefaults.end()) {
         RTT::ConnPolicy::Default() = former->second;

@@ -7,7 +7,6 @@
 
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/values/property_update.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 
@@ -24,8 +23,9 @@ using RTT::base::PropertyBase;
 
 class ValueCheck {
 public:
-    ValueCheck(const ComponentPlan& component, const RTT::internal::ComponentDescription& description, diag::Sink& sink)
-        : component_(component), sink_(sink) {
+    ValueCheck(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
+               PropertyFiles& files, diag::Sink& sink)
+        : component_(component), files_(files), sink_(sink) {
         for (const auto& property : description.properties) {
             if (std::strchr(property.name, '.')) continue;  // of a service
             const auto* type = RTT::types::TypeInfoRepository::Instance()->getTypeById(property.type);
@@ -55,13 +55,10 @@ public:
     }
 
     void checkFile(const PropertyFilePlan& file) {
-        const std::string path = resolveFile(file.file);
-        PropertyBag read;
-        RTT::marsh::Places places;
-        diag::Sink reported;  // errors were reported when the plan was validated
-        if (!whyUnreadable(file.file).empty() || !RTT::marsh::readFile(path, read, reported, &places)) return;
-        for (const PropertyBase* item : read) checkType(item->getName(), places.at(item));
-        (void)RTT::marsh::loadFromFile(properties_, path, RTT::marsh::LoadMode::refresh, sink_);
+        const auto* read = whyUnreadable(file.file).empty() ? files_.readAgain(resolveFile(file.file)) : nullptr;
+        if (!read) return;
+        for (const PropertyBase* item : read->bag) checkType(item->getName(), read->places.at(item));
+        (void)RTT::marsh::loadFrom(*read, properties_, RTT::marsh::LoadMode::refresh, sink_);
     }
 
 private:
@@ -78,6 +75,7 @@ private:
     }
 
     const ComponentPlan& component_;
+    PropertyFiles& files_;
     diag::Sink& sink_;
     PropertyBag properties_;
     std::map<std::string, const std::type_info*> unknown_;  // types in no typekit, by property
@@ -86,8 +84,8 @@ private:
 }  // namespace
 
 void checkDescribedValues(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
-                          diag::Sink& sink) {
-    ValueCheck check(component, description, sink);
+                          PropertyFiles& files, diag::Sink& sink) {
+    ValueCheck check(component, description, files, sink);
     for (const xml::Element& properties : component.properties) check.checkStruct(properties);
     for (const PropertyFilePlan& file : component.propertyFiles) check.checkFile(file);
 }

@@ -4,6 +4,7 @@
 #define OROFORGE_DEPLOYMENT_DESCRIBED_VALUES_HPP
 
 #include "plan.hpp"
+#include "property_files.hpp"
 
 #include <diag/sink.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
@@ -12,7 +13,7 @@ namespace OCL::deploy {
 
 /** Checks the values in a component's structs and property files by setting properties of the described types. */
 void checkDescribedValues(const ComponentPlan& component, const RTT::internal::ComponentDescription& description,
-                          diag::Sink& sink);
+                          PropertyFiles& files, diag::Sink& sink);
 
 }  // namespace OCL::deploy
 

@@ -102,6 +102,7 @@ PlanContext surroundingsOf(const Session& session) {
         if (described) result.descriptions.emplace(type, described);
     }
     result.services = PluginLoader::Instance()->listServices();
+    result.propertyFiles = session.propertyFiles;
     return result;
 }
 

@@ -10,7 +10,6 @@
 #include <rtt/PropertyBag.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/values/property_update.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 
 namespace OCL::deploy {
@@ -51,13 +50,14 @@ RTT::marsh::LoadMode modeOf(const PropertyFilePlan& file) {
 
 }  // namespace
 
-void applyProperties(ComponentRecord& record, const RTT::TaskContext* deployer, diag::Sink& sink) {
+void applyProperties(const Session& session, ComponentRecord& record, diag::Sink& sink) {
     std::vector<std::string> users;
-    if (record.instance == deployer) users = shutdownProperties();
+    if (record.instance == session.deployer) users = shutdownProperties();
     for (const xml::Element& properties : record.plan.properties)
         applyStruct(properties, *record.instance->properties(), users, "component '" + record.name + "'", sink);
     for (const PropertyFilePlan& file : record.plan.propertyFiles) {
-        if (RTT::marsh::loadFromFile(*record.instance->properties(), resolveFile(file.file), modeOf(file), sink))
+        const auto* read = session.propertyFiles->read(resolveFile(file.file), sink);
+        if (read && RTT::marsh::loadFrom(*read, *record.instance->properties(), modeOf(file), sink))
             record.loadedFile = file.file;
         else
             sink.error(

@@ -3,15 +3,13 @@
 #ifndef OROFORGE_DEPLOYMENT_PROPERTIES_HPP
 #define OROFORGE_DEPLOYMENT_PROPERTIES_HPP
 
-#include "records.hpp"
-
-#include <diag/sink.hpp>
+#include "session.hpp"
 
 namespace OCL::deploy {
 
 /** Sets the component's properties by the deployment file, then by the property files in order. If the component is the
 deployer, adds the properties for its shutdown. */
-void applyProperties(ComponentRecord& record, const RTT::TaskContext* deployer, diag::Sink& sink);
+void applyProperties(const Session& session, ComponentRecord& record, diag::Sink& sink);
 
 /** Writes all properties to the file from which they were last loaded, if the component has AutoSave. */
 void autoSave(const ComponentRecord& record);

@@ -10,12 +10,14 @@
 #define OROFORGE_DEPLOYMENT_SESSION_HPP
 
 #include "foreseen.hpp"
+#include "property_files.hpp"
 #include "records.hpp"
 
 #include <diag/sink.hpp>
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,8 +27,9 @@ namespace OCL::deploy {
 struct Session {
     RTT::TaskContext* deployer = nullptr;
     ComponentRecords records;
-    std::vector<Plan> planned;                      // plans that are only checked
-    Foreseen foreseen;                              // by scripts that are only checked
+    std::vector<Plan> planned;  // plans that are only checked
+    Foreseen foreseen;          // by scripts that are only checked
+    std::shared_ptr<PropertyFiles> propertyFiles = std::make_shared<PropertyFiles>();
     std::set<std::string> masters;                  // components whose activities have, or had, slaves
     std::map<int, RTT::ConnPolicy> formerDefaults;  // the replaced default, by the group that replaced it
     int nextGroup = 1;                              // the group of the next file; 0: components created one by one

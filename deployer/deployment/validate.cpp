@@ -10,7 +10,6 @@
 #include <diag/nearest_match.hpp>
 #include <diag/type_match.hpp>
 #include <rtt/PropertyBag.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
 #include <rtt/scripting/detail/service/script_syntax.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 
@@ -166,9 +165,10 @@ private:
 
     void checkFiles(const ComponentPlan& component) {
         for (const PropertyFilePlan& file : component.propertyFiles) {
+            if (!checkFile(file.file)) continue;
             RTT::PropertyBag scratch;
-            if (checkFile(file.file))
-                (void)RTT::marsh::loadFromFile(scratch, resolveFile(file.file), RTT::marsh::LoadMode::load, sink_);
+            if (const auto* read = around_.propertyFiles->read(resolveFile(file.file), sink_))
+                (void)RTT::marsh::loadFrom(*read, scratch, RTT::marsh::LoadMode::load, sink_);
         }
         for (const ScriptPlan& script : component.scripts) {
             const std::string service = serviceFor(script.kind, script.file.value);

@@ -5,11 +5,13 @@
 #define OROFORGE_DEPLOYMENT_VALIDATE_HPP
 
 #include "plan.hpp"
+#include "property_files.hpp"
 
 #include <diag/sink.hpp>
 #include <rtt/internal/ComponentDescription.hpp>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct PlanContext {
     std::map<std::string, const RTT::internal::ComponentDescription*> descriptions;  // of types that have one
     std::vector<std::string> services;                                               // services that can be loaded
     bool planOnly = false;  // the plan will not be applied, so the components will not exist
+    std::shared_ptr<PropertyFiles> propertyFiles = std::make_shared<PropertyFiles>();
 };
 
 /** Reports each name that is used twice or refers to nothing, and each missing file. */

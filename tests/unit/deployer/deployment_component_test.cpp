@@ -183,6 +183,21 @@ TEST_F(Deployment, PropertyThatIsGivenTwiceIsNotAddedToTheComponent) {
     EXPECT_EQ(peer("other")->properties()->size(), peer("p")->properties()->size());
 }
 
+TEST_F(Deployment, PropertyFileThatChangesAfterTheCheckIsReadAgain) {
+    const auto first = [](const char* value) {
+        return std::string("<properties><simple name='first' type='long'><value>") + value +
+               "</value></simple></properties>";
+    };
+    directory_.write("app.xml",
+                     "<properties><struct name='p' type='deploytest::Producer'><simple name='UpdateProperties' "
+                     "type='string'><value>p.cpf</value></simple></struct></properties>");
+    directory_.write("p.cpf", first("2"));
+    ASSERT_TRUE(deployer_->loadComponents("app.xml"));
+    directory_.write("p.cpf", first("3"));
+    EXPECT_TRUE(deployer_->configureComponents());
+    EXPECT_EQ(3, peer("p")->properties()->getPropertyType<int>("first")->get());
+}
+
 TEST_F(Deployment, ActivitiesAreSetWhileStopped) {
     ASSERT_TRUE(deployer_->loadComponent("p", "deploytest::Producer"));
     ASSERT_TRUE(deployer_->loadComponent("c", "deploytest::Consumer"));

@@ -2,8 +2,12 @@
 // Copyright Oroforge contributors
 // Files about components that their library describes: what is found before anything is created. The package is described/.
 #include "deployer_program.hpp"
+#include "file_opens.hpp"
 
 #include <gmock/gmock.h>
+
+#include <chrono>
+#include <thread>
 
 namespace {
 
@@ -104,6 +108,23 @@ TEST_F(DescribedComponents, ADryRunTriesValuesOnTheTypesOfProperties) {
                 HasSubstr("app.xml:5:5: error: [DEP052] component 'one': property 'first' of type int cannot "
                           "take a value of type string\n"));
     EXPECT_THAT(outcome.err, HasSubstr("source.cpf:3:1: error: [CPF020] property 'label' of type string cannot take"));
+}
+
+TEST_F(DescribedComponents, APropertyFileIsReadOnce) {
+    directory_.write("source.cpf",
+                     "<properties><simple name=\"first\" type=\"long\"><value>1</value></simple>"
+                     "<simple name=\"label\" type=\"string\"><value>a</value></simple></properties>\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // a file that has just changed is read again
+    const auto from = [](const std::string& statement) {
+        return "  <simple name=\"" + statement + "\" type=\"string\"><value>source.cpf</value></simple>\n";
+    };
+    deployer_test::FileOpens opens((directory_.path() / "source.cpf").string());
+    for (const char* mode : {"--dry-run", "--check", "-lerror"}) {
+        const Outcome outcome = deploy(mode, component("one", "described::Source", from("PropertyFile")) +
+                                                 component("two", "described::Source", from("UpdateProperties")));
+        EXPECT_EQ(0, outcome.status) << outcome.err;
+        EXPECT_EQ(1, opens.count()) << mode;
+    }
 }
 
 TEST_F(DescribedComponents, ADryRunEndsWithASummary) {

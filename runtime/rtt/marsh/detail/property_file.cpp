@@ -80,33 +80,38 @@ bool edit(const std::string& file, const PropertyBag& simple, bool addNew, diag:
 
 }  // namespace
 
+PropertyFile::PropertyFile(const std::string& file, diag::Sink& sink)
+    : name(file), isGood(readFile(file, bag, sink, &places)) {}
+
 bool loadFromFile(PropertyBag& bag, const std::string& file, LoadMode mode, diag::Sink& sink) {
-    PropertyBag read, saved;
-    Places places;
-    if (!readFile(file, read, sink, &places)) return false;
+    return loadFrom(PropertyFile(file, sink), bag, mode, sink);
+}
+
+bool loadFrom(const PropertyFile& file, PropertyBag& bag, LoadMode mode, diag::Sink& sink) {
+    if (!file.isGood) return false;
+    PropertyBag saved;
     copyDeep(bag, saved);
-    BagUpdate how = reporting(file, places, sink);
+    BagUpdate how = reporting(file.name, file.places, sink);
     how.needAll = mode == LoadMode::strictRefresh;
     how.addMissing = mode == LoadMode::load;
     how.fillDescriptions = how.addMissing;
-    if (internal::detail::updateBag(bag, read, how)) return true;
+    if (internal::detail::updateBag(bag, file.bag, how)) return true;
     restore(bag, saved);
     return false;
 }
 
 bool loadOneFromFile(PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink) {
-    PropertyBag read;
-    Places places;
-    if (!readFile(file, read, sink, &places)) return false;
+    const PropertyFile read(file, sink);
+    if (!read.isGood) return false;
     PropertyBase* to = findProperty(bag, path);
-    const PropertyBase* from = findProperty(read, path);
+    const PropertyBase* from = findProperty(read.bag, path);
     if (!from) sink.error({file, 0, 0}, "CPF021", "property '" + path + "' is not in the file");
     if (!to) sink.error({}, "CPF022", "there is no property '" + path + "' to read");
     if (!from || !to) return false;
     PropertyBag saved, both;
     both.add(to);
     copyDeep(both, saved);
-    if (internal::detail::updateOne(*to, *from, reporting(file, places, sink))) return true;
+    if (internal::detail::updateOne(*to, *from, reporting(file, read.places, sink))) return true;
     restore(both, saved);
     return false;
 }

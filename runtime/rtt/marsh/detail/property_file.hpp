@@ -15,7 +15,21 @@ enum class LoadMode {
     load,           ///< set what both have, and add to the bag what only the file has
 };
 
+/** A property file in memory. */
+struct RTT_API PropertyFile {
+    /** Reads it, and reports errors. */
+    PropertyFile(const std::string& file, diag::Sink& sink);
+    PropertyFile(const PropertyFile&) = delete;
+    PropertyFile& operator=(const PropertyFile&) = delete;
+
+    const std::string name;
+    PropertyBag bag;
+    Places places;
+    const bool isGood;  ///< false if there was an error; then the bag may have a part of the file
+};
+
 /** On an error no value of the bag changes. Errors have places in the file. */
+RTT_API bool loadFrom(const PropertyFile& file, PropertyBag& bag, LoadMode mode, diag::Sink& sink);
 RTT_API bool loadFromFile(PropertyBag& bag, const std::string& file, LoadMode mode, diag::Sink& sink);
 /** Sets one property, given its path; bag and file must both have it. */
 RTT_API bool loadOneFromFile(PropertyBag& bag, const std::string& file, const std::string& path, diag::Sink& sink);

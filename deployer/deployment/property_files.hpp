@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+#ifndef OROFORGE_DEPLOYMENT_PROPERTY_FILES_HPP
+#define OROFORGE_DEPLOYMENT_PROPERTY_FILES_HPP
+
+#include <rtt/marsh/detail/property_file.hpp>
+
+#include <ctime>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <sys/types.h>
+
+namespace OCL::deploy {
+
+namespace diag = oroforge::diag;
+
+/**
+ * The property files of a deployment, each read once: what is checked, before and after components exist, is also what
+ * is applied. A file is read again if it has changed, because scripts and hooks that run between check and use may
+ * write it.
+ */
+class PropertyFiles {
+public:
+    /** The file, valid until its next use; null if it has errors. Reports warnings when the file is read, errors each
+        time. */
+    const RTT::marsh::PropertyFile* read(const std::string& path, diag::Sink& sink);
+    /** As read(), but reports nothing, because that was done before. */
+    const RTT::marsh::PropertyFile* readAgain(const std::string& path);
+    /** Frees all files. */
+    void clear() { entries_.clear(); }
+
+private:
+    /** What changes if a file is written or replaced. */
+    struct Stamp {
+        dev_t device;
+        ino_t inode;
+        off_t size;
+        timespec changed;
+
+        bool operator==(const Stamp& other) const;
+    };
+    struct Entry {
+        Stamp stamp;
+        bool isSettled = false;  // a later change has another stamp
+        std::unique_ptr<const RTT::marsh::PropertyFile> file;
+    };
+
+    static Stamp stampOf(const std::string& path);
+    static bool isSettled(const Stamp& stamp);
+    const RTT::marsh::PropertyFile& current(const std::string& path, bool wantsErrors, diag::Sink& sink);
+
+    std::map<std::string, Entry> entries_;  // by path
+};
+
+}  // namespace OCL::deploy
+
+#endif
