@@ -29,7 +29,7 @@ void ConsoleState::goTo(bool watching) {
         screen.err << "port '" << port << "' of component '" << component->getName() << "' cannot be watched\n";
 }
 
-void complainOf(ConsoleState& state, const Input& input, std::size_t at, const Lookup& lookup) {
+void complainOf(ConsoleState& state, const Input& input, std::size_t at, const ResolvedName& lookup) {
     complain(state.screen, input, at + lookup.wrongAt,
              lookup.wrong.empty()
                  ? "expected the name of a peer or service"
@@ -55,9 +55,8 @@ bool helpForCommand(ConsoleState& state, const std::string& word) {
 
 /** Shows help if the last part of the path is an operation, port, property or attribute of what the others lead to. */
 bool helpForMember(ConsoleState& state, const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    const std::string name = dot == std::string::npos ? path : path.substr(dot + 1);
-    const Lookup owner = lookUp(*state.context(), dot == std::string::npos ? "" : path.substr(0, dot));
+    const auto [before, name] = RTT::internal::splitAtLastDot(path);
+    const ResolvedName owner = RTT::internal::resolve(*state.context(), before);
     if (!owner.target.service) return false;
     RTT::Service& service = *owner.target.service;
     if (service.hasMember(name)) {
@@ -66,7 +65,7 @@ bool helpForMember(ConsoleState& state, const std::string& path) {
     }
     if (describePort(state.screen, service, name, path) || describeValue(state.screen, service, name)) return true;
     const auto global = RTT::internal::GlobalService::Instance();
-    if (dot != std::string::npos || !global->hasMember(name)) return false;
+    if (!before.empty() || !global->hasMember(name)) return false;
     describeOperation(state.screen, *global, name, "");
     return true;
 }
@@ -86,11 +85,11 @@ void help(ConsoleState& state, const Input& input) {
     if (isGlobals(input.words[1].text)) return describeGlobals(state.screen);
     const Word word = {withoutLastDot(input.words[1].text), input.words[1].begin};
     if (helpForCommand(state, word.text) || helpForMember(state, word.text)) return;
-    Lookup lookup = lookUp(*state.context(), word.text);
+    ResolvedName lookup = RTT::internal::resolve(*state.context(), word.text);
     if (lookup.target.service) return describeInterface(state.screen, lookup.target);
     if (describeType(state.screen, word.text)) return;
     const std::string before = word.text.substr(0, lookup.wrongAt ? lookup.wrongAt - 1 : 0);
-    const Lookup owner = lookUp(*state.context(), before);
+    const ResolvedName owner = RTT::internal::resolve(*state.context(), before);
     if (owner.target.service)
         for (const std::string& name : memberNames(*owner.target.service)) lookup.known.push_back(name);
     for (const Command& command : commands()) lookup.known.push_back(command.word);
@@ -104,7 +103,7 @@ void help(ConsoleState& state, const Input& input) {
 void ls(ConsoleState& state, const Input& input) {
     const Word path = input.words.size() > 1 ? input.words[1] : Word{};
     if (isGlobals(path.text)) return describeGlobals(state.screen);
-    const Lookup lookup = lookUp(*state.context(), path.text);
+    const ResolvedName lookup = RTT::internal::resolve(*state.context(), path.text);
     if (!lookup.target.service) return complainOf(state, input, path.begin, lookup);
     list(state.screen, lookup.target);
 }
@@ -128,7 +127,7 @@ void changePlace(ConsoleState& state, const Input& input) {
         return state.goTo(watching);
     }
     RTT::TaskContext* const component = state.place.component();
-    const Lookup lookup = lookUp(*component, path.text);
+    const ResolvedName lookup = RTT::internal::resolve(*component, path.text);
     if (!lookup.target.service) return complainOf(state, input, path.begin, lookup);
     if (!lookup.target.component)
         return complain(state.screen, input, path.begin,

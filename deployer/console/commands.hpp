@@ -36,7 +36,7 @@ void execute(const Command& command, ConsoleState& state, const Input& input);
 void writeHelp(Screen& screen);
 
 /** Prints an error for a path that leads nowhere and begins at `at` in the line. */
-void complainOf(ConsoleState& state, const Input& input, std::size_t at, const Lookup& lookup);
+void complainOf(ConsoleState& state, const Input& input, std::size_t at, const ResolvedName& lookup);
 
 }  // namespace OCL::console
 

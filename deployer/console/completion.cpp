@@ -81,9 +81,9 @@ Words typesBehind(const std::string& path) {
 
 /** What may follow the name of a value, an operation or a type. */
 Words behindName(RTT::TaskContext& context, const std::string& path) {
-    const Lookup lookup = lookUp(context, path);
+    const ResolvedName lookup = RTT::internal::resolve(context, path);
     const std::string before = lookup.wrongAt ? path.substr(0, lookup.wrongAt - 1) : "";
-    const Target owner = lookUp(context, before).target;
+    const NamedObject owner = RTT::internal::resolve(context, before).target;
     if (!owner.service) return {};
     if (owner.service->hasMember(path.substr(lookup.wrongAt))) return {"call", "cmd", "send"};
     Words words = typesBehind(path);
@@ -122,14 +122,14 @@ Completion completePath(RTT::TaskContext& context, const std::string& line, Memb
     Completion found = matching(membersBehind(typed.substr(0, last ? last - 1 : 0)), typed.substr(last), begin + last);
     if (found.words.size() == 1) {
         const std::string path = typed.substr(0, last) + found.words[0];
-        if (lookUp(context, path).target.service && !membersBehind(path).empty()) found.behind = ".";
+        if (RTT::internal::resolve(context, path).target.service && !membersBehind(path).empty()) found.behind = ".";
     }
     return found;
 }
 
 Words expressionMembers(RTT::TaskContext& context, const std::string& path) {
     if (path.empty()) return topLevel(context);
-    const Target target = lookUp(context, path).target;
+    const NamedObject target = RTT::internal::resolve(context, path).target;
     if (!target.service) return behindName(context, path);
     Words words = membersOf(*target.service);
     if (target.component) add(words, target.component->getPeerList());
@@ -137,7 +137,7 @@ Words expressionMembers(RTT::TaskContext& context, const std::string& path) {
 }
 
 Words peersAndServices(RTT::TaskContext& context, const std::string& path, bool servicesToo) {
-    const Target target = lookUp(context, path).target;
+    const NamedObject target = RTT::internal::resolve(context, path).target;
     Words words;
     if (target.component) words = target.component->getPeerList();
     if (target.service && servicesToo) add(words, target.service->getProviderNames());
@@ -145,7 +145,7 @@ Words peersAndServices(RTT::TaskContext& context, const std::string& path, bool 
 }
 
 Words portsBehind(RTT::TaskContext& context, const std::string& path) {
-    const Target target = lookUp(context, path).target;
+    const NamedObject target = RTT::internal::resolve(context, path).target;
     Words words = peersAndServices(context, path, true);
     if (target.service) add(words, target.service->getPortNames());
     return words;

@@ -109,10 +109,9 @@ bool Console::showNamed(const std::string& name) {
         return true;
     }
     RTT::TaskContext& context = *state_.context();
-    const Lookup lookup = lookUp(context, name);
-    const std::size_t dot = name.rfind('.');
-    const Lookup owner = lookUp(context, dot == std::string::npos ? "" : name.substr(0, dot));
-    const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    const ResolvedName lookup = RTT::internal::resolve(context, name);
+    const auto [before, last] = RTT::internal::splitAtLastDot(name);
+    const ResolvedName owner = RTT::internal::resolve(context, before);
     const bool peer = lookup.target.component != nullptr;
     if (!peer && owner.target.service && describePort(state_.screen, *owner.target.service, last, name)) return true;
     if (lookup.target.service)

@@ -73,17 +73,15 @@ void provide(ConsoleState& state, const Input& input) {
 }
 
 RTT::base::PortInterface* findPort(ConsoleState& state, const Input& input, const Word& word) {
-    const std::size_t dot = word.text.rfind('.');
-    const std::string path = dot == std::string::npos ? "" : word.text.substr(0, dot);
-    const std::string name = dot == std::string::npos ? word.text : word.text.substr(dot + 1);
-    const Lookup owner = lookUp(*state.context(), path);
+    const auto [path, name] = RTT::internal::splitAtLastDot(word.text);
+    const ResolvedName owner = RTT::internal::resolve(*state.context(), path);
     if (!owner.target.service) {
         complainOf(state, input, word.begin, owner);
         return nullptr;
     }
     RTT::base::PortInterface* const port = owner.target.service->getPort(name);
     if (!port)
-        complain(state.screen, input, word.begin + (dot == std::string::npos ? 0 : dot + 1),
+        complain(state.screen, input, word.begin + word.text.size() - name.size(),
                  "'" + owner.target.name + "' has no port '" + name + "'" +
                      oroforge::diag::didYouMean(name, owner.target.service->getPortNames()));
     return port;

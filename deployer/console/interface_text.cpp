@@ -134,7 +134,7 @@ void describeOperation(Screen& screen, const RTT::OperationInterface& operations
     table.write(screen.out, screen.theme, indent + "  ", screen.tableWidth());
 }
 
-void describeInterface(Screen& screen, const Target& target) {
+void describeInterface(Screen& screen, const NamedObject& target) {
     RTT::Service& service = *target.service;
     screen.out << (target.component ? "Component " : "Service ") << screen.paint(Style::Name, target.name) << '\n';
     writeDoc(screen, service.doc(), "  ");

@@ -19,7 +19,7 @@ class ServiceRequester;
 namespace OCL::console {
 
 /** Describes everything that a component or service provides; operations with arguments and documentation. */
-void describeInterface(Screen& screen, const Target& target);
+void describeInterface(Screen& screen, const NamedObject& target);
 /** Describes an operation, which must exist. */
 void describeOperation(Screen& screen, const RTT::OperationInterface& operations, const std::string& name,
                        const std::string& indent);

@@ -33,14 +33,14 @@ void listNames(Screen& screen, const char* text, const std::vector<std::string>&
     writeColumns(screen.out, names, screen.theme, Style::Name, kIndent, screen.width());
 }
 
-void listOperations(Screen& screen, const Target& target) {
+void listOperations(Screen& screen, const NamedObject& target) {
     auto names = target.service->getNames();
     const auto usual = target.component ? standardOperationsLast(names) : names.end();
     listNames(screen, "Operations", {names.begin(), usual});
     listNames(screen, kUsualOperations, {usual, names.end()});
 }
 
-void listServices(Screen& screen, const Target& target) {
+void listServices(Screen& screen, const NamedObject& target) {
     RTT::Service& service = *target.service;
     const auto scripted = target.component ? scriptedNames(*target.component) : std::vector<std::string>();
     Table table({Style::Name, Style::Faint});
@@ -92,7 +92,7 @@ void listPeers(Screen& screen, TaskContext& component) {
     listNames(screen, "Peers", peers);
 }
 
-void writeHead(Screen& screen, const Target& target) {
+void writeHead(Screen& screen, const NamedObject& target) {
     const std::string kind = target.component ? "Component " : "Service ",
                       state = target.component ? " " + stateOf(*target.component) : "",
                       doc = target.service->doc() == kUsualDoc ? "" : oneLine(target.service->doc());
@@ -117,7 +117,7 @@ bool hasUnknownType(RTT::Service& service) {
 
 }  // namespace
 
-void list(Screen& screen, const Target& target) {
+void list(Screen& screen, const NamedObject& target) {
     RTT::Service& service = *target.service;
     writeHead(screen, target);
     if (!service.properties()->empty()) {

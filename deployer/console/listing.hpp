@@ -10,7 +10,7 @@
 namespace OCL::console {
 
 /** Lists everything that a component or service has, in tables; empty sections are left out. */
-void list(Screen& screen, const Target& target);
+void list(Screen& screen, const NamedObject& target);
 
 }  // namespace OCL::console
 

@@ -4,9 +4,9 @@
 #ifndef OROFORGE_CONSOLE_PLACE_HPP
 #define OROFORGE_CONSOLE_PLACE_HPP
 
-#include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/dotted_name.hpp>
 
 #include <string>
 #include <vector>
@@ -16,33 +16,13 @@ namespace OCL::console {
 /** The letter of the state of a component: Fatal error, run time Error, eXception, Running, Stopped or Unconfigured. */
 char stateLetter(RTT::TaskContext& component);
 
-/** A component or service that a path leads to. */
-struct Target {
-    RTT::TaskContext* component = nullptr;  ///< null for a service
-    RTT::Service::shared_ptr service;       ///< the main one of a component; null if nothing was found
-    std::string name;                       ///< the last part of the path
-};
-
-/**
- * The result of following peers and services from a component along `path`, "a.b.c"; an empty one leads to the
- * component. If the path leads nowhere, `wrong` is its first unknown part and `known` are the names that may replace
- * it.
- */
-struct Lookup {
-    Target target;
-    std::string wrong;
-    std::size_t wrongAt = 0;  ///< in the path
-    std::vector<std::string> known;
-};
-Lookup lookUp(RTT::TaskContext& from, const std::string& path);
+using RTT::internal::NamedObject;
+using RTT::internal::ResolvedName;
 
 /** Removes the dot that completion adds after a component or service. */
 inline std::string withoutLastDot(const std::string& path) {
     return !path.empty() && path.back() == '.' ? path.substr(0, path.size() - 1) : path;
 }
-
-/** The parts of "a.b.c". */
-std::vector<std::string> partsOf(const std::string& path);
 
 /** The present visit and those before it. Components are looked up by name each time, because they may be destroyed. */
 class Place {

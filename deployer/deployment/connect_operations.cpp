@@ -6,8 +6,9 @@
 #include "lookup.hpp"
 
 #include <rtt/ServiceRequester.hpp>
+#include <rtt/internal/dotted_name.hpp>
 
-#include <algorithm>
+#include <tuple>
 
 namespace OCL {
 
@@ -19,9 +20,7 @@ struct OperationPath {
 
     explicit OperationPath(const std::string& path) : component(path.substr(0, path.find('.'))) {
         if (component.size() == path.size()) return;
-        const auto parts = deploy::splitPath(path.substr(component.size() + 1));
-        services = parts.first;
-        operation = parts.second;
+        std::tie(services, operation) = RTT::internal::splitAtLastDot(path.substr(component.size() + 1));
     }
 };
 
@@ -31,15 +30,12 @@ bool refuse(const std::string& why) { return deploy::failed("could not connect o
 RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, const OperationPath& path,
                                                   std::string& error) {
     RTT::ServiceRequester::shared_ptr requester = component.requires_();
-    for (std::size_t begin = 0; begin < path.services.size();) {
-        const std::size_t end = std::min(path.services.find('.', begin), path.services.size());
-        const std::string name = path.services.substr(begin, end - begin);
+    for (const std::string& name : RTT::internal::partsOf(path.services)) {
         if (!requester->requiresService(name)) {
             error = "component '" + path.component + "' requires no service '" + name + "'";
             return nullptr;
         }
         requester = requester->requires_(name);
-        begin = end + 1;
     }
     RTT::base::OperationCallerBaseInvoker* const caller = requester->getOperationCaller(path.operation);
     if (!caller)

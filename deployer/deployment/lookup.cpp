@@ -8,14 +8,9 @@
 #include <diag/nearest_match.hpp>
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/TaskContext.hpp>
+#include <rtt/internal/dotted_name.hpp>
 
 namespace OCL::deploy {
-
-std::pair<std::string, std::string> splitPath(const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    if (dot == std::string::npos) return {std::string(), path};
-    return {path.substr(0, dot), path.substr(dot + 1)};
-}
 
 RTT::TaskContext* findComponent(const Session& session, const std::string& name, const char* toDo) {
     RTT::TaskContext* component = session.component(name);
@@ -26,29 +21,15 @@ RTT::TaskContext* findComponent(const Session& session, const std::string& name,
 }
 
 RTT::Service::shared_ptr findService(RTT::TaskContext& component, const std::string& path, std::string& error) {
-    RTT::Service::shared_ptr service = component.provides();
-    std::size_t begin = 0;
-    while (begin < path.size()) {
-        const std::size_t end = std::min(path.find('.', begin), path.size());
-        const std::string name = path.substr(begin, end - begin);
-        if (!service->hasService(name)) {
-            error = "no service '" + name + "' in component '" + component.getName() + "'" +
-                    oroforge::diag::didYouMean(name, service->getProviderNames());
-            return RTT::Service::shared_ptr();
-        }
-        service = service->getService(name);
-        begin = end + 1;
-    }
-    return service;
+    const RTT::internal::ResolvedName found = RTT::internal::resolve(*component.provides(), path);
+    if (!found.target.service)
+        error = "no service '" + found.wrong + "' in component '" + component.getName() + "'" +
+                oroforge::diag::didYouMean(found.wrong, found.known);
+    return found.target.service;
 }
 
 RTT::base::PortInterface* findPort(RTT::TaskContext& component, const std::string& path) {
-    // Names may have dots, so the whole text is tried as a name before it is taken as a path.
-    if (RTT::base::PortInterface* port = component.ports()->getPort(path)) return port;
-    const auto parts = splitPath(path);
-    std::string error;
-    const RTT::Service::shared_ptr service = parts.first.empty() ? nullptr : findService(component, parts.first, error);
-    return service ? service->getPort(parts.second) : nullptr;
+    return RTT::internal::findPort(*component.provides(), path);
 }
 
 RTT::base::PortInterface* findPort(const Session& session, const std::string& path, std::string& error) {

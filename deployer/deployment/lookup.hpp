@@ -32,9 +32,6 @@ RTT::base::PortInterface* findPort(const Session& session, const std::string& pa
 /** Names of the component's own ports. */
 std::vector<std::string> portNames(RTT::TaskContext& component);
 
-/** Splits a path at its last dot into the path of the owner and the last name. */
-std::pair<std::string, std::string> splitPath(const std::string& path);
-
 }  // namespace OCL::deploy
 
 #endif

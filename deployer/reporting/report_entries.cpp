@@ -9,6 +9,7 @@
 #include <rtt/Logger.hpp>
 #include <rtt/Property.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
+#include <rtt/internal/dotted_name.hpp>
 #include <rtt/types/TypeInfoRepository.hpp>
 
 #include <algorithm>
@@ -26,20 +27,14 @@ using RTT::base::OutputPortInterface;
 
 namespace {
 
-/** The service in which the last part of `path` is; removes the other parts. Null if there is none. */
-RTT::Service::shared_ptr serviceOf(TaskContext& component, std::string& path) {
-    RTT::Service::shared_ptr service = component.provides();
-    for (std::size_t dot; service && (dot = path.find('.')) != path.npos; path.erase(0, dot + 1))
-        service = service->getService(path.substr(0, dot));
-    return service;
+DataSourceBase::shared_ptr valueIn(RTT::Service& service, const std::string& name) {
+    if (const RTT::base::PropertyBase* const property = service.getProperty(name)) return property->getDataSource();
+    const RTT::base::AttributeBase* const attribute = service.getAttribute(name);
+    return attribute ? attribute->getDataSource() : nullptr;
 }
 
-DataSourceBase::shared_ptr valueOf(TaskContext& component, std::string path) {
-    const RTT::Service::shared_ptr service = serviceOf(component, path);
-    if (!service) return nullptr;
-    if (const RTT::base::PropertyBase* const property = service->getProperty(path)) return property->getDataSource();
-    const RTT::base::AttributeBase* const attribute = service->getAttribute(path);
-    return attribute ? attribute->getDataSource() : nullptr;
+DataSourceBase::shared_ptr valueOf(TaskContext& component, const std::string& path) {
+    return RTT::internal::findMember(*component.provides(), path, valueIn);
 }
 
 /** A new value of that type. Logs an error and returns null if values of the type cannot be reported. */
@@ -69,9 +64,8 @@ TaskContext* peerOf(TaskContext& self, const std::string& component) {
 }
 
 /** The port of the component, output or input; null if there is none. */
-RTT::base::PortInterface* portOf(TaskContext& component, std::string path) {
-    const RTT::Service::shared_ptr service = serviceOf(component, path);
-    return service ? service->getPort(path) : nullptr;
+RTT::base::PortInterface* portOf(TaskContext& component, const std::string& path) {
+    return RTT::internal::findPort(*component.provides(), path);
 }
 
 // The names of the component's own output ports, for messages.

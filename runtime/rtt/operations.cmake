@@ -22,6 +22,7 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/diagnostic_taker.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalEngine.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/GlobalService.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/dotted_name.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/engine/interruption.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/OperationCallerC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/calls/operation_part.cpp

@@ -35,6 +35,20 @@ TEST_F(ReportEntries, ConfigureTakesThemFromReportData) {
         header());
 }
 
+TEST_F(ReportEntries, NamesOfPortsAndValuesMayHaveDots) {
+    RTT::OutputPort<double> angle;
+    RTT::Property<double> limit("angle.limit", "", 2);
+    machine.addPort("motor.angle", angle);
+    machine.provides("motor")->addProperty(limit);
+    entry("Port", "Machine.motor.angle");
+    entry("Data", "Machine.motor.angle.limit");
+    ASSERT_TRUE(reporter->configure());
+    EXPECT_EQ(" TimeStamp Machine.motor.angle Machine.motor.angle.limit", header());
+    reporter->stop();
+    machine.ports()->removePort("motor.angle");
+    machine.provides("motor")->removeProperty(limit);
+}
+
 TEST_F(ReportEntries, NothingToReportIsAnError) {
     const LogText log;
     EXPECT_FALSE(reporter->configure());
