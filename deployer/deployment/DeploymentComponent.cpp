@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Construction, libraries, files and groups. Single components and wiring: deployment_operations.cpp.
+// Construction, and what its parts do. What scripts see of it: deployment_interface.cpp.
 #include <ocl/DeploymentComponent.hpp>
 
-#include "deployment_state.hpp"
+#include "component_name.hpp"
+#include "deployment_parts.hpp"
 #include "failure.hpp"
 #include "graph.hpp"
-#include "read_value.hpp"
-#include "report.hpp"
-#include "scripts.hpp"
+#include "libraries.hpp"
+#include "shutdown.hpp"
 #include "summary.hpp"
-#include "xml_to_plan.hpp"
 
 #include <rtt/Logger.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/os/SignalCatcher.hpp>
-#include <rtt/os/fosi.h>
-#include <rtt/os/threads.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
 #include <filesystem>
@@ -26,14 +23,12 @@
 
 namespace OCL {
 
-using deploy::failed;
-using deploy::Plan;
-using deploy::reported;
-using oroforge::diag::Sink;
+using deploy::ActivityKind;
 using RTT::endlog;
 using RTT::log;
+using std::string;
 
-DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile, Purpose purpose)
+DeploymentComponent::DeploymentComponent(string name, string siteFile, Purpose purpose)
     : TaskContext(name, Stopped), impl_(new Impl) {
     impl_->session.deployer = this;
     impl_->session.loaded = [this](RTT::TaskContext* component) { return componentLoaded(component); };
@@ -46,7 +41,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
         deploy::holdBack(*this);
     }
 
-    const std::string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
+    const string site = siteFile.empty() ? name + "-site.cpf" : siteFile;
     std::error_code unreadable;  // reported when it is read
     if (std::filesystem::exists(site, unreadable) || unreadable) {
         log(RTT::Info) << "using site file '" << site << "'" << endlog();
@@ -56,7 +51,7 @@ DeploymentComponent::DeploymentComponent(std::string name, std::string siteFile,
     (void)configure();
     log(siteFile.empty() ? RTT::Info : RTT::Warning)
         << "there is no site file '" << site << "': importing 'ocl'" << endlog();
-    std::string error;
+    string error;
     if (!RTT::ComponentLoader::Instance()->importInstalled("ocl", error))
         log(RTT::Info) << "no component library: " << error << endlog();
 }
@@ -86,170 +81,140 @@ bool DeploymentComponent::configureHook() {
     return true;
 }
 
-// --- libraries -----------------------------------------------------------------------------------------------------
+// --- libraries ------------------------------------------------------------------------------------------------------
 
-bool DeploymentComponent::import(const std::string& package) {
-    std::string error;
-    bool done = false;
-    {
-        const RTT::internal::FailureReport::Pause others;
-        done = RTT::ComponentLoader::Instance()->import(package, std::string(), error);
-    }
-    return done || failed("could not import '" + package + "': " + error);
+bool DeploymentComponent::import(const string& package) { return deploy::importPackage(package); }
+void DeploymentComponent::path(const string& paths) { deploy::importPath(paths); }
+bool DeploymentComponent::loadLibrary(const string& name) {
+    string error;
+    return deploy::loadLibrary(name, error) || deploy::failed("could not load library '" + name + "': " + error);
 }
-
-void DeploymentComponent::path(const std::string& paths) {
-    for (const std::string& directory : deploy::missingDirectories(paths))
-        log(RTT::Warning) << "there is no directory '" << directory << "' to search" << endlog();
-    deploy::addSearchPath(paths);
-    RTT::ComponentLoader::Instance()->import(paths);
+bool DeploymentComponent::reloadLibrary(const string& filepath) {
+    return deploy::doneOr("", [&] { return RTT::ComponentLoader::Instance()->reloadLibrary(filepath); });
 }
-
-bool DeploymentComponent::loadLibrary(const std::string& name) {
-    std::string error;
-    return deploy::loadLibrary(name, error) || failed("could not load library '" + name + "': " + error);
-}
-
-bool DeploymentComponent::reloadLibrary(const std::string& filepath) {
-    const auto reload = [&] { return RTT::ComponentLoader::Instance()->reloadLibrary(filepath); };
-    return deploy::doneOr(std::string(), reload);
-}
-
 void DeploymentComponent::displayComponentTypes() const {
     std::cout << "I can create the following component types: " << std::endl;
-    const std::vector<std::string> types = getComponentTypes();
-    for (const std::string& type : types) std::cout << "   " << type << std::endl;
+    const std::vector<string> types = getComponentTypes();
+    for (const string& type : types) std::cout << "   " << type << std::endl;
     if (types.empty()) std::cout << "   (none)" << std::endl;
 }
-
-std::vector<std::string> DeploymentComponent::getComponentTypes() const {
+std::vector<string> DeploymentComponent::getComponentTypes() const {
     return RTT::ComponentLoader::Instance()->listComponentTypes();
 }
 
-// --- files ---------------------------------------------------------------------------------------------------------
+// --- single components ----------------------------------------------------------------------------------------------
 
-bool DeploymentComponent::loadComponents(const std::string& file) {
-    return reported("could not load what '" + file + "' describes", [&] {
-        Sink sink;
-        return impl_->load(deploy::readPlanFile(file, sink), sink);
-    });
+bool DeploymentComponent::loadComponent(const string& name, const string& type) {
+    return impl_->components.load(name, type);
 }
-
-bool DeploymentComponent::planOnly(const std::string& file) {
-    Sink sink;
-    return impl_->plan(deploy::readPlanFile(file, sink), sink);
+bool DeploymentComponent::loadService(const string& name, const string& service) {
+    return impl_->components.loadService(name, service);
 }
+bool DeploymentComponent::unloadComponent(const string& name) { return impl_->components.unload(name); }
+bool DeploymentComponent::configureComponent(const string& name) { return impl_->components.configure(name); }
+bool DeploymentComponent::startComponent(const string& name) { return impl_->components.start(name); }
+bool DeploymentComponent::stopComponent(const string& name) { return impl_->components.stop(name); }
+bool DeploymentComponent::cleanupComponent(const string& name) { return impl_->components.cleanup(name); }
+bool DeploymentComponent::kickOutComponent(const string& name) { return impl_->components.kickOut(name); }
 
-std::string DeploymentComponent::planSummary() const {
+// --- files ----------------------------------------------------------------------------------------------------------
+
+bool DeploymentComponent::loadComponents(const string& file) { return impl_->files.load(file); }
+bool DeploymentComponent::loadConfigurationString(const string& text) { return impl_->files.loadText(text); }
+void DeploymentComponent::clearConfiguration() { impl_->files.forget(); }
+bool DeploymentComponent::configureComponents() { return impl_->files.configureAll(); }
+bool DeploymentComponent::startComponents() { return impl_->files.startAll(); }
+bool DeploymentComponent::stopComponents() { return impl_->files.forAllDown("stop", &deploy::stop); }
+bool DeploymentComponent::cleanupComponents() { return impl_->files.forAllDown("clean up", &deploy::cleanup); }
+bool DeploymentComponent::unloadComponents() { return impl_->files.forAllDown("unload", &deploy::unload); }
+bool DeploymentComponent::kickStart(const string& file) {
+    return deploy::reported("could not deploy '" + file + "'", [&] { return kickStart2(file, true); });
+}
+bool DeploymentComponent::kickStart2(const string& file, bool start) { return impl_->files.kickStart(file, start); }
+bool DeploymentComponent::kickOutAll() { return impl_->files.kickOutAll(); }
+void DeploymentComponent::kickOut(const string& file) { impl_->files.kickOut(file, impl_->components); }
+bool DeploymentComponent::planOnly(const string& file) { return impl_->files.plan(file); }
+string DeploymentComponent::planSummary() const {
     return impl_->session.planned.empty() ? "" : deploy::summaryOf(impl_->session);
 }
-
-bool DeploymentComponent::checkScript(const std::string& file) { return impl_->checkScript(file); }
-
 bool DeploymentComponent::siteFileFailed() const { return impl_->siteFileFailed; }
+string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
+bool DeploymentComponent::runScript(const string& file) { return impl_->scripts.run(file); }
+bool DeploymentComponent::checkScript(const string& file) {
+    return impl_->scripts.check(file, impl_->purpose == Purpose::Deploy);
+}
+void DeploymentComponent::shutdownDeployment() { deploy::shutDownApplication(*this); }
 
-std::string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
+// --- peers, ports, services -----------------------------------------------------------------------------------------
 
-bool DeploymentComponent::loadConfigurationString(const std::string& text) {
-    return reported("could not load what the text describes", [&] {
-        Sink sink;
-        return impl_->load(deploy::readPlanText(text, "configuration string", sink), sink);
-    });
+bool DeploymentComponent::addPeer(RTT::TaskContext* peer, string alias) {
+    const string name = alias.empty() && peer ? peer->getName() : alias;
+    if (const string why = deploy::nameFault(name); !why.empty())
+        return deploy::failed("could not add peer '" + deploy::printableName(name) + "': " + why);
+    return TaskContext::addPeer(peer, std::move(alias));
+}
+bool DeploymentComponent::addPeer(const string& from, const string& to) { return impl_->wiring.addPeer(from, to); }
+bool DeploymentComponent::aliasPeer(const string& from, const string& to, const string& alias) {
+    return impl_->wiring.addPeer(from, to, alias);
+}
+bool DeploymentComponent::connectPeers(const string& one, const string& two) {
+    return impl_->wiring.connectPeers(one, two);
+}
+bool DeploymentComponent::connectPorts(const string& one, const string& two) {
+    return impl_->wiring.connectPorts(one, two);
+}
+bool DeploymentComponent::connectTwoPorts(const string& one, const string& portOne, const string& two,
+                                          const string& portTwo) {
+    return connect(one + "." + portOne, two + "." + portTwo, RTT::ConnPolicy());
+}
+bool DeploymentComponent::connect(const string& portOne, const string& portTwo, RTT::ConnPolicy policy) {
+    return impl_->wiring.connect(portOne, portTwo, policy);
+}
+bool DeploymentComponent::stream(const string& port, RTT::ConnPolicy policy) {
+    return impl_->wiring.stream(port, policy);
+}
+bool DeploymentComponent::createStream(const string& component, const string& port, RTT::ConnPolicy policy) {
+    return stream(component + "." + port, policy);
+}
+bool DeploymentComponent::connectServices(const string& one, const string& two) {
+    return impl_->wiring.connectServices(one, two);
+}
+bool DeploymentComponent::connectOperations(const string& requested, const string& provided) {
+    return deploy::connectOperations(impl_->session, requested, provided);
 }
 
-void DeploymentComponent::clearConfiguration() {
-    impl_->session.records.policies.clear();
-    for (deploy::ComponentRecord& record : impl_->session.records.all) record.plan = deploy::ComponentPlan();
+// --- activities -----------------------------------------------------------------------------------------------------
+
+bool DeploymentComponent::setActivity(const string& name, double period, int priority, int scheduler) {
+    return impl_->components.setActivity(name, ActivityKind::Activity, {period, priority, scheduler});
+}
+bool DeploymentComponent::setActivityOnCPU(const string& name, double period, int priority, int scheduler,
+                                           unsigned int cpu) {
+    if (cpu >= 32)
+        return deploy::failed("could not set the activity of component '" + name + "': CPU " + std::to_string(cpu) +
+                              ", expected 0 to 31");
+    return impl_->components.setActivity(name, ActivityKind::Activity, {period, priority, scheduler, 1u << cpu});
+}
+bool DeploymentComponent::setPeriodicActivity(const string& name, double period, int priority, int scheduler) {
+    return impl_->components.setActivity(name, ActivityKind::Periodic, {period, priority, scheduler});
+}
+bool DeploymentComponent::setFileDescriptorActivity(const string& name, double timeout, int priority, int scheduler) {
+    return impl_->components.setActivity(name, ActivityKind::FileDescriptor, {timeout, priority, scheduler});
+}
+bool DeploymentComponent::setSequentialActivity(const string& name) {
+    return impl_->components.setActivity(name, ActivityKind::Sequential, {});
+}
+bool DeploymentComponent::setSlaveActivity(const string& name, double period) {
+    return impl_->components.setActivity(name, ActivityKind::Slave, {period});
+}
+bool DeploymentComponent::setMasterSlaveActivity(const string& master, const string& slave) {
+    return impl_->components.setSlaveOf(master, slave);
+}
+bool DeploymentComponent::setWaitPeriodPolicy(const string& name, int policy) {
+    return impl_->components.setWaitPeriodPolicy(name, policy);
 }
 
-bool DeploymentComponent::configureComponents() {
-    if (impl_->session.records.all.empty()) return failed("there are no components to configure: none was loaded");
-    return reported("could not configure all components", [&] {
-        bool all = true;
-        for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->configure(group);
-        return all;
-    });
-}
-
-bool DeploymentComponent::startComponents() {
-    if (!impl_->valid) return failed("not starting components: the last configuration was not valid");
-    return reported("could not start all components", [&] {
-        bool all = true;
-        if (impl_->session.startsNothing) return all;
-        for (int group = 0; group < impl_->session.nextGroup; ++group) all &= impl_->start(group);
-        return all;
-    });
-}
-
-bool DeploymentComponent::stopComponents() {
-    return reported("could not stop all components", [&] { return impl_->forGroupsDown(&deploy::stop); });
-}
-
-bool DeploymentComponent::cleanupComponents() {
-    return reported("could not clean up all components", [&] { return impl_->forGroupsDown(&deploy::cleanup); });
-}
-
-bool DeploymentComponent::unloadComponents() {
-    return reported("could not unload all components", [&] { return impl_->forGroupsDown(&deploy::unload); });
-}
-
-bool DeploymentComponent::kickStart(const std::string& file) {
-    return reported("could not deploy '" + file + "'", [&] { return kickStart2(file, true); });
-}
-
-bool DeploymentComponent::kickStart2(const std::string& file, bool start) {
-    const Impl::State before = impl_->state();
-    if (!loadComponents(file)) return false;
-    const int group = impl_->session.nextGroup - 1;
-    start = start && !impl_->session.startsNothing;
-    if (impl_->goesOn(file) && impl_->configure(group) && (!start || (impl_->goesOn(file) && impl_->start(group)))) {
-        log(RTT::Info) << "loaded, configured " << (start ? "and started " : "") << "the components of " << file
-                       << endlog();
-        return true;
-    }
-    log(RTT::Error) << "undoing what " << file << " created" << endlog();
-    impl_->undo(group, before);
-    return false;
-}
-
-bool DeploymentComponent::kickOutAll() {
-    return reported("could not kick out all components", [&] {
-        const bool all = impl_->forGroupsDown(&deploy::takeDown);
-        if (all) impl_->session.nextGroup = 1;
-        return all;
-    });
-}
-
-bool DeploymentComponent::kickOutComponent(const std::string& name) {
-    const deploy::ComponentRecord* record = impl_->session.records.find(name);
-    if (!record || !record->loadedHere)
-        return failed("could not kick out component '" + name + "': it was not loaded by " + getName());
-    const RTT::internal::FailureReport::Pause others;
-    RTT::TaskContext& component = *record->instance;
-    (void)deploy::stopOne(component);
-    (void)deploy::cleanupOne(impl_->session, component);
-    (void)deploy::unloadOne(impl_->session, component);
-    return true;
-}
-
-void DeploymentComponent::kickOut(const std::string& file) {
-    Sink sink;
-    const Plan plan = deploy::readPlanFile(file, sink);
-    deploy::report(sink);
-    for (auto component = plan.components.rbegin(); component != plan.components.rend(); ++component)
-        if (impl_->session.records.find(component->name.value)) (void)kickOutComponent(component->name.value);
-}
-
-bool DeploymentComponent::runScript(const std::string& file) {
-    std::string error;
-    const std::string what = "could not run script '" + file + "'";
-    const auto run = [&] { return deploy::runScript(*this, deploy::ScriptPlan::Run, file, error); };
-    if (reported(what, run)) return true;
-    if (!error.empty()) log(RTT::Error) << what << ": " << error << endlog();
-    return false;
-}
-
-// --- waiting -------------------------------------------------------------------------------------------------------
+// --- waiting --------------------------------------------------------------------------------------------------------
 
 void DeploymentComponent::waitForInterrupt() {
     RTT::os::SignalCatcher catcher({SIGINT, SIGTERM, SIGHUP});

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // Connects an operation that a component requires to one that another component provides.
-#include "deployment_state.hpp"
 #include "failure.hpp"
 #include "lookup.hpp"
+#include "wiring.hpp"
 
 #include <rtt/ServiceRequester.hpp>
+#include <rtt/TaskContext.hpp>
 #include <rtt/internal/dotted_name.hpp>
 
 #include <tuple>
 
-namespace OCL {
+namespace OCL::deploy {
 
 namespace {
 
@@ -24,7 +25,7 @@ struct OperationPath {
     }
 };
 
-bool refuse(const std::string& why) { return deploy::failed("could not connect operations: " + why); }
+bool refuse(const std::string& why) { return failed("could not connect operations: " + why); }
 
 /** The caller at the path, without creating requesters; null, with the reason, if there is none. */
 RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, const OperationPath& path,
@@ -46,23 +47,23 @@ RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, c
 
 }  // namespace
 
-bool DeploymentComponent::connectOperations(const std::string& requested, const std::string& provided) {
+bool connectOperations(const Session& session, const std::string& requested, const std::string& provided) {
     const OperationPath from(requested), to(provided);
-    RTT::TaskContext* const client = deploy::findComponent(impl_->session, from.component, "connect operations");
-    RTT::TaskContext* const server = deploy::findComponent(impl_->session, to.component, "connect operations");
+    RTT::TaskContext* const client = findComponent(session, from.component, "connect operations");
+    RTT::TaskContext* const server = findComponent(session, to.component, "connect operations");
     if (!client || !server) return false;
     std::string error;
     RTT::base::OperationCallerBaseInvoker* const caller = findCaller(*client, from, error);
     if (!caller) return refuse(error);
     if (caller->ready()) return refuse("'" + requested + "' is connected already");
-    const RTT::Service::shared_ptr service = deploy::findService(*server, to.services, error);
+    const RTT::Service::shared_ptr service = findService(*server, to.services, error);
     if (!service) return refuse(error);
     if (!service->hasOperation(to.operation))
         return refuse("component '" + to.component + "' provides no operation '" + to.operation + "'" +
                       (to.services.empty() ? "" : " in service '" + to.services + "'"));
-    return deploy::doneOr("could not connect '" + requested + "' to '" + provided + "'", [&] {
+    return doneOr("could not connect '" + requested + "' to '" + provided + "'", [&] {
         return caller->setImplementationPart(service->findOperation(to.operation), client->engine());
     });
 }
 
-}  // namespace OCL
+}  // namespace OCL::deploy

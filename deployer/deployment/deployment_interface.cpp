@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // The properties, attributes and operations that the deployer offers to scripts and consoles.
-#include "deployment_state.hpp"
+#include "deployment_parts.hpp"
 #include "types.hpp"
 
 #include <rtt/ConnPolicy.hpp>
@@ -208,13 +208,15 @@ void addActivityOperations(Self& deployer) {
 
 void DeploymentComponent::addDeploymentInterface() {
     deploy::addTypes();
+    impl_->target = OROCOS_TARGET_NAME;
+    impl_->session.waitPeriodPolicy = ORO_WAIT_ABS;
     addProperty("RTT_COMPONENT_PATH", impl_->componentPath)
         .doc("Search path of component packages; empty: that of the environment");
     addProperty("DefaultWaitPeriodPolicy", impl_->session.waitPeriodPolicy)
         .doc("How threads of new activities wait: ORO_WAIT_ABS or ORO_WAIT_REL");
     addProperty("AutoUnload", impl_->autoUnload).doc("Stop, clean up and unload all components when the deployer ends");
     addAttribute("Target", impl_->target);
-    addAttribute("Valid", impl_->valid);
+    addAttribute("Valid", impl_->files.valid);
     // Constants that own their values: addConstant() would refer to temporaries.
     const std::pair<const char*, int> numbers[] = {{"ORO_SCHED_RT", ORO_SCHED_RT},
                                                    {"ORO_SCHED_OTHER", ORO_SCHED_OTHER},

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 #include "component_name.hpp"
+#include "libraries.hpp"
 #include "properties.hpp"
 #include "session.hpp"
 #include "validate.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <diag/type_match.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
@@ -15,7 +15,6 @@
 #include <rtt/plugin/PluginLoader.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 namespace OCL::deploy {
@@ -32,7 +31,7 @@ std::string likelyService(const std::string& name) {
 }
 
 /** Adds directories to the search path and imports the libraries directly in them. */
-bool importPath(const std::string& paths, std::string& error) {
+bool importLibrariesIn(const std::string& paths, std::string& error) {
     addSearchPath(paths);
     try {
         if (ComponentLoader::Instance()->import(paths)) return true;
@@ -46,7 +45,7 @@ bool importPath(const std::string& paths, std::string& error) {
 bool doImport(const ImportPlan& step, std::string& error) {
     switch (step.kind) {
         case ImportPlan::Import: return ComponentLoader::Instance()->import(step.what.value, std::string(), error);
-        case ImportPlan::Path: return importPath(step.what.value, error);
+        case ImportPlan::Path: return importLibrariesIn(step.what.value, error);
         case ImportPlan::LoadLibrary: return loadLibrary(step.what.value, error);
     }
     return false;
@@ -121,41 +120,6 @@ ComponentRecord* recordFor(Session& session, const ComponentPlan& component, int
 }
 
 }  // namespace
-
-std::string componentTypeOf(const std::string& word, std::string& error) {
-    const ComponentLoader::shared_ptr loader = ComponentLoader::Instance();
-    const std::vector<std::string> known = loader->listComponentTypes();
-    if (std::find(known.begin(), known.end(), word) != known.end()) return word;
-    if (word == "CORBA" || word == "IOR" || word == "IORFile") {
-        error = "type '" + word + "' means a component of another process, and this deployer has no CORBA";
-        return word;
-    }
-    std::error_code none;
-    if (word.find(".so") == std::string::npos) return word;
-    if (!std::filesystem::is_regular_file(word, none)) {
-        // No component type has such a name.
-        if (word.find('/') != std::string::npos || word.substr(word.size() - 3) == ".so")
-            error = "there is no library file '" + word + "'";
-        return word;
-    }
-    if (!loader->loadLibrary(word, error)) {
-        error = "could not load library '" + word + "': " + error;
-        return word;
-    }
-    const std::vector<std::string> types = loader->listComponentTypes(word);
-    if (types.size() == 1) return types.front();
-    error = "library '" + word + "' has " + std::to_string(types.size()) + " component types, name one of them:";
-    for (const std::string& type : types) error += " " + type;
-    return word;
-}
-
-std::string unknownType(const std::string& type) {
-    const std::vector<std::string> known = ComponentLoader::Instance()->listComponentTypes();
-    if (std::find(known.begin(), known.end(), type) != known.end()) return {};
-    const std::string likely = diag::didYouMeanType(type, known);
-    return "unknown component type '" + type + "'" +
-           (likely.empty() ? "; import the package that has it first" : likely);
-}
 
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& word, int group,
                          std::string& error) {
@@ -236,42 +200,6 @@ bool load(Session& session, Plan plan, int group, diag::Sink& sink) {
 
 bool loadService(RTT::TaskContext& component, const std::string& service) {
     return component.provides()->hasService(service) || PluginLoader::Instance()->loadService(service, &component);
-}
-
-bool loadLibrary(const std::string& file, std::string& error) {
-    // Its folder tells whether it is a plugin or a component library.
-    std::error_code none;
-    const std::string directory = std::filesystem::absolute(file, none).parent_path().filename().string();
-    if (directory == "types" || directory == "plugins") return PluginLoader::Instance()->loadLibrary(file, error);
-    return ComponentLoader::Instance()->loadLibrary(file, error);
-}
-
-std::vector<std::string> missingDirectories(const std::string& paths) {
-    std::vector<std::string> missing;
-    for (std::size_t begin = 0; begin <= paths.size();) {
-        const std::size_t end = std::min(paths.find_first_of(":;", begin), paths.size());
-        const std::string directory = paths.substr(begin, end - begin);
-        std::error_code none;
-        if (!directory.empty() && !std::filesystem::is_directory(directory, none)) missing.push_back(directory);
-        begin = end + 1;
-    }
-    return missing;
-}
-
-KeptSearchPath::KeptSearchPath()
-    : components_(ComponentLoader::Instance()->getComponentPath()),
-      plugins_(PluginLoader::Instance()->getPluginPath()) {}
-
-KeptSearchPath::~KeptSearchPath() {
-    ComponentLoader::Instance()->setComponentPath(components_);
-    PluginLoader::Instance()->setPluginPath(plugins_);
-}
-
-void addSearchPath(const std::string& paths) {
-    const ComponentLoader::shared_ptr components = ComponentLoader::Instance();
-    const PluginLoader::shared_ptr plugins = PluginLoader::Instance();
-    components->setComponentPath(components->getComponentPath() + ":" + paths);
-    plugins->setPluginPath(plugins->getPluginPath() + ":" + paths);
 }
 
 }  // namespace OCL::deploy

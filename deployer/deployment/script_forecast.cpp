@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include "script_forecast.hpp"
 
+#include "libraries.hpp"
 #include "lookup.hpp"
 #include "scripts.hpp"
 #include "xml_to_plan.hpp"

@@ -53,33 +53,12 @@ struct Session {
 bool prepare(const Session& session, Plan& plan, bool planOnly, diag::Sink& sink);
 /** Prepares and creates; true without errors. After an error, what was created stays: see takeDown(). */
 bool load(Session& session, Plan plan, int group, diag::Sink& sink);
-/** The component type: `word`, or the only type in the library file of that name, which is loaded. `error` gets the
-    reason if the file cannot be loaded, or does not have exactly one type. */
-std::string componentTypeOf(const std::string& word, std::string& error);
-/** Why no component of that type can be created; empty if the loader has it. */
-std::string unknownType(const std::string& type);
 /** Creates one component and makes it a peer of the deployer; null with the reason. */
 RTT::TaskContext* create(Session& session, const std::string& name, const std::string& type, int group,
                          std::string& error);
 /** Makes the operation "start", by which scripts start the component, do nothing. */
 void holdBack(RTT::TaskContext& component);
 bool loadService(RTT::TaskContext& component, const std::string& service);
-bool loadLibrary(const std::string& file, std::string& error);
-/** The entries of a list, separated by colons or semicolons, that are not directories. */
-std::vector<std::string> missingDirectories(const std::string& paths);
-/** Adds directories to the search path of components and plugins. */
-void addSearchPath(const std::string& paths);
-/** Restores the search path in its destructor. */
-class KeptSearchPath {
-public:
-    KeptSearchPath();
-    ~KeptSearchPath();
-    KeptSearchPath(const KeptSearchPath&) = delete;
-    KeptSearchPath& operator=(const KeptSearchPath&) = delete;
-
-private:
-    const std::string components_, plugins_;
-};
 
 // check_components.cpp
 /**

@@ -3,11 +3,10 @@
 // Tells an application that the deployer ends.
 #include "shutdown.hpp"
 
-#include <ocl/DeploymentComponent.hpp>
-
 #include <rtt/Logger.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/Property.hpp>
+#include <rtt/TaskContext.hpp>
 
 #include <boost/function.hpp>
 
@@ -15,7 +14,7 @@
 #include <chrono>
 #include <thread>
 
-namespace OCL {
+namespace OCL::deploy {
 
 using RTT::endlog;
 using RTT::log;
@@ -59,26 +58,27 @@ boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::Execut
 
 }  // namespace
 
-std::vector<std::string> deploy::shutdownProperties() { return {kPeer, kWait, kTotal}; }
+std::vector<std::string> shutdownProperties() { return {kPeer, kWait, kTotal}; }
 
-void DeploymentComponent::shutdownDeployment() {
+void shutDownApplication(RTT::TaskContext& deployer) {
+    const RTT::PropertyBag& properties = *deployer.properties();
     const char* const number = "an int above 0";
     const auto isPositive = [](int value) { return value > 0; };
     const std::string peer =
-        valueOr<std::string>(*properties(), kPeer, "Application", "a string", [](const auto&) { return true; });
-    const int total = valueOr(*properties(), kTotal, 2000, number, isPositive);
-    int wait = valueOr(*properties(), kWait, std::min(50, total), number, isPositive);
+        valueOr<std::string>(properties, kPeer, "Application", "a string", [](const auto&) { return true; });
+    const int total = valueOr(properties, kTotal, 2000, number, isPositive);
+    int wait = valueOr(properties, kWait, std::min(50, total), number, isPositive);
     if (wait > total) {
         log(RTT::Warning) << kWait << " is longer than " << kTotal << ": it looks once, at the end" << endlog();
         wait = total;
     }
-    RTT::TaskContext* const application = getPeer(peer);
+    RTT::TaskContext* const application = deployer.getPeer(peer);
     if (!application) {
-        if (properties()->find(kPeer))
+        if (properties.find(kPeer))
             log(RTT::Warning) << "there is no component '" << peer << "', which " << kPeer << " names" << endlog();
         return;
     }
-    const boost::function<bool()> goesOn = beginShutdown(*application, engine());
+    const boost::function<bool()> goesOn = beginShutdown(*application, deployer.engine());
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(total);
     while (goesOn && goesOn()) {
         if (std::chrono::steady_clock::now() >= end) {
@@ -91,4 +91,4 @@ void DeploymentComponent::shutdownDeployment() {
     }
 }
 
-}  // namespace OCL
+}  // namespace OCL::deploy

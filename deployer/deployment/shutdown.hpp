@@ -6,10 +6,17 @@
 #include <string>
 #include <vector>
 
+namespace RTT {
+class TaskContext;
+}
+
 namespace OCL::deploy {
 
-/** The properties that users may give the deployer to control DeploymentComponent::shutdownDeployment(). */
+/** The properties that users may give the deployer to control its shutdown. */
 std::vector<std::string> shutdownProperties();
+
+/** Tells the component "Application", or another that a property names, to end, and waits for it. */
+void shutDownApplication(RTT::TaskContext& deployer);
 
 }  // namespace OCL::deploy
 
