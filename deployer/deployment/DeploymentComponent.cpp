@@ -8,6 +8,7 @@
 #include "failure.hpp"
 #include "graph.hpp"
 #include "libraries.hpp"
+#include "scripts.hpp"
 #include "shutdown.hpp"
 #include "summary.hpp"
 
@@ -139,9 +140,16 @@ string DeploymentComponent::planSummary() const {
 }
 bool DeploymentComponent::siteFileFailed() const { return impl_->siteFileFailed; }
 string DeploymentComponent::graph() const { return deploy::graphOf(impl_->session); }
-bool DeploymentComponent::runScript(const string& file) { return impl_->scripts.run(file); }
+bool DeploymentComponent::runScript(const string& file) {
+    string error;
+    const string what = "could not run script '" + file + "'";
+    const auto run = [&] { return deploy::runScript(*this, deploy::ScriptPlan::Run, file, error); };
+    if (deploy::reported(what, run)) return true;
+    if (!error.empty()) log(RTT::Error) << what << ": " << error << endlog();
+    return false;
+}
 bool DeploymentComponent::checkScript(const string& file) {
-    return impl_->scripts.check(file, impl_->purpose == Purpose::Deploy);
+    return deploy::checkScript(impl_->session, file, /*runs=*/impl_->purpose == Purpose::Deploy);
 }
 void DeploymentComponent::shutdownDeployment() { deploy::shutDownApplication(*this); }
 

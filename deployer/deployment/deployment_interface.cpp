@@ -20,186 +20,143 @@ using RTT::ClientThread;
 auto text(bool (Self::*member)(const std::string&)) { return member; }
 auto twoTexts(bool (Self::*member)(const std::string&, const std::string&)) { return member; }
 
+template <class Member>
+auto& offer(Self& deployer, const char* name, Member member, const char* what) {
+    return deployer.addOperation(name, member, &deployer, ClientThread).doc(what);
+}
+
 void addLibraryOperations(Self& deployer) {
-    deployer.addOperation("import", &Self::import, &deployer, ClientThread)
-        .doc("Imports a component package, directory or library")
+    offer(deployer, "import", &Self::import, "Imports a component package, directory or library")
         .arg("Package", "Name, directory or file");
-    deployer.addOperation("path", &Self::path, &deployer, ClientThread)
-        .doc("Adds directories to the search path and imports what lies in them")
+    offer(deployer, "path", &Self::path, "Adds directories to the search path and imports what lies in them")
         .arg("Paths", "Directories, separated by colons or semicolons");
-    deployer.addOperation("loadLibrary", &Self::loadLibrary, &deployer, ClientThread)
-        .doc("Loads one plugin, typekit or component library")
+    offer(deployer, "loadLibrary", &Self::loadLibrary, "Loads one plugin, typekit or component library")
         .arg("Name", "File");
-    deployer.addOperation("reloadLibrary", &Self::reloadLibrary, &deployer, ClientThread)
-        .doc("Loads a component library anew")
-        .arg("FilePath", "File");
-    deployer.addOperation("displayComponentTypes", &Self::displayComponentTypes, &deployer, ClientThread)
-        .doc("Writes the known component types to standard output");
-    deployer.addOperation("getComponentTypes", &Self::getComponentTypes, &deployer, ClientThread)
-        .doc("The known component types");
+    offer(deployer, "reloadLibrary", &Self::reloadLibrary, "Loads a component library anew").arg("FilePath", "File");
+    offer(deployer, "displayComponentTypes", &Self::displayComponentTypes,
+          "Writes the known component types to standard output");
+    offer(deployer, "getComponentTypes", &Self::getComponentTypes, "The known component types");
 }
 
 void addComponentOperations(Self& deployer) {
-    deployer.addOperation("loadComponent", &Self::loadComponent, &deployer, ClientThread)
-        .doc("Creates a component")
+    offer(deployer, "loadComponent", &Self::loadComponent, "Creates a component")
         .arg("Name", "Its name")
         .arg("Type", "Its type");
-    deployer.addOperation("unloadComponent", &Self::unloadComponent, &deployer, ClientThread)
-        .doc("Deletes a component loaded by this deployer")
+    offer(deployer, "unloadComponent", &Self::unloadComponent, "Deletes a component loaded by this deployer")
         .arg("Name", "Component");
-    deployer.addOperation("loadService", twoTexts(&Self::loadService), &deployer, ClientThread)
-        .doc("Loads a service into a component")
+    offer(deployer, "loadService", twoTexts(&Self::loadService), "Loads a service into a component")
         .arg("Name", "Component")
         .arg("Service", "Service or plugin");
-    deployer.addOperation("configureComponent", &Self::configureComponent, &deployer, ClientThread)
-        .doc("Configures a component")
-        .arg("Name", "Component");
-    deployer.addOperation("startComponent", &Self::startComponent, &deployer, ClientThread)
-        .doc("Starts a component")
-        .arg("Name", "Component");
-    deployer.addOperation("stopComponent", &Self::stopComponent, &deployer, ClientThread)
-        .doc("Stops a component")
-        .arg("Name", "Component");
+    offer(deployer, "configureComponent", &Self::configureComponent, "Configures a component").arg("Name", "Component");
+    offer(deployer, "startComponent", &Self::startComponent, "Starts a component").arg("Name", "Component");
+    offer(deployer, "stopComponent", &Self::stopComponent, "Stops a component").arg("Name", "Component");
 }
 
 void addFileOperations(Self& deployer) {
-    deployer.addOperation("loadComponents", &Self::loadComponents, &deployer, ClientThread)
-        .doc("Loads what an XML file describes")
+    offer(deployer, "loadComponents", &Self::loadComponents, "Loads what an XML file describes").arg("File", "File");
+    offer(deployer, "loadConfiguration", &Self::loadConfiguration, "Loads what an XML file describes")
         .arg("File", "File");
-    deployer.addOperation("loadConfiguration", &Self::loadConfiguration, &deployer, ClientThread)
-        .doc("Loads what an XML file describes")
-        .arg("File", "File");
-    deployer.addOperation("loadConfigurationString", &Self::loadConfigurationString, &deployer, ClientThread)
-        .doc("Loads what an XML text describes")
+    offer(deployer, "loadConfigurationString", &Self::loadConfigurationString, "Loads what an XML text describes")
         .arg("Text", "Text");
-    deployer.addOperation("clearConfiguration", &Self::clearConfiguration, &deployer, ClientThread)
-        .doc("Forgets what files said; components stay");
-    deployer.addOperation("configureComponents", &Self::configureComponents, &deployer, ClientThread)
-        .doc("Connects and configures the components of all files");
-    deployer.addOperation("startComponents", &Self::startComponents, &deployer, ClientThread)
-        .doc("Starts the AutoStart components of all files");
-    deployer.addOperation("stopComponents", &Self::stopComponents, &deployer, ClientThread)
-        .doc("Stops all loaded components");
-    deployer.addOperation("cleanupComponents", &Self::cleanupComponents, &deployer, ClientThread)
-        .doc("Cleans up all loaded components");
-    deployer.addOperation("unloadComponents", &Self::unloadComponents, &deployer, ClientThread)
-        .doc("Deletes all loaded components");
-    deployer.addOperation("kickStart", text(&Self::kickStart), &deployer, ClientThread)
-        .doc("Loads, configures and starts an XML file")
+    offer(deployer, "clearConfiguration", &Self::clearConfiguration, "Forgets what files said; components stay");
+    offer(deployer, "configureComponents", &Self::configureComponents,
+          "Connects and configures the components of all files");
+    offer(deployer, "startComponents", &Self::startComponents, "Starts the AutoStart components of all files");
+    offer(deployer, "stopComponents", &Self::stopComponents, "Stops all loaded components");
+    offer(deployer, "cleanupComponents", &Self::cleanupComponents, "Cleans up all loaded components");
+    offer(deployer, "unloadComponents", &Self::unloadComponents, "Deletes all loaded components");
+    offer(deployer, "kickStart", text(&Self::kickStart), "Loads, configures and starts an XML file")
         .arg("File", "File");
-    deployer.addOperation("kickOutAll", &Self::kickOutAll, &deployer, ClientThread)
-        .doc("Stops, cleans up and deletes all loaded components");
-    deployer.addOperation("kickOutComponent", &Self::kickOutComponent, &deployer, ClientThread)
-        .doc("Stops, cleans up and deletes a component")
+    offer(deployer, "kickOutAll", &Self::kickOutAll, "Stops, cleans up and deletes all loaded components");
+    offer(deployer, "kickOutComponent", &Self::kickOutComponent, "Stops, cleans up and deletes a component")
         .arg("comp_name", "Component");
-    deployer.addOperation("kickOut", &Self::kickOut, &deployer, ClientThread)
-        .doc("Stops, cleans up and deletes the components of an XML file")
+    offer(deployer, "kickOut", &Self::kickOut, "Stops, cleans up and deletes the components of an XML file")
         .arg("File", "File");
-    deployer.addOperation("runScript", &Self::runScript, &deployer, ClientThread)
-        .doc("Runs a script")
-        .arg("File", "File");
-    deployer.addOperation("waitForInterrupt", &Self::waitForInterrupt, &deployer, ClientThread)
-        .doc("Waits for SIGINT, SIGTERM or SIGHUP");
-    deployer.addOperation("waitForSignal", &Self::waitForSignal, &deployer, ClientThread)
-        .doc("Waits for a signal")
-        .arg("signal number", "Its number");
+    offer(deployer, "runScript", &Self::runScript, "Runs a script").arg("File", "File");
+    offer(deployer, "waitForInterrupt", &Self::waitForInterrupt, "Waits for SIGINT, SIGTERM or SIGHUP");
+    offer(deployer, "waitForSignal", &Self::waitForSignal, "Waits for a signal").arg("signal number", "Its number");
 }
 
 void addWiringOperations(Self& deployer) {
-    deployer.addOperation("connectPeers", twoTexts(&Self::connectPeers), &deployer, ClientThread)
-        .doc("Makes two components peers of each other")
+    offer(deployer, "connectPeers", twoTexts(&Self::connectPeers), "Makes two components peers of each other")
         .arg("One", "Component")
         .arg("Two", "Component");
-    deployer.addOperation("addPeer", twoTexts(&Self::addPeer), &deployer, ClientThread)
-        .doc("Makes one component a peer of another")
+    offer(deployer, "addPeer", twoTexts(&Self::addPeer), "Makes one component a peer of another")
         .arg("From", "Component")
         .arg("To", "Its new peer");
-    deployer.addOperation("aliasPeer", &Self::aliasPeer, &deployer, ClientThread)
-        .doc("Makes one component a peer of another under another name")
+    offer(deployer, "aliasPeer", &Self::aliasPeer, "Makes one component a peer of another under another name")
         .arg("From", "Component")
         .arg("To", "Its new peer")
         .arg("Alias", "Name of the peer");
-    deployer
-        .addOperation("removePeer", static_cast<void (Self::*)(const std::string&)>(&Self::removePeer), &deployer,
-                      ClientThread)
-        .doc("Removes a peer of this deployer")
+    offer(deployer, "removePeer", static_cast<void (Self::*)(const std::string&)>(&Self::removePeer),
+          "Removes a peer of this deployer")
         .arg("PeerName", "Peer");
-    deployer.addOperation("connectPorts", twoTexts(&Self::connectPorts), &deployer, ClientThread)
-        .doc("Connects all ports of the same name")
+    offer(deployer, "connectPorts", twoTexts(&Self::connectPorts), "Connects all ports of the same name")
         .arg("One", "Component")
         .arg("Two", "Component");
-    deployer.addOperation("connectTwoPorts", &Self::connectTwoPorts, &deployer, ClientThread)
-        .doc("Connects two ports")
+    offer(deployer, "connectTwoPorts", &Self::connectTwoPorts, "Connects two ports")
         .arg("One", "Component")
         .arg("PortOne", "Its port")
         .arg("Two", "Component")
         .arg("PortTwo", "Its port");
-    deployer.addOperation("connect", &Self::connect, &deployer, ClientThread)
-        .doc("Connects two ports")
+    offer(deployer, "connect", &Self::connect, "Connects two ports")
         .arg("portOne", "component.port")
         .arg("portTwo", "component.port")
         .arg("policy", "How");
-    deployer.addOperation("stream", &Self::stream, &deployer, ClientThread)
-        .doc("Connects a port to a stream")
+    offer(deployer, "stream", &Self::stream, "Connects a port to a stream")
         .arg("port", "component.port")
         .arg("policy", "Which and how");
-    deployer.addOperation("createStream", &Self::createStream, &deployer, ClientThread)
-        .doc("Connects a port to a stream")
+    offer(deployer, "createStream", &Self::createStream, "Connects a port to a stream")
         .arg("component", "Component")
         .arg("port", "Its port")
         .arg("policy", "Which and how");
-    deployer.addOperation("connectServices", twoTexts(&Self::connectServices), &deployer, ClientThread)
-        .doc("Connects the services two components require and provide")
+    offer(deployer, "connectServices", twoTexts(&Self::connectServices),
+          "Connects the services two components require and provide")
         .arg("One", "Component")
         .arg("Two", "Component");
-    deployer.addOperation("connectOperations", twoTexts(&Self::connectOperations), &deployer, ClientThread)
-        .doc("Connects an operation that a component requires to one that is provided")
+    offer(deployer, "connectOperations", twoTexts(&Self::connectOperations),
+          "Connects an operation that a component requires to one that is provided")
         .arg("Requested", "component.service.operation")
         .arg("Provided", "component.service.operation");
 }
 
 void addActivityOperations(Self& deployer) {
-    deployer
-        .addOperation("setActivity",
-                      static_cast<bool (Self::*)(const std::string&, double, int, int)>(&Self::setActivity), &deployer,
-                      ClientThread)
-        .doc("Gives a component a thread of its own")
+    offer(deployer, "setActivity",
+          static_cast<bool (Self::*)(const std::string&, double, int, int)>(&Self::setActivity),
+          "Gives a component a thread of its own")
         .arg("CompName", "Component")
         .arg("Period", "Seconds; 0: not periodic")
         .arg("Priority", "Priority")
         .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER");
-    deployer.addOperation("setActivityOnCPU", &Self::setActivityOnCPU, &deployer, ClientThread)
-        .doc("Gives a component a thread of its own on one CPU")
+    offer(deployer, "setActivityOnCPU", &Self::setActivityOnCPU, "Gives a component a thread of its own on one CPU")
         .arg("CompName", "Component")
         .arg("Period", "Seconds; 0: not periodic")
         .arg("Priority", "Priority")
         .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER")
         .arg("CPU", "Number of the CPU");
-    deployer.addOperation("setPeriodicActivity", &Self::setPeriodicActivity, &deployer, ClientThread)
-        .doc("Has a component run in a thread shared by all of this period and priority")
+    offer(deployer, "setPeriodicActivity", &Self::setPeriodicActivity,
+          "Has a component run in a thread shared by all of this period and priority")
         .arg("CompName", "Component")
         .arg("Period", "Seconds")
         .arg("Priority", "Priority")
         .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER");
-    deployer.addOperation("setFileDescriptorActivity", &Self::setFileDescriptorActivity, &deployer, ClientThread)
-        .doc("Gives a component a thread that waits for file descriptors")
+    offer(deployer, "setFileDescriptorActivity", &Self::setFileDescriptorActivity,
+          "Gives a component a thread that waits for file descriptors")
         .arg("CompName", "Component")
         .arg("Timeout", "Milliseconds; 0: none")
         .arg("Priority", "Priority")
         .arg("SchedType", "ORO_SCHED_RT or ORO_SCHED_OTHER");
-    deployer.addOperation("setSequentialActivity", &Self::setSequentialActivity, &deployer, ClientThread)
-        .doc("Has a component run in the threads of its callers")
+    offer(deployer, "setSequentialActivity", &Self::setSequentialActivity,
+          "Has a component run in the threads of its callers")
         .arg("CompName", "Component");
-    deployer.addOperation("setSlaveActivity", &Self::setSlaveActivity, &deployer, ClientThread)
-        .doc("Has a component run when another calls its update()")
+    offer(deployer, "setSlaveActivity", &Self::setSlaveActivity, "Has a component run when another calls its update()")
         .arg("CompName", "Component")
         .arg("Period", "Seconds");
-    deployer.addOperation("setMasterSlaveActivity", &Self::setMasterSlaveActivity, &deployer, ClientThread)
-        .doc("Has a component run in the thread of another")
+    offer(deployer, "setMasterSlaveActivity", &Self::setMasterSlaveActivity,
+          "Has a component run in the thread of another")
         .arg("Master", "Component that runs")
         .arg("Slave", "Component that is run");
-    deployer.addOperation("setWaitPeriodPolicy", &Self::setWaitPeriodPolicy, &deployer, ClientThread)
-        .doc("How a component's thread waits for its period")
+    offer(deployer, "setWaitPeriodPolicy", &Self::setWaitPeriodPolicy, "How a component's thread waits for its period")
         .arg("CompName", "Component")
         .arg("Policy", "ORO_WAIT_ABS or ORO_WAIT_REL");
 }

@@ -7,7 +7,6 @@
 #include <ocl/DeploymentComponent.hpp>
 
 #include "deployed_files.hpp"
-#include "deployer_scripts.hpp"
 #include "named_components.hpp"
 #include "wiring.hpp"
 
@@ -18,7 +17,6 @@ struct DeploymentComponent::Impl {
     deploy::NamedComponents components{session};
     deploy::Wiring wiring{session};
     deploy::DeployedFiles files{session};
-    deploy::DeployerScripts scripts{session};
 
     Purpose purpose = Purpose::Deploy;
     bool siteFileFailed = false;

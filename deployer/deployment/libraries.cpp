@@ -70,15 +70,21 @@ bool loadLibrary(const std::string& file, std::string& error) {
     return ComponentLoader::Instance()->loadLibrary(file, error);
 }
 
-std::vector<std::string> missingDirectories(const std::string& paths) {
-    std::vector<std::string> missing;
+std::vector<std::string> directoriesIn(const std::string& paths) {
+    std::vector<std::string> all;
     for (std::size_t begin = 0; begin <= paths.size();) {
         const std::size_t end = std::min(paths.find_first_of(":;", begin), paths.size());
-        const std::string directory = paths.substr(begin, end - begin);
-        std::error_code none;
-        if (!directory.empty() && !std::filesystem::is_directory(directory, none)) missing.push_back(directory);
+        if (end != begin) all.push_back(paths.substr(begin, end - begin));
         begin = end + 1;
     }
+    return all;
+}
+
+std::vector<std::string> missingDirectories(const std::string& paths) {
+    std::vector<std::string> missing;
+    std::error_code none;
+    for (const std::string& directory : directoriesIn(paths))
+        if (!std::filesystem::is_directory(directory, none)) missing.push_back(directory);
     return missing;
 }
 

@@ -19,7 +19,9 @@ std::string unknownType(const std::string& type);
 bool importPackage(const std::string& package);
 bool loadLibrary(const std::string& file, std::string& error);
 
-/** The entries of a list, separated by colons or semicolons, that are not directories. */
+/** The entries of a list, separated by colons or semicolons. */
+std::vector<std::string> directoriesIn(const std::string& paths);
+/** Those that are not directories. */
 std::vector<std::string> missingDirectories(const std::string& paths);
 /** Adds directories to the search path of components and plugins. */
 void addSearchPath(const std::string& paths);

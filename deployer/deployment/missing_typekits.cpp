@@ -2,6 +2,8 @@
 // Copyright Oroforge contributors
 #include "missing_typekits.hpp"
 
+#include "libraries.hpp"
+
 #include <diag/nearest_match.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
@@ -51,16 +53,10 @@ bool hasTypekit(const fs::path& package, const std::type_info& type) {
 /** The packages on the search path whose typekits have the type. */
 std::vector<std::string> packagesWith(const std::type_info& type) {
     std::set<std::string> names;
-    const std::string paths = RTT::ComponentLoader::Instance()->getComponentPath();
-    for (std::size_t begin = 0; begin < paths.size();) {
-        const std::size_t end = std::min(paths.find_first_of(":;", begin), paths.size());
-        const fs::path folder = paths.substr(begin, end - begin);
-        begin = end + 1;
-        if (folder.empty()) continue;
+    for (const fs::path folder : directoriesIn(RTT::ComponentLoader::Instance()->getComponentPath()))
         for (const fs::path& base : {folder, folder / OROCOS_TARGET_NAME})
             for (const fs::path& package : entriesOf(base))
                 if (hasTypekit(package, type)) names.insert(package.filename().string());
-    }
     return {names.begin(), names.end()};
 }
 

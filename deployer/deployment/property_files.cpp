@@ -2,39 +2,37 @@
 // Copyright Oroforge contributors
 #include "property_files.hpp"
 
+#include <ctime>
+
 #include <sys/stat.h>
 
 namespace OCL::deploy {
 
 using RTT::marsh::PropertyFile;
 
-bool PropertyFiles::Stamp::operator==(const Stamp& other) const {
-    return device == other.device && inode == other.inode && size == other.size &&
-           changed.tv_sec == other.changed.tv_sec && changed.tv_nsec == other.changed.tv_nsec;
-}
-
-PropertyFiles::Stamp PropertyFiles::stampOf(const std::string& path) {
-    struct stat status {};
-    if (stat(path.c_str(), &status) != 0) return {};
-    // Not the time of modification, which programs that copy files set back.
-    return {status.st_dev, status.st_ino, status.st_size, status.st_ctim};
-}
+namespace {
 
 /** Two changes within one tick of the clock that stamps files have the same time. The tick of the kernel is at most 10
     ms; some file systems count whole seconds, FAT two of them. */
-bool PropertyFiles::isSettled(const Stamp& stamp) {
+bool isSettled(const timespec& changed) {
     timespec now{};
     (void)clock_gettime(CLOCK_REALTIME, &now);
-    const double age = static_cast<double>(now.tv_sec - stamp.changed.tv_sec) +
-                       1e-9 * static_cast<double>(now.tv_nsec - stamp.changed.tv_nsec);
-    return age > (stamp.changed.tv_nsec == 0 ? 3 : 0.02);
+    const double age =
+        static_cast<double>(now.tv_sec - changed.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - changed.tv_nsec);
+    return age > (changed.tv_nsec == 0 ? 3 : 0.02);
 }
 
+}  // namespace
+
 const PropertyFile& PropertyFiles::current(const std::string& path, bool wantsErrors, diag::Sink& sink) {
-    const Stamp stamp = stampOf(path);  // before reading, so that a change meanwhile is noticed
+    struct stat status {};
+    (void)stat(path.c_str(), &status);  // before reading, so that a change meanwhile is noticed
+    // Not the time of modification, which programs that copy files set back.
+    const timespec& changed = status.st_ctim;
+    const Stamp stamp{status.st_dev, status.st_ino, status.st_size, changed.tv_sec, changed.tv_nsec};
     Entry& entry = entries_[path];
     const bool isKnown = entry.file && entry.isSettled && entry.stamp == stamp && (entry.file->isGood || !wantsErrors);
-    if (!isKnown) entry = {stamp, isSettled(stamp), std::make_unique<const PropertyFile>(path, sink)};
+    if (!isKnown) entry = {stamp, isSettled(changed), std::make_unique<const PropertyFile>(path, sink)};
     return *entry.file;
 }
 

@@ -5,10 +5,10 @@
 
 #include <rtt/marsh/detail/property_file.hpp>
 
-#include <ctime>
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include <sys/types.h>
 
@@ -32,23 +32,14 @@ public:
     void clear() { entries_.clear(); }
 
 private:
-    /** What changes if a file is written or replaced. */
-    struct Stamp {
-        dev_t device;
-        ino_t inode;
-        off_t size;
-        timespec changed;
-
-        bool operator==(const Stamp& other) const;
-    };
+    /** Device, inode, size, seconds and nanoseconds: what changes if a file is written or replaced. */
+    using Stamp = std::tuple<dev_t, ino_t, off_t, time_t, long>;
     struct Entry {
         Stamp stamp;
         bool isSettled = false;  // a later change has another stamp
         std::unique_ptr<const RTT::marsh::PropertyFile> file;
     };
 
-    static Stamp stampOf(const std::string& path);
-    static bool isSettled(const Stamp& stamp);
     const RTT::marsh::PropertyFile& current(const std::string& path, bool wantsErrors, diag::Sink& sink);
 
     std::map<std::string, Entry> entries_;  // by path

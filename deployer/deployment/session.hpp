@@ -14,6 +14,7 @@
 #include "records.hpp"
 
 #include <diag/sink.hpp>
+#include <rtt/scripting/check.hpp>
 
 #include <functional>
 #include <map>
@@ -27,8 +28,9 @@ namespace OCL::deploy {
 struct Session {
     RTT::TaskContext* deployer = nullptr;
     ComponentRecords records;
-    std::vector<Plan> planned;  // plans that are only checked
-    Foreseen foreseen;          // by scripts that are only checked
+    std::vector<Plan> planned;              // plans that are only checked
+    Foreseen foreseen;                      // by scripts that are only checked
+    RTT::scripting::Expectations expected;  // from these scripts
     std::shared_ptr<PropertyFiles> propertyFiles = std::make_shared<PropertyFiles>();
     std::set<std::string> masters;                  // components whose activities have, or had, slaves
     std::map<int, RTT::ConnPolicy> formerDefaults;  // the replaced default, by the group that replaced it
@@ -66,6 +68,10 @@ bool loadService(RTT::TaskContext& component, const std::string& service);
  * port that a component may still add while it is configured is an error only if `configured`.
  */
 void checkComponents(const Session& session, int group, bool configured, diag::Sink& sink);
+
+// check_script.cpp
+/** Checks a script that runs afterwards, or one that does not, see DeploymentComponent::checkScript(). */
+bool checkScript(Session& session, const std::string& file, bool runs);
 
 // connect.cpp
 void addPeers(Session& session, int group, diag::Sink& sink);

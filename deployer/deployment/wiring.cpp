@@ -26,6 +26,16 @@ PortInterface* portAt(const Session& session, const std::string& path, const cha
     return port;
 }
 
+bool join(const Session& session, const std::string& one, const std::string& two, const std::string& what,
+          bool (RTT::TaskContext::*connect)(RTT::TaskContext*)) {
+    const std::string toDo = "connect " + what;
+    RTT::TaskContext* first = findComponent(session, one, toDo.c_str());
+    RTT::TaskContext* second = findComponent(session, two, toDo.c_str());
+    return first && second && doneOr("could not connect all " + what + " of '" + one + "' and '" + two + "'", [&] {
+               return (first->*connect)(second);
+           });
+}
+
 }  // namespace
 
 bool Wiring::connectPeers(const std::string& one, const std::string& two) {
@@ -58,11 +68,7 @@ bool Wiring::addPeer(const std::string& from, const std::string& to, const std::
 }
 
 bool Wiring::connectPorts(const std::string& one, const std::string& two) {
-    RTT::TaskContext* first = findComponent(session_, one, "connect ports");
-    RTT::TaskContext* second = findComponent(session_, two, "connect ports");
-    return first && second && doneOr("could not connect all ports of '" + one + "' and '" + two + "'", [&] {
-               return first->connectPorts(second);
-           });
+    return join(session_, one, two, "ports", &RTT::TaskContext::connectPorts);
 }
 
 bool Wiring::connect(const std::string& portOne, const std::string& portTwo, const RTT::ConnPolicy& policy) {
@@ -82,11 +88,7 @@ bool Wiring::stream(const std::string& port, const RTT::ConnPolicy& policy) {
 }
 
 bool Wiring::connectServices(const std::string& one, const std::string& two) {
-    RTT::TaskContext* first = findComponent(session_, one, "connect services");
-    RTT::TaskContext* second = findComponent(session_, two, "connect services");
-    return first && second && doneOr("could not connect all services of '" + one + "' and '" + two + "'", [&] {
-               return first->connectServices(second);
-           });
+    return join(session_, one, two, "services", &RTT::TaskContext::connectServices);
 }
 
 }  // namespace OCL::deploy
