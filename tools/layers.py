@@ -26,6 +26,7 @@ LAYER_OF = {
     # TaskContext and ExecutionEngine need these two, so they are built into core; only their paths say extras.
     "runtime/rtt/extras/SequentialActivity.": "core",
     "runtime/rtt/extras/SlaveActivity.": "core",
+    "runtime/cpf/": "cpf",                  # property files; built into the library of marsh
     "runtime/rtt/marsh/": "marsh",
     "runtime/rtt/deployment/": "loader",
     "runtime/rtt/scripting/": "scripting",
@@ -87,7 +88,8 @@ MAY_INCLUDE = {
     "plugin": LEAFS | API,
     "typekit": OUTER,
     "extras": LEAFS | {"os", "core"},
-    "marsh": OUTER,
+    "cpf": OUTER,
+    "marsh": OUTER | {"cpf"},
     "loader": OUTER,
     "syntax": {"diag"},
     "scripting": OUTER | {"extras", "syntax"},
@@ -95,7 +97,7 @@ MAY_INCLUDE = {
     "mqueue": OUTER,
     "ros": OUTER | {"marsh"},
     "ocl": API | {"umbrella", "plugin", "extras", "marsh", "loader"},
-    "deployment": DEPLOYER | {"corba"},
+    "deployment": DEPLOYER | {"corba", "cpf"},
     "console": DEPLOYER,
     "lua": DEPLOYER,
     "reporting": DEPLOYER,
@@ -149,15 +151,13 @@ FOREIGN = {
 
 # Installed headers: a user's compiler must find all that they include.
 INSTALLED = ["runtime/rtt/", "deployer/ocl/"]
-NOT_INSTALLED = ["runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
+NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/report/", "runtime/xml/", "runtime/rtt/typekit/detail/", "deployer/deployment/",
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/"]
 
 # Private headers (or folders of them) that a second part shares, because the two are one mechanism.
 SHARED_DETAIL = {
-    # The deployer reads property structs that stand inside its own XML.
-    "runtime/rtt/marsh/detail/": ["deployer/deployment/"],
-    # ... and tells the syntax errors of scripts before it creates the components that they are for.
+    # The deployer reports the syntax errors of scripts before it creates the components that they are for.
     "runtime/rtt/scripting/detail/service/script_syntax.hpp": ["deployer/deployment/"],
 }
 

@@ -3,7 +3,7 @@
 #include "read_value.hpp"
 #include "xml_to_plan.hpp"
 
-#include <rtt/marsh/detail/cpf_reader.hpp>
+#include <cpf/cpf_reader.hpp>
 
 #include <diag/nearest_match.hpp>
 

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "lenient.hpp"
 
-#include <rtt/marsh/detail/cpf_reader.hpp>
+#include <cpf/cpf_reader.hpp>
 
 namespace OCL::deploy {
 

@@ -3,7 +3,7 @@
 #ifndef OROFORGE_DEPLOYMENT_PROPERTY_FILES_HPP
 #define OROFORGE_DEPLOYMENT_PROPERTY_FILES_HPP
 
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/property_file.hpp>
 
 #include <map>
 #include <memory>

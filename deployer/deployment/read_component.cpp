@@ -4,7 +4,7 @@
 #include "xml_to_plan.hpp"
 
 #include <diag/nearest_match.hpp>
-#include <rtt/marsh/detail/cpf_reader.hpp>
+#include <cpf/cpf_reader.hpp>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "read_value.hpp"
 
-#include <rtt/marsh/detail/cpf_reader.hpp>
+#include <cpf/cpf_reader.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -6,9 +6,9 @@
 #include <rtt/Property.hpp>
 #include <rtt/PropertyBag.hpp>
 #include <rtt/internal/values/property_update.hpp>
-#include <rtt/marsh/detail/cpf_edit.hpp>
-#include <rtt/marsh/detail/cpf_reader.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
+#include <cpf/cpf_edit.hpp>
+#include <cpf/cpf_reader.hpp>
+#include <cpf/cpf_writer.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include "PropertyLoader.hpp"
 
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/property_file.hpp>
 
 #include <rtt/Logger.hpp>
 #include <rtt/Service.hpp>

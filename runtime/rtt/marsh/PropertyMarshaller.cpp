@@ -4,8 +4,8 @@
 
 #include "CPFMarshaller.hpp"
 #include "PropertyDemarshaller.hpp"
-#include <rtt/marsh/detail/cpf_reader.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
+#include <cpf/cpf_reader.hpp>
+#include <cpf/cpf_writer.hpp>
 
 namespace RTT::marsh {
 

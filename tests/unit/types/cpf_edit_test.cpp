@@ -3,9 +3,9 @@
 // Writing into a property file that exists changes the values in it, and nothing else.
 #include "cpf_fixture.hpp"
 
-#include <rtt/marsh/detail/cpf_reader.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/cpf_reader.hpp>
+#include <cpf/cpf_writer.hpp>
+#include <cpf/property_file.hpp>
 #include <rtt/types/TemplateTypeInfo.hpp>
 
 using namespace RTT;

@@ -4,8 +4,8 @@
 #include "cpf_fixture.hpp"
 
 #include <rtt/marsh/PropertyMarshaller.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
-#include <rtt/marsh/detail/replace_file.hpp>
+#include <cpf/property_file.hpp>
+#include <cpf/replace_file.hpp>
 
 #include <grp.h>
 #include <sched.h>

@@ -4,8 +4,8 @@
 #include "cpf_fixture.hpp"
 
 #include <rtt/rt_string.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/cpf_writer.hpp>
+#include <cpf/property_file.hpp>
 
 #include <gmock/gmock.h>
 

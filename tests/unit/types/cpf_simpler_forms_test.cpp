@@ -4,7 +4,7 @@
 #include "cpf_fixture.hpp"
 
 #include <rtt/internal/FusedFunctorDataSource.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/property_file.hpp>
 #include <rtt/types/ContainerTable.hpp>
 #include <rtt/types/EnumTypeInfo.hpp>
 #include <rtt/types/MemberFactory.hpp>

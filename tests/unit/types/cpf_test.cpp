@@ -5,9 +5,9 @@
 
 #include <rtt/marsh/PropertyDemarshaller.hpp>
 #include <rtt/marsh/PropertyMarshaller.hpp>
-#include <rtt/marsh/detail/cpf_reader.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
-#include <rtt/marsh/detail/property_file.hpp>
+#include <cpf/cpf_reader.hpp>
+#include <cpf/cpf_writer.hpp>
+#include <cpf/property_file.hpp>
 
 using namespace RTT;
 using namespace RTT::marsh;

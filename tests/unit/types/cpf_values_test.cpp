@@ -3,8 +3,8 @@
 // The values of property files: every value is read back as it was, and files of the original read as they did there.
 #include "cpf_fixture.hpp"
 
-#include <rtt/marsh/detail/cpf_reader.hpp>
-#include <rtt/marsh/detail/cpf_writer.hpp>
+#include <cpf/cpf_reader.hpp>
+#include <cpf/cpf_writer.hpp>
 
 #include <cmath>
 #include <cstring>
