@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Calls that are sent and collected, and calls whose failures are reported with reasons.
 #include <rtt/scripting/detail/compile/call_words.hpp>
 #include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
@@ -12,6 +11,7 @@
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/scripting/detail/execute/instructions.hpp>
+#include <rtt/scripting/detail/compile/find_calls.hpp>
 #include <rtt/scripting/detail/compile/told_call.hpp>
 #include <rtt/scripting/detail/compile/tracked_send.hpp>
 
@@ -26,6 +26,11 @@ bool isLoadService(Service& of, const OperationInterfacePart& part) {
     return of.getOwner() && of.getOwner()->provides().get() == &of && part.getName() == "loadService";
 }
 
+bool givesReasons(const Callable& called) {
+    if (!called.of) return called.part == internal::GlobalService::Instance()->getPart("require");
+    return internal::FailureReport::comesFrom(*called.of) || isLoadService(*called.of, *called.part);
+}
+
 /** The type of the operation's result. */
 const std::type_info& resultOf(const OperationInterfacePart& part) {
     const types::TypeInfo* const type = part.getArgumentType(0);
@@ -34,28 +39,29 @@ const std::type_info& resultOf(const OperationInterfacePart& part) {
 
 }  // namespace
 
-bool UnitCompiler::givesReasons(const Callable& called) {
-    if (!called.of) return called.part == internal::GlobalService::Instance()->getPart("require");
-    return internal::FailureReport::comesFrom(*called.of) || isLoadService(*called.of, *called.part);
+void SendCompiler::ignore(const ast::Expression& statement) {
+    ignored_.clear();
+    forIgnored(statement, [this](const ast::Expression& each) {
+        if (const auto* const name = std::get_if<ast::Name>(&each.what)) ignored_.insert(name);
+    });
 }
 
-/** The call, or one that reports its place if it fails. */
-UnitCompiler::Source UnitCompiler::told(Source call, const Callable& called, const ast::Name& name,
-                                        ast::Place at) const {
+base::DataSourceBase::shared_ptr SendCompiler::told(Source call, const Callable& called, const ast::Name& name,
+                                                    ast::Place at) const {
     if (!givesReasons(called)) return call;
     internal::DataSource<bool>* const success = internal::DataSource<bool>::narrow(call.get());
     if (!success) return call;
     return new ToldCall(success, placeOfCall(at), ignored_.count(&name) != 0);
 }
 
-CallPlace UnitCompiler::placeOfCall(ast::Place at) const {
+CallPlace SendCompiler::placeOfCall(ast::Place at) const {
     // An alias may be from another file.
-    const bool isHere = where_.text && !alias_;
-    return {locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
+    const bool isHere = where_.text && !reporter_.alias.declared;
+    return {reporter_.locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
 }
 
 /** Reports the failure of the call; null if the operation gives no reasons. */
-std::shared_ptr<TrackedSend> UnitCompiler::trackedSend(const Callable& called, ast::Place at,
+std::shared_ptr<TrackedSend> SendCompiler::trackedSend(const Callable& called, ast::Place at,
                                                        std::shared_ptr<LastSent> last, bool forgotten) {
     if (!givesReasons(called) || resultOf(*called.part) != typeid(bool)) return nullptr;
     const auto local = boost::dynamic_pointer_cast<base::OperationCallerInterface>(called.part->getLocalOperation());
@@ -65,55 +71,55 @@ std::shared_ptr<TrackedSend> UnitCompiler::trackedSend(const Callable& called, a
 }
 
 /** Sends the call and assigns its handle. */
-void UnitCompiler::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
+void SendCompiler::sendTo(const Operand& handle, const Callable& called, const ast::Name& name, ast::Place at,
                           const std::shared_ptr<TrackedSend>& told) {
     const Operand call = sent(*called.part, name, at);
     if (told) {
         code_.keep(told);
-        emit(&instructions::announce, nullptr, nullptr, told.get());
+        code_.add(&instructions::announce, nullptr, nullptr, told.get());
     }
-    store(handle, call, "the handle");
-    if (told) emit(&instructions::announce);
+    unit_.values.store(handle, call, "the handle");
+    if (told) code_.add(&instructions::announce);
 }
 
-/** Sends a call that is not collected, unless the value is assigned to something. */
-Operand UnitCompiler::sent(const Callable& called, const ast::Name& name, ast::Place at) {
+Operand SendCompiler::sent(const Callable& called, const ast::Name& name, ast::Place at) {
     const auto told = trackedSend(called, at, nullptr, true);
     if (!told) return sent(*called.part, name, at);
-    Operand result = fromSource(made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
+    Operand result = unit_.values.fromSource(
+        unit_.calls.made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
     sendTo(result, called, name, at, told);
     result.sent = true;
     return result;
 }
 
-Operand UnitCompiler::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
-    const auto sources = arguments(name, part);
-    ++executions_;
+Operand SendCompiler::sent(OperationInterfacePart& part, const ast::Name& name, ast::Place at) {
+    const auto sources = unit_.calls.arguments(name, part);
+    ++unit_.executions;
     code_.keep(OperationInterfacePart::hold(&part));
-    Operand result = fromSource(made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
+    Operand result = unit_.values.fromSource(
+        unit_.calls.made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
     result.sent = true;
     return result;
 }
 
-/** Sends the call; then the program yields until the call is done. The value is the SendStatus. */
-Operand UnitCompiler::command(const Callable& called, const ast::Name& name, ast::Place at) {
+Operand SendCompiler::command(const Callable& called, const ast::Name& name, ast::Place at) {
     const OperationInterfacePart& part = *called.part;
     const auto last = std::make_shared<LastSent>();
-    const Source handle = made(name, at, part, [&] { return part.produceHandle(); });
+    const Source handle = unit_.calls.made(name, at, part, [&] { return part.produceHandle(); });
     const auto told = trackedSend(called, at, last, false);
-    sendTo(fromSource(handle, at), called, name, at, told);
-    const Source status = made(
+    sendTo(unit_.values.fromSource(handle, at), called, name, at, told);
+    const Source status = unit_.calls.made(
         name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
-    auto* polled = internal::DataSource<SendStatus>::narrow(keep(status));
-    if (!polled) error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
-    if (told) keep(polled = new TrackedCollect(polled, last, true, false));
-    emit(&instructions::await, nullptr, nullptr, polled);
+    auto* polled = internal::DataSource<SendStatus>::narrow(code_.keepSource(status));
+    if (!polled) reporter_.error(at, "OPS145", "cannot wait for '" + joined(name.parts) + "'");
+    if (told) code_.keepSource(polled = new TrackedCollect(polled, last, true, false));
+    code_.add(&instructions::await, nullptr, nullptr, polled);
     const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
     // Evaluating the source would collect again, so its last value is used.
-    Operand result = fromSource(value, at);
+    Operand result = unit_.values.fromSource(value, at);
     std::shared_ptr<base::ActionInterface> copy(
-        value->updateAction(keep(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
-    emit(&instructions::perform, nullptr, nullptr, copy.get());
+        value->updateAction(code_.keepSource(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
+    code_.add(&instructions::perform, nullptr, nullptr, copy.get());
     code_.keep(std::move(copy));
     return result;
 }
@@ -136,80 +142,83 @@ auto withoutFirst(Make make) -> decltype(make()) {
 
 }  // namespace
 
-bool UnitCompiler::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
+bool SendCompiler::handleCall(const ast::Name& name, ast::Place at, Operand& result) {
     if (name.parts.size() != 2) return false;
     const std::string& what = name.parts[1].text;
     const bool blocking = what == "collect";
     if (!blocking && what != "collectIfDone") return false;
-    const Scope::Entry* const entry = declared(name.parts[0].text);
+    const Scope::Entry* const entry = unit_.names.declared(name.parts[0].text);
     if (!entry) return false;
     const std::string handle = "'" + name.parts[0].text + "'";
     if (!entry->handle)
-        error(name.parts[0].at, "OPS147", "expected a SendHandle before '." + what + "', " + handle + " is none");
+        reporter_.error(name.parts[0].at, "OPS147",
+                        "expected a SendHandle before '." + what + "', " + handle + " is none");
     const auto operation = entry->handle->operation();
     const Source handleSource = entry->handle->source();
     if (!operation || !handleSource) failUnsent(name.parts[0]);
     OperationInterfacePart::Args sources{handleSource};
-    for (const Operand& value : values(name.arguments, [](std::size_t) { return true; }))
-        sources.push_back(sourceOf(value));
+    for (const Operand& value : unit_.calls.values(name.arguments, [](std::size_t) { return true; }))
+        sources.push_back(unit_.values.sourceOf(value));
     const OperationInterfacePart& part = *operation;
     const unsigned wanted = part.collectArity();
     if (sources.size() != 1 && sources.size() != wanted + 1)
-        error(at, "OPS142",
-              "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
-                  counted(sources.size() - 1));
+        reporter_.error(at, "OPS142",
+                        "'" + joined(name.parts) + "' expects " + counted(wanted) + " or none, found " +
+                            counted(sources.size() - 1));
     const auto collected = [&] {
         return withoutFirst(
             [&] { return part.produceCollect(sources, new internal::ConstantDataSource<bool>(blocking)); });
     };
-    Source status = made(name, at, part, collected);
+    Source status = unit_.calls.made(name, at, part, collected);
     auto* const collect = internal::DataSource<SendStatus>::narrow(status.get());
     const auto& last = entry->handle->lastSent();
     if (collect && last->isUsed()) status = new TrackedCollect(collect, last, sources.size() == 1, true);
-    result = fromSource(status, at);
-    ++executions_;
+    result = unit_.values.fromSource(status, at);
+    ++unit_.executions;
     return true;
 }
 
-bool UnitCompiler::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
+bool SendCompiler::assignHandle(const ast::Assignment& assignment, ast::Place at, Operand& result) {
     const auto* const to = std::get_if<ast::Name>(&assignment.to->what);
     if (!to || to->called || to->parts.size() != 1) return false;
-    const Scope::Entry* const entry = declared(to->parts[0].text);
+    const Scope::Entry* const entry = unit_.names.declared(to->parts[0].text);
     if (!entry || !entry->handle) return false;
     result = sendInto(*entry->handle, to->parts[0].text, *assignment.value, at);
     return true;
 }
 
-Operand UnitCompiler::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value,
+Operand SendCompiler::sendInto(Scope::Handle& handle, const std::string& name, const ast::Expression& value,
                                ast::Place at) {
     const auto* const from = std::get_if<ast::Name>(&value.what);
     const std::size_t count = from ? from->parts.size() : 0;
     const bool sends = count > 1 && from->parts.back().text == "send";
-    const Callable called = sends ? callable(from->parts, count - 1, walk(from->parts, count), true) : Callable();
+    const Callable called =
+        sends ? unit_.calls.callable(from->parts, count - 1, unit_.names.walk(from->parts, count), true) : Callable();
     if (!called.part) {
-        if (sends) expression(value);  // reports what is unknown
-        error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
+        if (sends) unit_.expressions.compile(value);  // reports what is unknown
+        reporter_.error(value.at, "OPS149", "expected 'operation.send(...)' for the handle '" + name + "'");
     }
     Source source = handle.source();
     if (handle.operation().get() != called.part) {
-        const Source own = made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
+        const Source own =
+            unit_.calls.made(*from, value.at, *called.part, [&] { return called.part->produceHandle(); });
         // Keeps the variable for code that was compiled before, if possible; which operation was sent last is known at
         // run time.
         if (!source || !source->hasTypeOf(*own)) source = own;
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
-    const Operand result = fromSource(source, at);
+    const Operand result = unit_.values.fromSource(source, at);
     const auto told = trackedSend(called, value.at, handle.lastSent(), false);
     sendTo(result, called, *from, value.at, told);
     if (!told && handle.lastSent()->isUsed()) {
         code_.keep(handle.lastSent());
-        emit(&instructions::forgetSent, nullptr, nullptr, handle.lastSent().get());
+        code_.add(&instructions::forgetSent, nullptr, nullptr, handle.lastSent().get());
     }
     return result;
 }
 
-void UnitCompiler::failUnsent(const ast::Identifier& handle) {
-    error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
+void SendCompiler::failUnsent(const ast::Identifier& handle) {
+    reporter_.error(handle.at, "OPS148", "nothing was sent with the handle '" + handle.text + "' before this line");
 }
 
 }  // namespace RTT::scripting::detail

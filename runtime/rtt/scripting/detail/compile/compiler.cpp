@@ -19,7 +19,7 @@ std::unique_ptr<Code> codeOf(Compiler::State& state, const CompileContext& where
     UnitCompiler unit(state, where, *code, scope);
     try {
         fill(unit);
-        unit.end();
+        unit.statements.end();
     } catch (const Unresolved&) {
         return nullptr;  // reported, unless the name may exist later
     } catch (const std::exception& thrown) {
@@ -37,39 +37,31 @@ Compiler::~Compiler() = default;
 
 std::unique_ptr<Code> Compiler::program(const ast::Block& block, const std::string& name, const Scope& scope) {
     Scope own(name, &scope);
-    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) { unit.block(block); });
+    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) { unit.statements.compile(block.statements); });
 }
 
 std::unique_ptr<Code> Compiler::statement(const ast::Statement& statement, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statement(statement); });
+    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statements.compile(statement); });
 }
 
 std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) {
-        for (const auto& each : declarations) {
-            try {
-                unit.statement(*each);
-            } catch (const Unresolved&) {
-                // Goes on, to report errors of later statements, too.
-            }
-        }
-    });
+    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statements.compile(declarations); });
 }
 
 std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
                                            const std::string& what, const Scope& scope) {
     Scope own("", &scope);
     return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
-        unit.begin(value.at);
-        unit.store(unit.fromSource(to, value.at), unit.expression(value), what);
+        unit.code.beginStatement(value.at);
+        unit.values.store(unit.values.fromSource(to, value.at), unit.expressions.compile(value), what);
     });
 }
 
 std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, const Scope& scope, const bool*& result) {
     Scope own("", &scope);
     return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
-        unit.begin(expression.at);
-        result = static_cast<const bool*>(unit.truth(expression).address);
+        unit.code.beginStatement(expression.at);
+        result = static_cast<const bool*>(unit.expressions.truth(expression).address);
     });
 }
 
@@ -77,7 +69,7 @@ base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expre
     base::DataSourceBase::shared_ptr found;
     Scope own("", &scope);
     const auto code = codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
-        const Operand operand = unit.expression(expression);
+        const Operand operand = unit.expressions.compile(expression);
         if (operand.assignable()) found = operand.source;
     });
     // Code that must be executed first, for example to compute an index, would be lost.
@@ -120,7 +112,7 @@ std::unique_ptr<Activation> Compiler::State::compile(const FunctionDefinition& d
     activation->text = definition.text;
     Scope scope("function '" + definition.name + "'", definition.scope.get(), definition.defined);
     UnitCompiler unit(*this, there, activation->code, scope, activation.get());
-    unit.function(tree, !(callsOnly && quiet != 0));
+    unit.statements.function(tree, !(callsOnly && quiet != 0));
     if (where.sink->errorCount() != errors) return nullptr;
     return activation;
 }

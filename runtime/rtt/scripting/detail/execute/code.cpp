@@ -6,8 +6,8 @@
 
 namespace RTT::scripting::detail {
 
-std::size_t Code::add(const Instruction& instruction) {
-    instructions_.push_back(instruction);
+std::size_t Code::add(Action act, const void* a, const void* b, void* to) {
+    instructions_.push_back({act, a, {b}, to});
     return instructions_.size() - 1;
 }
 

@@ -70,7 +70,8 @@ public:
     std::size_t statementCount() const { return marks_.size(); }
 
     // -- For the compiler -----------------------------------------------------------------------------------
-    std::size_t add(const Instruction& instruction);
+    /** The index of the new instruction. */
+    std::size_t add(Action act, const void* a = nullptr, const void* b = nullptr, void* to = nullptr);
     Instruction& at(std::size_t index) { return instructions_[index]; }
     /** Begins the statement at `place` with the next instruction. */
     void beginStatement(ast::Place place);
@@ -86,7 +87,10 @@ public:
     void keep(Owned owned) {
         kept_.push_back(std::make_shared<Owned>(std::move(owned)));
     }
-    void keep(base::DataSourceBase::shared_ptr source) { sources_.push_back(std::move(source)); }
+    base::DataSourceBase* keepSource(base::DataSourceBase::shared_ptr source) {
+        sources_.push_back(std::move(source));
+        return sources_.back().get();
+    }
 
 private:
     struct Mark {

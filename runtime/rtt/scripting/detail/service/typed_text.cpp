@@ -25,16 +25,16 @@ struct Evaluation {
 /** A copy of the value; the source of the expression itself if its type has no variables. */
 base::DataSourceBase::shared_ptr keepValue(UnitCompiler& unit, const Operand& operand) {
     if (operand.kind == Kind::None) {
-        unit.discard(operand);
+        unit.values.discard(operand);
         return nullptr;
     }
-    const base::DataSourceBase::shared_ptr source = unit.sourceOf(operand);
+    const base::DataSourceBase::shared_ptr source = unit.values.sourceOf(operand);
     const base::DataSourceBase::shared_ptr copy = source->getTypeInfo()->buildValue();
     if (copy) {
-        unit.store(unit.fromSource(copy, operand.at), operand, "its copy");
+        unit.values.store(unit.values.fromSource(copy, operand.at), operand, "its copy");
         return copy;
     }
-    unit.discard(operand);
+    unit.values.discard(operand);
     return source;
 }
 
@@ -46,9 +46,9 @@ Evaluation evaluationOf(Compiler::State& state, Scope& scope, const ast::Express
     result.code->keep(state.activations);
     UnitCompiler unit(state, state.where, *result.code, scope);
     try {
-        unit.begin(expression.at);
-        result.value = keepValue(unit, unit.expression(expression));
-        unit.end();
+        unit.code.beginStatement(expression.at);
+        result.value = keepValue(unit, unit.expressions.compile(expression));
+        unit.statements.end();
     } catch (const Unresolved&) {
         // The error was reported.
     } catch (const std::exception& thrown) {
