@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// assignment → binary (eleven precedences) → unary → operand (with members and indices) → primary.
-#include <rtt/scripting/detail/syntax/parse_rules.hpp>
+#include <rtt/scripting/detail/syntax/parse_grammar.hpp>
 
 #include <rtt/scripting/detail/syntax/parse_literal.hpp>
-#include <rtt/scripting/detail/syntax/parser.hpp>
 
 #include <algorithm>
 
@@ -58,9 +56,9 @@ bool isDot(TokenKind kind) { return kind == TokenKind::Dot || kind == TokenKind:
 }  // namespace
 
 template <class What>
-Parser::Tree Parser::tree(ast::Place at, ast::Place begin, unsigned height, What what) {
-    if (height > kMaxNesting) failTooDeep();
-    if (failed()) return {};
+ExpressionParser::Tree ExpressionParser::tree(ast::Place at, ast::Place begin, unsigned height, What what) {
+    if (height > kMaxNesting) grammar_.nesting.fail();
+    if (tokens_.failed()) return {};
     Tree result;
     result.expression = std::make_unique<ast::Expression>();
     result.expression->at = at;
@@ -70,32 +68,29 @@ Parser::Tree Parser::tree(ast::Place at, ast::Place begin, unsigned height, What
     return result;
 }
 
-/** Parses an expression; null if failed. */
-ast::ExpressionPtr Parser::expression() { return assignment().expression; }
-
-Parser::Tree Parser::assignment() {
-    Level level(*this);
+ExpressionParser::Tree ExpressionParser::assignment() {
+    Nesting::Level level(grammar_.nesting);
     if (!level) return {};
     Tree to = binary(1);
-    const ast::Place at = place();
-    if (!accept(TokenKind::Assign)) return to;
+    const ast::Place at = tokens_.place();
+    if (!tokens_.accept(TokenKind::Assign)) return to;
     Tree value = assignment();
     const unsigned height = std::max(to.height, value.height) + 1;
     return tree(at, to.begin, height, ast::Assignment{std::move(to.expression), std::move(value.expression)});
 }
 
 /** Parses operators that bind at least that strongly. */
-Parser::Tree Parser::binary(int least) {
+ExpressionParser::Tree ExpressionParser::binary(int least) {
     Tree left = unary();
     unsigned height = left.height;
     ast::Binary row;
-    while (!failed()) {
-        const Operator found = binaryOperator(token().kind, text());
+    while (!tokens_.failed()) {
+        const Operator found = binaryOperator(tokens_.token().kind, tokens_.text());
         if (found.precedence == 0 || found.precedence < least) break;
         if (row.steps.size() == kMaxOperators)
-            failWith("OPS010", "found more than " + std::to_string(kMaxOperators) + " operators in a row");
-        const ast::Place at = place();
-        advance();
+            tokens_.failWith("OPS010", "found more than " + std::to_string(kMaxOperators) + " operators in a row");
+        const ast::Place at = tokens_.place();
+        tokens_.advance();
         Tree right = binary(found.precedence + 1);
         height = std::max(height, right.height);
         row.steps.push_back({found.name, at, std::move(right.expression)});
@@ -107,20 +102,21 @@ Parser::Tree Parser::binary(int least) {
 }
 
 /** Each sign at most once, in this order. */
-Parser::Tree Parser::unary() {
+ExpressionParser::Tree ExpressionParser::unary() {
     // `i++` at the end of a line does not continue in the next one.
-    const bool sign = token().kind == TokenKind::Plus || token().kind == TokenKind::Minus;
-    if (sign && repeated() && lastEnd() == token().begin && following().newLine) return primary();
-    const ast::Place plus = place();
-    const bool hasPlus = accept(TokenKind::Plus);
-    const ast::Place minus = place();
-    const bool hasMinus = accept(TokenKind::Minus);
-    const ast::Place negation = place();
-    const bool hasNot = accept(TokenKind::Not) || acceptWord("not");
+    const bool sign = tokens_.token().kind == TokenKind::Plus || tokens_.token().kind == TokenKind::Minus;
+    if (sign && tokens_.repeated() && tokens_.lastEnd() == tokens_.token().begin && tokens_.following().newLine)
+        return primary();
+    const ast::Place plus = tokens_.place();
+    const bool hasPlus = tokens_.accept(TokenKind::Plus);
+    const ast::Place minus = tokens_.place();
+    const bool hasMinus = tokens_.accept(TokenKind::Minus);
+    const ast::Place negation = tokens_.place();
+    const bool hasNot = tokens_.accept(TokenKind::Not) || tokens_.acceptWord("not");
     // Its magnitude alone does not fit into an int.
     ast::Value least;
-    const bool isLeast = hasMinus && !hasNot && at(TokenKind::Number) && readLeast(text(), least);
-    if (isLeast) advance();
+    const bool isLeast = hasMinus && !hasNot && tokens_.at(TokenKind::Number) && readLeast(tokens_.text(), least);
+    if (isLeast) tokens_.advance();
     Tree result = isLeast ? tree(minus, minus, 0, ast::Literal{std::move(least)}) : operand();
     const auto apply = [&](bool has, char op, ast::Place at) {
         if (has) result = tree(at, at, result.height + 1, ast::Unary{op, std::move(result.expression)});
@@ -131,22 +127,22 @@ Parser::Tree Parser::unary() {
     return result;
 }
 
-Parser::Tree Parser::operand() {
+ExpressionParser::Tree ExpressionParser::operand() {
     Tree of = primary();
-    while (!failed()) {
-        const Token open = token();
+    while (!tokens_.failed()) {
+        const Token open = tokens_.token();
         if (isDot(open.kind)) {
-            advance();
-            if (!at(TokenKind::Word)) {
-                fail("the name of a member");
+            tokens_.advance();
+            if (!tokens_.at(TokenKind::Word)) {
+                tokens_.fail("the name of a member");
                 return {};
             }
-            const ast::Identifier member{std::string(text()), place()};
-            advance();
+            const ast::Identifier member{std::string(tokens_.text()), tokens_.place()};
+            tokens_.advance();
             of = tree(of.begin, of.begin, of.height + 1, ast::Member{std::move(of.expression), member});
-        } else if (accept(TokenKind::OpenBracket)) {
+        } else if (tokens_.accept(TokenKind::OpenBracket)) {
             Tree index = assignment();
-            expectClosing(TokenKind::CloseBracket, "']'", open);
+            tokens_.expectClosing(TokenKind::CloseBracket, "']'", open);
             const unsigned height = std::max(of.height, index.height) + 1;
             of = tree(of.begin, of.begin, height, ast::Index{std::move(of.expression), std::move(index.expression)});
         } else {
@@ -156,8 +152,8 @@ Parser::Tree Parser::operand() {
     return of;
 }
 
-Parser::Tree Parser::primary() {
-    switch (token().kind) {
+ExpressionParser::Tree ExpressionParser::primary() {
+    switch (tokens_.token().kind) {
         case TokenKind::OpenParen: return parenthesis();
         case TokenKind::Number:
         case TokenKind::Text:
@@ -166,99 +162,83 @@ Parser::Tree Parser::primary() {
         case TokenKind::TypeWord: return named();
         default: break;
     }
-    oroforge::diag::Diagnostic* error = fail("a value");
-    const bool sign = token().kind == TokenKind::Plus || token().kind == TokenKind::Minus;
-    Token before = token();
-    before.end = lastEnd();
+    oroforge::diag::Diagnostic* error = tokens_.fail("a value");
+    const bool sign = tokens_.token().kind == TokenKind::Plus || tokens_.token().kind == TokenKind::Minus;
+    Token before = tokens_.token();
+    before.end = tokens_.lastEnd();
     before.begin = before.end - std::min<std::size_t>(before.end, 3);
-    const char* const meant = habit(token(), sign && repeated() ? "++" : text(before));
+    const char* const meant = habit(tokens_.token(), sign && tokens_.repeated() ? "++" : tokens_.text(before));
     if (error && meant) error->hint(meant);
     return {};
 }
 
-Parser::Tree Parser::parenthesis() {
-    const Token open = token();
-    accept(TokenKind::OpenParen);
+ExpressionParser::Tree ExpressionParser::parenthesis() {
+    const Token open = tokens_.token();
+    tokens_.accept(TokenKind::OpenParen);
     Tree inner = assignment();
-    expectClosing(TokenKind::CloseParen, "')'", open);
+    tokens_.expectClosing(TokenKind::CloseParen, "')'", open);
     inner.begin = {open.line, open.column};
     return inner;
 }
 
-Parser::Tree Parser::literal() {
-    const ast::Place at = place();
+ExpressionParser::Tree ExpressionParser::literal() {
+    const ast::Place at = tokens_.place();
     ast::Value value;
     std::optional<LiteralProblem> problem;
-    if (token().kind == TokenKind::Number) {
-        problem = readNumber(text(), value);
-    } else if (token().kind == TokenKind::Text) {
-        problem = readText(text(), value.emplace<std::string>());
+    if (tokens_.token().kind == TokenKind::Number) {
+        problem = readNumber(tokens_.text(), value);
+    } else if (tokens_.token().kind == TokenKind::Text) {
+        problem = readText(tokens_.text(), value.emplace<std::string>());
     } else {
-        problem = readLetter(text(), value.emplace<char>());
+        problem = readLetter(tokens_.text(), value.emplace<char>());
     }
-    if (failed()) return {};
+    if (tokens_.failed()) return {};
     // Parsing continues as if it were right.
     if (problem)
-        report({at.line, at.column + static_cast<unsigned>(problem->offset)}, problem->code,
-               std::move(problem->message));
-    advance();
+        tokens_.report({at.line, at.column + static_cast<unsigned>(problem->offset)}, problem->code,
+                       std::move(problem->message));
+    tokens_.advance();
     return tree(at, at, 0, ast::Literal{std::move(value)});
 }
 
 /** A truth value, the time, or a path of names, maybe called. */
-Parser::Tree Parser::named() {
-    const ast::Place begin = place();
-    if (acceptWord("true")) return tree(begin, begin, 0, ast::Literal{true});
-    if (acceptWord("false")) return tree(begin, begin, 0, ast::Literal{false});
-    const bool time = atWord("time");
+ExpressionParser::Tree ExpressionParser::named() {
+    const ast::Place begin = tokens_.place();
+    if (tokens_.acceptWord("true")) return tree(begin, begin, 0, ast::Literal{true});
+    if (tokens_.acceptWord("false")) return tree(begin, begin, 0, ast::Literal{false});
+    const bool time = tokens_.atWord("time");
     ast::Name name;
     unsigned height = 0;
-    if (at(TokenKind::TypeWord)) {
-        name.parts.push_back({std::string(text()), begin});
-        advance();
+    if (tokens_.at(TokenKind::TypeWord)) {
+        name.parts.push_back({std::string(tokens_.text()), begin});
+        tokens_.advance();
     } else {
-        name.parts.push_back(this->name("a value"));
+        name.parts.push_back(tokens_.name("a value"));
     }
-    while (isDot(token().kind) && !failed()) {
-        advance();
-        if (!at(TokenKind::Word) && !at(TokenKind::TypeWord)) {
-            fail("a name");
+    while (isDot(tokens_.token().kind) && !tokens_.failed()) {
+        tokens_.advance();
+        if (!tokens_.at(TokenKind::Word) && !tokens_.at(TokenKind::TypeWord)) {
+            tokens_.fail("a name");
             return {};
         }
-        name.parts.push_back({std::string(text()), place()});
-        advance();
+        name.parts.push_back({std::string(tokens_.text()), tokens_.place()});
+        tokens_.advance();
     }
-    if (at(TokenKind::OpenParen)) name.called = arguments(name.arguments, height);
+    if (tokens_.at(TokenKind::OpenParen)) name.called = arguments(name.arguments, height);
     if (time && name.parts.size() == 1 && !name.called) return tree(begin, begin, 0, ast::CurrentTime{});
     return tree(begin, begin, height, std::move(name));
 }
 
-/** Parses arguments with their parentheses. False if failed. */
-bool Parser::arguments(ast::Expressions& to, unsigned& height) {
-    const Token open = token();
-    accept(TokenKind::OpenParen);
-    if (accept(TokenKind::CloseParen)) return true;
+bool ExpressionParser::arguments(ast::Expressions& to, unsigned& height) {
+    const Token open = tokens_.token();
+    tokens_.accept(TokenKind::OpenParen);
+    if (tokens_.accept(TokenKind::CloseParen)) return true;
     do {
         Tree argument = assignment();
         height = std::max(height, argument.height + 1);
         to.push_back(std::move(argument.expression));
-    } while (accept(TokenKind::Comma));
-    return expectClosing(TokenKind::CloseParen, "',' or ')'", open);
-}
-
-bool Parser::enter() {
-    if (++level_ <= kMaxNesting) return !failed();
-    failTooDeep();
-    return false;
-}
-
-/** Reports once per item, because enclosing expressions are too deep for the same reason. */
-void Parser::failTooDeep() {
-    if (std::exchange(too_deep_, true)) {
-        giveUp();
-        return;
-    }
-    failWith("OPS010", "found expressions or blocks in each other more than " + std::to_string(kMaxNesting) + " deep");
+    } while (tokens_.accept(TokenKind::Comma));
+    return tokens_.expectClosing(TokenKind::CloseParen, "',' or ')'", open);
 }
 
 }  // namespace RTT::scripting::detail

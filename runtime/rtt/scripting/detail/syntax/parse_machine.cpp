@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/syntax/parse_rules.hpp>
+#include <rtt/scripting/detail/syntax/parse_grammar.hpp>
 
 #include <diag/nearest_match.hpp>
 
@@ -21,144 +21,125 @@ void suggest(Diagnostic* error, const Token& token, std::string_view text, const
 
 }  // namespace
 
-ast::StateMachine Parser::stateMachine() {
+ast::StateMachine MachineParser::parse() {
     ast::StateMachine result;
-    advance();
-    result.type = name("the name of a type of state machine");
-    in_machine_ = true;
-    recoverAtBrace();
-    result.end = inBraces(&Parser::machineEndsHere, [&] { machineItem(result); });
-    in_machine_ = false;
+    tokens_.advance();
+    result.type = tokens_.name("the name of a type of state machine");
+    ahead_.setInMachine(true);
+    tokens_.recoverAtBrace();
+    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::machineEndsHere, [&] { machineItem(result); });
+    ahead_.setInMachine(false);
     return result;
 }
 
-void Parser::machineItem(ast::StateMachine& machine) {
-    if (atWord("state") || atWord("initial") || atWord("final")) {
+void MachineParser::machineItem(ast::StateMachine& machine) {
+    if (tokens_.atWord("state") || tokens_.atWord("initial") || tokens_.atWord("final")) {
         machine.states.push_back(state());
-    } else if (atTransitions()) {
+    } else if (ahead_.atTransitions()) {
         if (!machine.states.empty())
-            report(place(), "OPS012",
-                   "found transitions of the whole machine behind a state, expected them before the first one");
-        transitions(machine.transitions);
-    } else if (atDeclaration() || atWord("param")) {
-        machine.locals.push_back(atDeclaration() ? declaration() : parameters());
-        endStatement();
-    } else if (atWord("SubMachine")) {
-        machine.subMachines.push_back(instance());
-        endStatement();
+            tokens_.report(tokens_.place(), "OPS012",
+                           "found transitions of the whole machine behind a state, expected them before the first one");
+        grammar_.transitions.parse(machine.transitions);
+    } else if (ahead_.atDeclaration() || tokens_.atWord("param")) {
+        machine.locals.push_back(ahead_.atDeclaration() ? grammar_.declarations.declaration()
+                                                        : grammar_.declarations.parameters());
+        tokens_.endStatement();
+    } else if (tokens_.atWord("SubMachine")) {
+        machine.subMachines.push_back(grammar_.definitions.instance());
+        tokens_.endStatement();
     } else {
-        Diagnostic* error = failHere("a declaration, a transition, a state or '}'");
+        Diagnostic* error = tokens_.failHere("a declaration, a transition, a state or '}'");
         suggest(
-            error, token(), text(),
+            error, tokens_.token(), tokens_.text(),
             {"state", "initial", "final", "transition", "transitions", "param", "var", "const", "alias", "SubMachine"});
     }
 }
 
-bool Parser::atState() const {
-    if (atWordBeforeName("state")) return true;
-    if (!atWord("initial") && !atWord("final")) return false;
-    const Token next = following();
-    return next.kind == TokenKind::Word && !next.newLine;
-}
-
-bool Parser::machineEndsHere() const { return atDefinition() && !following().newLine; }
-
-bool Parser::stateEndsHere() const { return atState() || machineEndsHere(); }
-
-/** True at `entry {`, `transitions {`, `transition select S` and the like, which are not statements. */
-bool Parser::atStateItem() const {
-    if (!at(TokenKind::Word)) return false;
-    const Token next = following();
-    for (const std::string_view word : {"entry", "run", "handle", "exit", "transitions", "preconditions"})
-        if (text() == word) return next.kind == TokenKind::OpenBrace;
-    return (text() == "transition" || text() == "precondition") && next.kind == TokenKind::Word;
-}
-
-ast::State Parser::state() {
+ast::State MachineParser::state() {
     ast::State result;
-    result.initial = acceptWord("initial");
-    result.final = !result.initial && acceptWord("final");
-    expectWord("state");
-    result.name = name("the name of a state");
-    recoverAtBrace();
-    result.end = inBraces(&Parser::stateEndsHere, [&] { stateItem(result); });
+    result.initial = tokens_.acceptWord("initial");
+    result.final = !result.initial && tokens_.acceptWord("final");
+    tokens_.expectWord("state");
+    result.name = tokens_.name("the name of a state");
+    tokens_.recoverAtBrace();
+    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, [&] { stateItem(result); });
     return result;
 }
 
-void Parser::stateItem(ast::State& state) {
-    if (atTransitions()) {
-        transitions(state.transitions);
-    } else if (atWord("precondition") || atWord("preconditions")) {
+void MachineParser::stateItem(ast::State& state) {
+    if (ahead_.atTransitions()) {
+        grammar_.transitions.parse(state.transitions);
+    } else if (tokens_.atWord("precondition") || tokens_.atWord("preconditions")) {
         preconditions(state);
-    } else if (atDeclaration()) {
-        state.locals.push_back(declaration());
-        endStatement();
+    } else if (ahead_.atDeclaration()) {
+        state.locals.push_back(grammar_.declarations.declaration());
+        tokens_.endStatement();
     } else {
         stateProgram(state);
     }
 }
 
-void Parser::stateProgram(ast::State& state) {
+void MachineParser::stateProgram(ast::State& state) {
     std::unique_ptr<ast::Block>* const programs[] = {&state.entry, &state.run, &state.handle, &state.exit};
     static constexpr const char* words[] = {"entry", "run", "handle", "exit"};
     for (int i = 0; i < 4; ++i) {
-        const ast::Place at = place();
-        if (!acceptWord(words[i])) continue;
+        const ast::Place at = tokens_.place();
+        if (!tokens_.acceptWord(words[i])) continue;
         auto program = std::make_unique<ast::Block>();
-        loops_ = 0;
-        *program = body();
+        *program = grammar_.statements.body();
         if (*programs[i]) {
-            report(at, "OPS013",
-                   std::string("found '") + words[i] + "' a second time in the state '" + state.name.text + "'")
-                .note(location((*programs[i])->at), "given here");
+            tokens_
+                .report(at, "OPS013",
+                        std::string("found '") + words[i] + "' a second time in the state '" + state.name.text + "'")
+                .note(tokens_.location((*programs[i])->at), "given here");
         } else {
             *programs[i] = std::move(program);
         }
         return;
     }
     Diagnostic* error =
-        failHere("'entry', 'run', 'handle', 'exit', a transition, a precondition, a declaration or '}'");
-    suggest(error, token(), text(),
+        tokens_.failHere("'entry', 'run', 'handle', 'exit', a transition, a precondition, a declaration or '}'");
+    suggest(error, tokens_.token(), tokens_.text(),
             {"entry", "run", "handle", "exit", "transition", "transitions", "precondition", "preconditions", "var",
              "const", "alias"});
 }
 
 /** `precondition a`, `preconditions { a; if b then select S }`. After the first form, the next item of the state may
     follow. */
-void Parser::preconditions(ast::State& state) {
-    const bool list = atWord("preconditions");
-    advance();
+void MachineParser::preconditions(ast::State& state) {
+    const bool list = tokens_.atWord("preconditions");
+    tokens_.advance();
     if (list) {
-        inBraces(&Parser::stateEndsHere, [&] {
+        grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, [&] {
             precondition(state);
-            endStatement();
+            tokens_.endStatement();
         });
     } else {
         precondition(state);
-        if (!atStateItem()) endStatement();
+        if (!ahead_.atStateItem()) tokens_.endStatement();
     }
 }
 
 /** `a`, `if a then`: the state is entered only if a is true. `if a then select S`: if a is true, S is entered
     instead. */
-void Parser::precondition(ast::State& state) {
+void MachineParser::precondition(ast::State& state) {
     ast::Transition detour;
-    detour.at = place();
-    const bool conditional = acceptWord("if");
-    if (conditional || !atSelection()) detour.condition = expression();
-    if (conditional) acceptWord("then");
-    if (detour.condition && !(conditional && atSelection())) {
+    detour.at = tokens_.place();
+    const bool conditional = tokens_.acceptWord("if");
+    if (conditional || !ahead_.atSelection()) detour.condition = grammar_.expressions.parse();
+    if (conditional) tokens_.acceptWord("then");
+    if (detour.condition && !(conditional && ahead_.atSelection())) {
         state.preconditions.push_back(std::move(detour.condition));
         return;
     }
-    detour.selection = selection();
-    if (conditional && acceptContinuation("else"))
-        detour.otherwise = std::make_unique<ast::Selection>(selection());
+    detour.selection = grammar_.transitions.selection();
+    if (conditional && tokens_.acceptContinuation("else"))
+        detour.otherwise = std::make_unique<ast::Selection>(grammar_.transitions.selection());
     else if (!detour.selection.program && detour.selection.states.size() == 1 &&
              detour.selection.states[0].text == state.name.text)
-        warn(detour.selection.at, "OPS014",
-             "this changes nothing: state '" + state.name.text +
-                 "' is entered anyway; 'precondition c' says that it is entered only if c is true");
+        tokens_.warn(detour.selection.at, "OPS014",
+                     "this changes nothing: state '" + state.name.text +
+                         "' is entered anyway; 'precondition c' says that it is entered only if c is true");
     state.detours.push_back(std::move(detour));
 }
 

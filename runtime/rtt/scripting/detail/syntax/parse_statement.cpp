@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/syntax/parse_rules.hpp>
+#include <rtt/scripting/detail/syntax/parse_grammar.hpp>
 
 #include <diag/nearest_match.hpp>
 
@@ -29,10 +29,6 @@ std::string meantKeyword(const std::string& word, bool beforeLiteral, bool befor
                "function", "export", "global", "local", "StateMachine", "RootMachine", "SubMachine"});
 }
 
-bool isLiteral(TokenKind kind) {
-    return kind == TokenKind::Number || kind == TokenKind::Text || kind == TokenKind::Letter;
-}
-
 /** What to write instead of the reserved words of older versions and other languages. */
 const char* insteadOf(std::string_view word) {
     if (word == "until")
@@ -53,40 +49,39 @@ bool beginsPlain(std::string_view word) {
 
 }  // namespace
 
-/** Parses a statement without the ';' at its end. Null if failed. */
-ast::StatementPtr Parser::statement() {
-    if (atDeclaration()) return declaration();
-    if (atWord("if")) return ifStatement();
-    if (atWord("while")) return whileStatement();
-    if (atWord("for")) return forStatement();
-    if (atWord("try")) return tryStatement();
-    if (atWord("return")) return returnStatement();
-    if (atBreak()) return breakStatement();
-    if (atWord("else")) failWith("OPS001", "found 'else' without an 'if' before it");
-    if (atWord("catch")) failWith("OPS001", "found 'catch' without a 'try' before it");
+ast::StatementPtr StatementParser::parse() {
+    if (ahead_.atDeclaration()) return grammar_.declarations.declaration();
+    if (tokens_.atWord("if")) return ifStatement();
+    if (tokens_.atWord("while")) return whileStatement();
+    if (tokens_.atWord("for")) return forStatement();
+    if (tokens_.atWord("try")) return tryStatement();
+    if (tokens_.atWord("return")) return returnStatement();
+    if (ahead_.atBreak()) return breakStatement();
+    if (tokens_.atWord("else")) tokens_.failWith("OPS001", "found 'else' without an 'if' before it");
+    if (tokens_.atWord("catch")) tokens_.failWith("OPS001", "found 'catch' without a 'try' before it");
     return plainStatement();
 }
 
 /** Skips `do`, `set` and `call`, which have no effect. */
-void Parser::plainPrefix() {
-    acceptWord("do");
-    acceptWord("set");
-    acceptWord("call");
+void StatementParser::plainPrefix() {
+    tokens_.acceptWord("do");
+    tokens_.acceptWord("set");
+    tokens_.acceptWord("call");
 }
 
-void Parser::failReserved() {
+void StatementParser::failReserved() {
     const char* const instead =
-        text() == "then" ? "only the condition of 'if' is followed by 'then'" : insteadOf(text());
-    auto* const error =
-        failWith("OPS008", "found the reserved word '" + std::string(text()) + "', expected a statement");
+        tokens_.text() == "then" ? "only the condition of 'if' is followed by 'then'" : insteadOf(tokens_.text());
+    auto* const error = tokens_.failWith(
+        "OPS008", "found the reserved word '" + std::string(tokens_.text()) + "', expected a statement");
     if (error && instead) error->hint(instead);
 }
 
-ast::StatementPtr Parser::plainStatement() {
-    const ast::Place at = place();
-    switch (token().kind) {
+ast::StatementPtr StatementParser::plainStatement() {
+    const ast::Place at = tokens_.place();
+    switch (tokens_.token().kind) {
         case TokenKind::Word:
-            if (!beginsPlain(text())) failReserved();
+            if (!beginsPlain(tokens_.text())) failReserved();
             break;
         case TokenKind::TypeWord:
         case TokenKind::Number:
@@ -96,142 +91,167 @@ ast::StatementPtr Parser::plainStatement() {
         case TokenKind::Plus:
         case TokenKind::Minus:
         case TokenKind::Not: break;
-        default: failHere("a statement"); return nullptr;
+        default: tokens_.failHere("a statement"); return nullptr;
     }
     plainPrefix();
-    if (acceptWord("yield")) return makeStatement(at, ast::Yield{});
-    if (acceptWord("nothing")) return makeStatement(at, ast::Nothing{});
-    return makeStatement(at, ast::Do{expression()});
+    if (tokens_.acceptWord("yield")) return makeStatement(at, ast::Yield{});
+    if (tokens_.acceptWord("nothing")) return makeStatement(at, ast::Nothing{});
+    return makeStatement(at, ast::Do{grammar_.expressions.parse()});
 }
 
-ast::StatementPtr Parser::tryStatement() {
-    const ast::Place at = place();
-    advance();
+ast::StatementPtr StatementParser::tryStatement() {
+    const ast::Place at = tokens_.place();
+    tokens_.advance();
     plainPrefix();
     ast::Try result;
-    result.attempt = expression();
-    if (acceptContinuation("catch")) result.handler = std::make_unique<ast::Block>(block());
+    result.attempt = grammar_.expressions.parse();
+    if (tokens_.acceptContinuation("catch")) result.handler = std::make_unique<ast::Block>(block());
     return makeStatement(at, std::move(result));
 }
 
 /** Parses `return`; the value must be on the same line. */
-ast::StatementPtr Parser::returnStatement() {
-    const ast::Place at = place();
-    advance();
+ast::StatementPtr StatementParser::returnStatement() {
+    const ast::Place at = tokens_.place();
+    tokens_.advance();
     ast::Return result;
-    if (!atStatementEnd() && !atWord("else") && !atWord("catch")) result.value = expression();
+    if (!tokens_.atStatementEnd() && !tokens_.atWord("else") && !tokens_.atWord("catch"))
+        result.value = grammar_.expressions.parse();
     return makeStatement(at, std::move(result));
 }
 
-ast::StatementPtr Parser::ifStatement() {
-    const ast::Place at = place();
-    advance();
+ast::StatementPtr StatementParser::ifStatement() {
+    const ast::Place at = tokens_.place();
+    tokens_.advance();
     ast::If result;
-    result.condition = expression();
+    result.condition = grammar_.expressions.parse();
     expectThen();
     result.then = block();
-    if (acceptContinuation("else")) result.otherwise = std::make_unique<ast::Block>(block());
+    if (tokens_.acceptContinuation("else")) result.otherwise = std::make_unique<ast::Block>(block());
     return makeStatement(at, std::move(result));
 }
 
-void Parser::expectThen() {
-    const bool word = atName();
-    const std::string found(word ? text() : "");
-    if (!acceptWord("then")) {
-        auto* error = fail("'then' after the condition");
+void StatementParser::expectThen() {
+    const bool word = tokens_.atName();
+    const std::string found(word ? tokens_.text() : "");
+    if (!tokens_.acceptWord("then")) {
+        auto* error = tokens_.fail("'then' after the condition");
         if (error && word) error->message += oroforge::diag::didYouMean(found, {"then"});
     }
-    recoverAtBrace();
+    tokens_.recoverAtBrace();
 }
 
-ast::StatementPtr Parser::whileStatement() {
-    const ast::Place at = place();
-    advance();
+ast::StatementPtr StatementParser::whileStatement() {
+    const ast::Place at = tokens_.place();
+    tokens_.advance();
     ast::While result;
-    result.condition = expression();
-    recoverAtBrace();
+    result.condition = grammar_.expressions.parse();
+    tokens_.recoverAtBrace();
     result.body = loopBody();
     return makeStatement(at, std::move(result));
 }
 
 /** `for (var int i = 0; i < 3; set i = i + 1) …`. */
-ast::StatementPtr Parser::forStatement() {
-    const ast::Place at = place();
-    advance();
+ast::StatementPtr StatementParser::forStatement() {
+    const ast::Place at = tokens_.place();
+    tokens_.advance();
     ast::For result;
     forHeader(result);
-    recoverAtBrace(true);
+    tokens_.recoverAtBrace(true);
     result.body = loopBody();
     return makeStatement(at, std::move(result));
 }
 
-void Parser::forHeader(ast::For& loop) {
-    const Token open = token();
-    expect(TokenKind::OpenParen, "'('");
-    if (at(TokenKind::Semicolon))
-        loop.first = makeStatement(place(), ast::Nothing{});
+void StatementParser::forHeader(ast::For& loop) {
+    const Token open = tokens_.token();
+    tokens_.expect(TokenKind::OpenParen, "'('");
+    if (tokens_.at(TokenKind::Semicolon))
+        loop.first = makeStatement(tokens_.place(), ast::Nothing{});
     else
-        loop.first = atDeclaration() ? declaration() : plainStatement();
-    if (!accept(TokenKind::Semicolon)) explainNameAfter(loop.first.get(), fail("';' and the condition"));
-    loop.condition = expression();
-    expect(TokenKind::Semicolon, "';' and what to do after each round");
+        loop.first = ahead_.atDeclaration() ? grammar_.declarations.declaration() : plainStatement();
+    if (!tokens_.accept(TokenKind::Semicolon))
+        explainNameAfter(loop.first.get(), tokens_.fail("';' and the condition"));
+    loop.condition = grammar_.expressions.parse();
+    tokens_.expect(TokenKind::Semicolon, "';' and what to do after each round");
     plainPrefix();
-    loop.next = expression();
-    expectClosing(TokenKind::CloseParen, "')'", open);
+    loop.next = grammar_.expressions.parse();
+    tokens_.expectClosing(TokenKind::CloseParen, "')'", open);
 }
 
-/** True at the statement `break`, which can also be a name. */
-bool Parser::atBreak() const {
-    if (!atWord("break")) return false;
-    const Token next = following();
-    switch (next.kind) {
-        case TokenKind::Semicolon:
-        case TokenKind::CloseBrace:
-        case TokenKind::End: return true;
-        case TokenKind::Word: return next.newLine || text(next) == "else" || text(next) == "catch";
-        default: return next.newLine;
-    }
-}
-
-ast::StatementPtr Parser::breakStatement() {
-    const ast::Place at = place();
-    if (loops_ == 0) report(at, "OPS011", "found 'break' outside of 'for' and 'while'");
-    advance();
+ast::StatementPtr StatementParser::breakStatement() {
+    const ast::Place at = tokens_.place();
+    if (loops_ == 0) tokens_.report(at, "OPS011", "found 'break' outside of 'for' and 'while'");
+    tokens_.advance();
     return makeStatement(at, ast::Break{});
 }
 
-void Parser::endAfter(const ast::StatementPtr& statement) { explainNameAfter(statement.get(), endStatement()); }
+/** `{ … }`, or one statement. */
+ast::Block StatementParser::block() {
+    if (tokens_.at(TokenKind::OpenBrace)) return body();
+    ast::Block result;
+    result.at = result.end = tokens_.place();
+    Nesting::Level level(grammar_.nesting);
+    if (!level) return result;
+    const std::size_t begin = tokens_.token().begin;
+    if (tokens_.atWord("else") || tokens_.atWord("catch")) tokens_.failHere("a statement");
+    ast::StatementPtr only = parse();
+    if (!tokens_.atWord("else") && !tokens_.atWord("catch")) explainNameAfter(only.get(), tokens_.requireEnd());
+    if (!tokens_.failed()) result.statements.push_back(std::move(only));
+    tokens_.recover(begin, true);
+    return result;
+}
+
+ast::Block StatementParser::loopBody() {
+    ++loops_;
+    ast::Block result = block();
+    --loops_;
+    return result;
+}
+
+ast::Block StatementParser::body() {
+    ast::Block result;
+    result.at = tokens_.place();
+    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::blockEndsHere, [&] {
+        ast::StatementPtr next = parse();
+        endAfter(next);
+        if (!tokens_.failed()) result.statements.push_back(std::move(next));
+    });
+    return result;
+}
+
+void StatementParser::endAfter(const ast::StatementPtr& statement) {
+    explainNameAfter(statement.get(), tokens_.endStatement());
+}
 
 /** Adds a hint if `statement` is followed by something unexpected because its name was meant as a keyword or a type. */
-void Parser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
+void StatementParser::explainNameAfter(const ast::Statement* statement, oroforge::diag::Diagnostic* error) const {
     if (!error || !statement) return;
-    if (std::holds_alternative<ast::Declaration>(statement->what) && token().kind == TokenKind::OpenBracket)
+    if (std::holds_alternative<ast::Declaration>(statement->what) && tokens_.token().kind == TokenKind::OpenBracket)
         error->hint("put a size into parentheses: 'var array v(3)'");
-    if (const char* const instead = insteadOf(text())) {
+    if (const char* const instead = insteadOf(tokens_.text())) {
         error->hint(instead);
         return;
     }
     const auto* only = std::get_if<ast::Do>(&statement->what);
     const auto* name = only && only->expression ? std::get_if<ast::Name>(&only->expression->what) : nullptr;
-    if (only && token().kind == TokenKind::OpenParen && (!name || name->called))
+    if (only && tokens_.token().kind == TokenKind::OpenParen && (!name || name->called))
         error->hint("only what has a name can be called");
-    const bool blockFollows = token().kind == TokenKind::OpenBrace || text() == "then";
+    const bool blockFollows = tokens_.token().kind == TokenKind::OpenBrace || tokens_.text() == "then";
     if (!name || (name->called && !blockFollows)) return;
     const std::string& first = name->parts.front().text;
-    const bool literal = isLiteral(token().kind) && lastEnd() != token().begin;
+    const bool literal = isLiteral(tokens_.token().kind) && tokens_.lastEnd() != tokens_.token().begin;
     const std::string meant = name->parts.size() == 1 ? meantKeyword(first, literal, blockFollows) : "";
     if (!meant.empty()) {
         error->hint("'" + first + "' is taken for a name" + meant);
     } else if (literal) {
         error->hint("put arguments into parentheses: '" + pathOf(*name) + "(…)'");
     } else if (first == "select") {
-        error->hint("'select' belongs into transitions; within a program, 'requestState(\"" + std::string(text()) +
-                    "\")' of the machine");
+        error->hint("'select' belongs into transitions; within a program, 'requestState(\"" +
+                    std::string(tokens_.text()) + "\")' of the machine");
     } else if (first == "import" || first == "require") {
         error->hint("operations are called with parentheses, and texts are put into quotes: '" + first + "(\"" +
-                    std::string(text()) + "\")'");
-    } else if (!name->called && token().kind == TokenKind::Word && !isReserved(text())) {
-        error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(text()) + "'");
+                    std::string(tokens_.text()) + "\")'");
+    } else if (!name->called && tokens_.token().kind == TokenKind::Word && !isReserved(tokens_.text())) {
+        error->hint("a variable is declared with 'var " + pathOf(*name) + " " + std::string(tokens_.text()) + "'");
     }
 }
 

@@ -150,6 +150,14 @@ bool TokenReader::acceptWord(std::string_view word) {
     return true;
 }
 
+bool TokenReader::acceptContinuation(std::string_view word) {
+    if (at(TokenKind::Semicolon)) {
+        const Token next = following();
+        if (next.kind == TokenKind::Word && text(next) == word) advance();
+    }
+    return acceptWord(word);
+}
+
 bool TokenReader::expect(TokenKind kind, const char* what) {
     if (accept(kind)) return true;
     fail(what);

@@ -25,7 +25,7 @@ bool isReserved(std::string_view word);
  * end when failed().
  */
 class TokenReader {
-protected:
+public:
     TokenReader(std::string_view text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink);
 
     bool failed() const { return failed_; }
@@ -57,6 +57,8 @@ protected:
     void advance();
     bool accept(TokenKind kind);
     bool acceptWord(std::string_view word);
+    /** Accepts `else` and `catch`, which may be on a new line and after a ';'. */
+    bool acceptContinuation(std::string_view word);
     /** Accepts a token, or fails: "expected <what>". */
     bool expect(TokenKind kind, const char* what);
     /** Accepts this word, or fails. */
@@ -66,8 +68,6 @@ protected:
     /** Accepts a name, or fails: "expected <what>". */
     ast::Identifier name(const char* what);
     ast::Identifier typeName();
-    /** Goes back to the first letter of the present token and reads it as the name of a type. */
-    Token tokenAsType(Lexer& lexer) const { return lexer.typeName(token_); }
     Lexer lexerHere() const { return lexer_; }
     /** Accepts the end of a statement. If the line goes on, fails and returns the report. A block needs no end. */
     oroforge::diag::Diagnostic* endStatement();

@@ -1,81 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/syntax/parse_rules.hpp>
+#include <rtt/scripting/detail/syntax/parse_grammar.hpp>
 
 namespace RTT::scripting::detail {
 
-bool Parser::atTransitions() const { return atWord("transition") || atWord("transitions"); }
-
-/** `transition …`, `transitions { … }`. */
-void Parser::transitions(std::vector<ast::Transition>& to) {
-    const bool list = atWord("transitions");
-    advance();
+void TransitionParser::parse(std::vector<ast::Transition>& to) {
+    const bool list = tokens_.atWord("transitions");
+    tokens_.advance();
     const auto one = [&] {
         to.push_back(transition());
-        endStatement();
+        tokens_.endStatement();
     };
     if (list) {
-        inBraces(&Parser::stateEndsHere, one);
+        grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, one);
     } else {
         one();
     }
 }
 
-ast::Transition Parser::transition() {
+ast::Transition TransitionParser::transition() {
     ast::Transition result;
-    result.at = place();
-    if (!atWord("if") && !atSelection()) event(result);
-    if (acceptWord("if")) {
-        result.condition = expression();
-        acceptWord("then");
+    result.at = tokens_.place();
+    if (!tokens_.atWord("if") && !ahead_.atSelection()) event(result);
+    if (tokens_.acceptWord("if")) {
+        result.condition = grammar_.expressions.parse();
+        tokens_.acceptWord("then");
     }
     result.selection = selection();
-    if (result.condition && acceptContinuation("else"))
+    if (result.condition && tokens_.acceptContinuation("else"))
         result.otherwise = std::make_unique<ast::Selection>(selection());
     return result;
 }
 
 /** `port(x)`, `peer.operation(a, b)`. */
-void Parser::event(ast::Transition& transition) {
-    if (!atName()) {
-        failHere("'if', 'select', '{' or an event");
+void TransitionParser::event(ast::Transition& transition) {
+    if (!tokens_.atName()) {
+        tokens_.failHere("'if', 'select', '{' or an event");
         return;
     }
     do {
-        transition.event.push_back(name("a name"));
-    } while (accept(TokenKind::Dot) || accept(TokenKind::Colon));
+        transition.event.push_back(tokens_.name("a name"));
+    } while (tokens_.accept(TokenKind::Dot) || tokens_.accept(TokenKind::Colon));
     unsigned height = 0;
-    if (at(TokenKind::OpenParen)) {
-        arguments(transition.arguments, height);
+    if (tokens_.at(TokenKind::OpenParen)) {
+        grammar_.expressions.arguments(transition.arguments, height);
     } else {
-        fail("'(' and what the event brings along");
+        tokens_.fail("'(' and what the event brings along");
     }
 }
 
-/** True at the keyword `select`, which can also be the name of an event. */
-bool Parser::atSelect() const {
-    if (!atWord("select")) return false;
-    const TokenKind next = following().kind;
-    return next != TokenKind::OpenParen && next != TokenKind::Dot;
-}
-
-bool Parser::atSelection() const { return at(TokenKind::OpenBrace) || atSelect(); }
-
-/** `select A or B`, `{ … } select A`, `{ … }`. */
-ast::Selection Parser::selection() {
+ast::Selection TransitionParser::selection() {
     ast::Selection result;
-    result.at = place();
-    if (!atSelection()) {
-        fail("'select' and a state, or '{'");
+    result.at = tokens_.place();
+    if (!ahead_.atSelection()) {
+        tokens_.fail("'select' and a state, or '{'");
         return result;
     }
-    loops_ = 0;
-    if (at(TokenKind::OpenBrace)) result.program = std::make_unique<ast::Block>(body());
-    if (!atSelect()) return result;
-    advance();
+    if (tokens_.at(TokenKind::OpenBrace)) result.program = std::make_unique<ast::Block>(grammar_.statements.body());
+    if (!ahead_.atSelect()) return result;
+    tokens_.advance();
     do {
-        result.states.push_back(name("the name of a state"));
-    } while (acceptWord("or"));
+        result.states.push_back(tokens_.name("the name of a state"));
+    } while (tokens_.acceptWord("or"));
     return result;
 }
 

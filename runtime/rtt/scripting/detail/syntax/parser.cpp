@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/syntax/parser.hpp>
 
-#include <rtt/scripting/detail/syntax/parse_rules.hpp>
+#include <rtt/scripting/detail/syntax/parse_grammar.hpp>
 
 #include <diag/nearest_match.hpp>
 
@@ -23,64 +23,64 @@ std::string meantDefinition(std::string_view word, Lexer next) {
     return "";
 }
 
-}  // namespace
+class ScriptParser : private Rules {
+public:
+    explicit ScriptParser(Grammar& grammar) : Rules(grammar) {}
 
-ast::Script parse(const std::string& text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink) {
-    return Parser(text, name, sink).script();
-}
+    ast::Script script();
 
-ast::Script Parser::script() {
+private:
+    void item(ast::Script& script);
+};
+
+ast::Script ScriptParser::script() {
     ast::Script result;
-    while (token().kind != TokenKind::End) {
-        if (accept(TokenKind::Semicolon)) continue;
-        const std::size_t begin = token().begin;
-        beginStatement();
+    while (tokens_.token().kind != TokenKind::End) {
+        if (tokens_.accept(TokenKind::Semicolon)) continue;
+        const std::size_t begin = tokens_.token().begin;
+        tokens_.beginStatement();
         item(result);
-        recover(begin);
+        tokens_.recover(begin);
     }
     return result;
 }
 
-void Parser::item(ast::Script& script) {
-    if (at(TokenKind::CloseBrace)) {
-        strayBrace();
+void ScriptParser::item(ast::Script& script) {
+    if (tokens_.at(TokenKind::CloseBrace)) {
+        grammar_.braces.skipStray();
         return;
     }
     ast::Item result;
-    result.at = place();
-    result.begin = token().begin;
-    loops_ = 0;
-    too_deep_ = false;
-    const std::string meant = atFunction() ? meantDefinition(text(), lexerHere()) : "";
+    result.at = tokens_.place();
+    result.begin = tokens_.token().begin;
+    grammar_.nesting.beginItem();
+    const std::string meant = ahead_.atFunction() ? meantDefinition(tokens_.text(), tokens_.lexerHere()) : "";
     if (!meant.empty())
-        report(
-            result.at, "OPS001",
-            "found '" + std::string(text()) + "', expected a definition or a statement; did you mean '" + meant + "'?");
-    if (atWordBeforeName("program") || meant == "program") {
-        result.what = program();
-    } else if (atWordBeforeName("StateMachine") || meant == "StateMachine") {
-        result.what = stateMachine();
-    } else if (atWordBeforeName("RootMachine")) {
-        result.what = instance();
-    } else if (atFunction()) {
-        result.what = function();
+        tokens_.report(result.at, "OPS001",
+                       "found '" + std::string(tokens_.text()) +
+                           "', expected a definition or a statement; did you mean '" + meant + "'?");
+    if (tokens_.atWordBeforeName("program") || meant == "program") {
+        result.what = grammar_.definitions.program();
+    } else if (tokens_.atWordBeforeName("StateMachine") || meant == "StateMachine") {
+        result.what = grammar_.machines.parse();
+    } else if (tokens_.atWordBeforeName("RootMachine")) {
+        result.what = grammar_.definitions.instance();
+    } else if (ahead_.atFunction()) {
+        result.what = grammar_.definitions.function();
     } else {
-        result.what = statement();
+        result.what = grammar_.statements.parse();
     }
-    result.end = lastPlace();
-    result.size = lastEnd() - result.begin;
-    if (const auto* statement = std::get_if<ast::StatementPtr>(&result.what)) endAfter(*statement);
-    if (!failed()) script.items.push_back(std::move(result));
+    result.end = tokens_.lastPlace();
+    result.size = tokens_.lastEnd() - result.begin;
+    if (const auto* statement = std::get_if<ast::StatementPtr>(&result.what)) grammar_.statements.endAfter(*statement);
+    if (!tokens_.failed()) script.items.push_back(std::move(result));
 }
 
-void Parser::strayBrace() {
-    if (assumed_closed_ > 0) {
-        --assumed_closed_;
-    } else {
-        failWith("OPS009", "found '}' without a '{' before it");
-        forget();
-    }
-    advance();
+}  // namespace
+
+ast::Script parse(const std::string& text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink) {
+    Grammar grammar(text, name, sink);
+    return ScriptParser(grammar).script();
 }
 
 }  // namespace RTT::scripting::detail

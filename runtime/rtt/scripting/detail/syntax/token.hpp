@@ -55,6 +55,10 @@ struct Token {
     std::size_t begin = 0, end = 0;
 };
 
+inline bool isLiteral(TokenKind kind) {
+    return kind == TokenKind::Number || kind == TokenKind::Text || kind == TokenKind::Letter;
+}
+
 }  // namespace RTT::scripting::detail
 
 #endif
