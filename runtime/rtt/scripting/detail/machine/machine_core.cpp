@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Commands, and their effects in a cycle.
 #include <rtt/scripting/detail/machine/machine_core.hpp>
 
 namespace RTT::scripting::detail {
@@ -8,62 +7,23 @@ namespace RTT::scripting::detail {
 Routine::~Routine() = default;
 Guard::~Guard() = default;
 MachineEvent::~MachineEvent() = default;
-MachineObserver::~MachineObserver() = default;
-
-MachineCore::StatusValue MachineCore::status() const {
-    const StatusValue now = status_.load(std::memory_order_acquire);
-    const bool stops = requests_.load(std::memory_order_relaxed) & kStop;
-    return stops && now != Status::inactive && now != Status::deactivating ? Status::stopping : now;
-}
-
-bool MachineCore::pause() {
-    const StatusValue now = status();
-    if (now == Status::inactive || now == Status::deactivating) return false;
-    requests_.fetch_or(kPause, std::memory_order_release);
-    return true;
-}
-
-bool MachineCore::step() {
-    // A step may follow a pause that has not taken effect.
-    unsigned requests = requests_.load(std::memory_order_relaxed);
-    while ((requests & kPause) && !(requests & kStop)) {
-        if (requests & kStep) return false;
-        if (requests_.compare_exchange_weak(requests, requests | kStep, std::memory_order_release,
-                                            std::memory_order_relaxed))
-            return true;
-    }
-    const StatusValue now = status();
-    if (now == Status::paused) return !(requests_.fetch_or(kStep, std::memory_order_release) & kStep);
-    StatusValue expected = Status::active;
-    return now == Status::active && status_.compare_exchange_strong(expected, Status::requesting);
-}
-
-bool MachineCore::stop() {
-    const StatusValue now = status();
-    if (now == Status::inactive || now == Status::deactivating) return false;
-    if (now == Status::stopped)
-        requests_.fetch_and(kStop, std::memory_order_relaxed);
-    else
-        requests_.store(kStop, std::memory_order_release);
-    return true;
-}
 
 void MachineCore::cycle() {
-    if (requests_.load(std::memory_order_relaxed)) takeRequests();
-    switch (status_.load(std::memory_order_relaxed)) {
+    if (status_.hasRequests()) takeRequests();
+    switch (status_.now()) {
         case Status::running: cycleOfRunning(); break;
         case Status::active:
         case Status::activating:
         case Status::resetting:
         case Status::stopped:
-            executePending();
+            pending_.execute();
             settle();
             break;
         case Status::requesting:
-            if (!executePending()) break;
-            setStatus(Status::active);
-            look();
-            executePending();
+            if (!pending_.execute()) break;
+            status_.set(Status::active);
+            transitions_.look();
+            pending_.execute();
             break;
         case Status::stopping: continueStop(); break;
         case Status::deactivating: continueDeactivation(); break;
@@ -76,146 +36,145 @@ void MachineCore::cycle() {
 }
 
 bool MachineCore::isIdle() const {
-    if (requests_.load(std::memory_order_relaxed) || leave_) return false;
-    switch (status_.load(std::memory_order_relaxed)) {
+    if (status_.hasRequests() || pending_.leaving()) return false;
+    switch (status_.now()) {
         case Status::inactive:
         case Status::error:
         case Status::paused: return true;
-        case Status::stopped: return !isBusy();
+        case Status::stopped: return !pending_.isBusy();
         default: return false;
     }
 }
 
 void MachineCore::takeRequests() {
-    const StatusValue now = status_.load(std::memory_order_relaxed);
-    unsigned requests = requests_.load(std::memory_order_relaxed), later;
-    do {
-        const bool stops = (requests & kStop) || now == Status::stopping;
-        later = stops ? requests & kPause : 0;
-    } while (!requests_.compare_exchange_weak(requests, later, std::memory_order_acquire, std::memory_order_relaxed));
-    requests &= ~later;
+    const StatusValue now = status_.now();
+    const unsigned requests = status_.takeRequests();
     if (now == Status::inactive || now == Status::deactivating) {
-        requests_ = 0;
-    } else if (requests & kStop) {
+        status_.cancelRequests();
+    } else if (requests & MachineStatus::kStop) {
         beginStop();
     } else {
-        if ((requests & kPause) && now != Status::paused) {
-            setStatus(Status::paused);
-            tell("pauses in", current_.load()->name);
+        if ((requests & MachineStatus::kPause) && now != Status::paused) {
+            status_.set(Status::paused);
+            status_.tell("pauses in");
         }
-        if ((requests & kStep) && status_.load(std::memory_order_relaxed) == Status::paused) cycleOfPaused();
+        if ((requests & MachineStatus::kStep) && status_.now() == Status::paused && pending_.executeStatement())
+            transitions_.lookAtNext();
     }
 }
 
 void MachineCore::cycleOfRunning() {
-    if (isBusy() && (!executePending() || status_.load(std::memory_order_relaxed) != Status::running)) return;
-    look();
-    executePending();
-}
-
-void MachineCore::cycleOfPaused() {
-    single_ = true;
-    const bool idle = executePending();
-    const bool stepped = stepped_;
-    single_ = stepped_ = false;
-    if (idle && !stepped) lookAtNext();
+    if (pending_.isBusy() && (!pending_.execute() || status_.now() != Status::running)) return;
+    transitions_.look();
+    pending_.execute();
 }
 
 // Activating and resetting end with the entry of the initial state.
 void MachineCore::settle() {
-    const StatusValue now = status_.load(std::memory_order_relaxed);
-    if (!inTransition() && (now == Status::activating || now == Status::resetting)) setStatus(Status::active);
+    const StatusValue now = status_.now();
+    if (!status_.inTransition() && (now == Status::activating || now == Status::resetting)) status_.set(Status::active);
 }
 
-bool MachineCore::assign(Routine* values) {
-    Routine* left = values;
-    if (left) left->restart();
-    if (finish(left)) return true;
-    // Routines of scripts continue after yields.
-    if (left) fail(left->where(), "an initial value has to be there at once, but a function that gives it yields");
-    return false;
-}
-
-bool MachineCore::assignAll() {
-    for (const RoutinePtr& values : model_.initial)
-        if (!assign(values.get())) return false;
-    for (const MachineState& state : model_.states)
-        if (!assign(state.locals.get())) return false;
-    return true;
+void MachineCore::executeAndSettle() {
+    pending_.execute();
+    settle();
+    leaveIfAsked();
 }
 
 bool MachineCore::activate() {
-    if (status_.load() != Status::inactive || within()) return false;
-    requests_ = 0;
-    ++round_;
-    if (!assignAll() || !preconditionsHold(*model_.first)) {
-        setStatus(Status::inactive);
-        line_ = 0;
+    if (status_.now() != Status::inactive || within()) return false;
+    status_.cancelRequests();
+    transitions_.beginRound();
+    if (!pending_.assignAll() || !transitions_.preconditionsHold(*model_.first)) {
+        status_.set(Status::inactive);
+        status_.setLine(0);
         return false;
     }
-    setStatus(Status::activating);
-    current_ = model_.first;
-    left_ = true;  // no state was entered
-    aim(*model_.first, false);
-    updateInTransition();
-    executePending();
-    settle();
-    leaveIfAsked();
+    status_.set(Status::activating);
+    status_.setState(model_.first);
+    pending_.begin();
+    executeAndSettle();
     return true;
 }
 
 bool MachineCore::automatic() {
-    const StatusValue now = status_.load();
+    const StatusValue now = status_.now();
     if (now == Status::inactive || now == Status::error || now == Status::deactivating) return false;
-    requests_ = 0;
-    setStatus(Status::running);
-    tell("runs in", current_.load()->name);
-    if (now == Status::paused || inTransition() || (run_ && run_ == executing_)) return true;
-    schedule(run_, current_.load()->run.get());
+    status_.cancelRequests();
+    status_.set(Status::running);
+    status_.tell("runs in");
+    if (now != Status::paused && !status_.inTransition()) pending_.scheduleRun();
     return true;
 }
 
 bool MachineCore::reactive() {
-    const StatusValue now = status_.load();
+    const StatusValue now = status_.now();
     if (now == Status::inactive || now == Status::error || now == Status::deactivating) return false;
-    requests_ = 0;
-    setStatus(Status::active);
-    tell("is reactive in", current_.load()->name);
+    status_.cancelRequests();
+    status_.set(Status::active);
+    status_.tell("is reactive in");
     return true;
 }
 
 bool MachineCore::reset() {
-    if (status_.load() != Status::stopped || within()) return false;
-    drop();
-    setStatus(Status::resetting);
-    aim(*model_.first, false);
-    schedule(exit_, current_.load()->exit.get());
-    updateInTransition();
-    executePending();
-    settle();
-    leaveIfAsked();
+    if (status_.now() != Status::stopped || within()) return false;
+    pending_.drop();
+    status_.set(Status::resetting);
+    pending_.leaveFor(*model_.first, false);
+    executeAndSettle();
+    return true;
+}
+
+bool MachineCore::requestState(MachineState& target) {
+    const StatusValue now = status();
+    const bool ready = now == Status::active || now == Status::running || now == Status::requesting ||
+                       now == Status::paused || now == Status::stopped;
+    if (!ready || !pending_.interruptible() || transitions_.looking()) return false;
+    const MachineState* const present = status_.state();
+    if (&target == present) {
+        pending_.scheduleRest();
+        return true;
+    }
+    if (!transitions_.goTo(target)) {
+        const bool always = &target == model_.last || (&target == model_.first && present == model_.last);
+        if (!always || pending_.leaving() || status_.failed()) return leaveIfAsked(), false;
+        pending_.go(nullptr, target);
+    }
+    if (&target == model_.last) pending_.ignorePreconditions();
+    if (now == Status::stopped) status_.set(Status::resetting);
+    status_.tell("was asked to go to", target);
+    // Not at once within its own programs, or while it is paused.
+    if (!within() && now != Status::paused) executeAndSettle();
+    return true;
+}
+
+bool MachineCore::happened(MachineEvent& event) {
+    const StatusValue now = status();
+    const bool ready =
+        now == Status::active || now == Status::running || now == Status::requesting || now == Status::paused;
+    MachineState* const present = status_.state();
+    if (!ready || inTransition() || transitions_.looking() || (event.state && event.state != present)) return false;
+    event.receive();
+    transitions_.beginRound();
+    const MachineTransitions::Choice choice = transitions_.choose(event.transition, *present);
+    if (!choice.selection || pending_.leaving()) return leaveIfAsked(), false;
+    pending_.go(choice.selection->program.get(), *choice.state);
+    status_.tell("leaves by an event", *present);
     return true;
 }
 
 void MachineCore::beginStop() {
-    const StatusValue now = status_.load();
+    const StatusValue now = status_.now();
     if (now == Status::stopped || now == Status::stopping) return;
     // An error ends everything that had begun; otherwise only what may be interrupted ends.
-    if (now == Status::error) drop();
-    handle_ = run_ = nullptr;
-    setStatus(Status::stopping);
-    tell("stops in", current_.load()->name);
+    if (now == Status::error) pending_.drop();
+    pending_.dropRest();
+    status_.set(Status::stopping);
+    status_.tell("stops in");
 }
 
 void MachineCore::continueStop() {
-    for (;;) {
-        if (!finishTransition()) return;
-        if (current_.load() == model_.last) break;
-        go(nullptr, *model_.last, true);
-        if (left_) exit_ = nullptr;
-    }
-    handle_ = run_ = nullptr;
-    if (status_.load() == Status::stopping) setStatus(Status::stopped);
+    if (pending_.finishAtLast() && status_.now() == Status::stopping) status_.set(Status::stopped);
 }
 
 void MachineCore::stopNow() {
@@ -226,39 +185,37 @@ void MachineCore::stopNow() {
 }
 
 bool MachineCore::deactivate() {
-    const StatusValue now = status_.load();
+    const StatusValue now = status_.now();
     if (now == Status::inactive) return false;
     if (!within()) {
         // An exit program that did not end is given up.
-        if (now == Status::deactivating) drop();
+        if (now == Status::deactivating) pending_.drop();
         beginDeactivation();
     } else if (now != Status::deactivating) {
-        leave_ = true;
-        setStatus(Status::deactivating);
+        pending_.setLeaving(true);
+        status_.set(Status::deactivating);
     }
     return true;
 }
 
 void MachineCore::beginDeactivation() {
-    const StatusValue now = status_.load();
-    const bool stalled = now == Status::deactivating && !leave_;
-    leave_ = false;
-    drop();
-    requests_ = 0;
-    setStatus(Status::deactivating);
-    tell("deactivates in", current_.load()->name);
-    if (!stalled && !left_ && now != Status::error) schedule(exit_, current_.load()->exit.get());
-    updateInTransition();
+    const StatusValue now = status_.now();
+    const bool stalled = now == Status::deactivating && !pending_.leaving();
+    pending_.setLeaving(false);
+    pending_.drop();
+    status_.cancelRequests();
+    status_.set(Status::deactivating);
+    status_.tell("deactivates in");
+    if (!stalled && now != Status::error) pending_.scheduleExit();
     continueDeactivation();
 }
 
 void MachineCore::continueDeactivation() {
-    if (!finish(exit_)) return;
-    drop();
-    current_ = nullptr;
-    line_ = 0;
-    left_ = false;
-    setStatus(Status::inactive);
+    if (!pending_.finishExit()) return;
+    pending_.drop();
+    status_.setState(nullptr);
+    status_.setLine(0);
+    status_.set(Status::inactive);
 }
 
 }  // namespace RTT::scripting::detail

@@ -1,81 +1,119 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Executes pending work in order.
-#include <rtt/scripting/detail/machine/machine_core.hpp>
+#include <rtt/scripting/detail/machine/machine_pending.hpp>
+
+#include <rtt/scripting/detail/machine/machine_transitions.hpp>
 
 namespace RTT::scripting::detail {
 
-void MachineCore::schedule(Routine*& slot, Routine* routine) {
+typedef MachineStatus::Status Status;
+
+void PendingWork::schedule(Routine*& slot, Routine* routine) {
     slot = routine;
     if (routine) routine->restart();
 }
 
-// Schedules `handle` and `run` of the present state; what has begun goes on.
-void MachineCore::scheduleRest() {
-    MachineState& state = *current_.load(std::memory_order_relaxed);
+void PendingWork::scheduleRest() {
+    MachineState& state = status_.present();
     if (!handle_ || !handle_->started()) schedule(handle_, state.handle.get());
     if (!run_ || !run_->started()) schedule(run_, state.run.get());
 }
 
-void MachineCore::aim(MachineState& to, bool always) {
+void PendingWork::scheduleRun() {
+    if (!run_ || run_ != executing_) schedule(run_, status_.present().run.get());
+}
+
+void PendingWork::scheduleExit() {
+    if (!left_) schedule(exit_, status_.present().exit.get());
+    updateInTransition();
+}
+
+void PendingWork::aim(MachineState& to, bool always) {
     next_ = &to;
     decided_ = always;
     detours_ = 0;
 }
 
-void MachineCore::go(Routine* program, MachineState& to, bool always) {
-    MachineState& from = *current_.load(std::memory_order_relaxed);
-    looked_at_ = 0;
-    schedule(program_, program);
-    if (&to != &from) {
-        aim(to, always);
-        schedule(exit_, from.exit.get());
-    } else if (!program) {
-        scheduleRest();
-    } else if (!run_) {
-        schedule(run_, from.run.get());
-    }
+void PendingWork::begin() {
+    left_ = true;  // no state was entered
+    aim(*model_.first, false);
     updateInTransition();
 }
 
-void MachineCore::enter(MachineState& state) {
+void PendingWork::leaveFor(MachineState& to, bool always) {
+    aim(to, always);
+    schedule(exit_, status_.present().exit.get());
+    updateInTransition();
+}
+
+void PendingWork::go(Routine* program, MachineState& to, bool always) {
+    MachineState& from = status_.present();
+    transitions_.restart();
+    schedule(program_, program);
+    if (&to != &from) return leaveFor(to, always);
+    if (!program)
+        scheduleRest();
+    else if (!run_)
+        schedule(run_, from.run.get());
+    updateInTransition();
+}
+
+void PendingWork::enter(MachineState& state) {
     next_ = nullptr;
-    handle_ = run_ = nullptr;
-    current_.store(&state, std::memory_order_release);
-    looked_at_ = 0;
-    ++round_;
+    dropRest();
+    status_.setState(&state);
+    transitions_.restart();
+    transitions_.beginRound();
     entering_ = true;
     left_ = false;
     schedule(locals_, state.locals.get());
     schedule(entry_, state.entry.get());
     updateInTransition();
-    tell("enters", state.name);
+    status_.tell("enters");
 }
 
-void MachineCore::drop() {
+void PendingWork::drop() {
     entering_ = false;
     next_ = nullptr;
-    looked_at_ = 0;
+    transitions_.restart();
     for (Routine** slot : {&locals_, &entry_, &program_, &exit_, &handle_, &run_}) *slot = nullptr;
     updateInTransition();
 }
 
-void MachineCore::updateInTransition() {
-    in_transition_.store(entering_ || program_ || next_ || exit_, std::memory_order_release);
+void PendingWork::fail(const oroforge::diag::Location& where, const std::string& why) {
+    drop();
+    status_.fail(where, why);
+}
+
+bool PendingWork::assign(Routine* values) {
+    Routine* left = values;
+    if (left) left->restart();
+    if (finish(left)) return true;
+    // Routines of scripts continue after yields.
+    if (left) fail(left->where(), "an initial value has to be there at once, but a function that gives it yields");
+    return false;
+}
+
+bool PendingWork::assignAll() {
+    for (const RoutinePtr& values : model_.initial)
+        if (!assign(values.get())) return false;
+    for (const MachineState& state : model_.states)
+        if (!assign(state.locals.get())) return false;
+    return true;
 }
 
 // Executes a routine; true if nothing is left of it.
-bool MachineCore::finish(Routine*& slot) {
+bool PendingWork::finish(Routine*& slot) {
     Routine* const routine = slot;
     if (!routine) return true;
     if (stepped_ || leave_) return false;
     executing_ = routine;
     // Other threads may ask for the line while a call blocks.
-    if (const unsigned line = routine->line()) line_.store(line, std::memory_order_relaxed);
+    if (const unsigned line = routine->line()) status_.setLine(line);
     const Routine::Outcome outcome = single_ ? routine->runStatement() : routine->run();
     executing_ = nullptr;
     stepped_ = single_;
-    if (outcome != Routine::Outcome::Finished) line_.store(routine->line(), std::memory_order_relaxed);
+    if (outcome != Routine::Outcome::Finished) status_.setLine(routine->line());
     if (outcome == Routine::Outcome::Failed) {
         left_ = left_ || &slot == &exit_;
         slot = nullptr;
@@ -88,12 +126,12 @@ bool MachineCore::finish(Routine*& slot) {
 }
 
 /** Checks whether preconditions of the state to be entered lead to another one. False if that fails. */
-bool MachineCore::decide() {
+bool PendingWork::decide() {
     decided_ = true;
-    ++round_;
+    transitions_.beginRound();
     for (const MachineTransition& detour : next_->detours) {
-        const Choice choice = choose(detour, *next_);
-        if (leave_ || status_.load(std::memory_order_relaxed) == Status::error) return false;
+        const MachineTransitions::Choice choice = transitions_.choose(detour, *next_);
+        if (leave_ || status_.failed()) return false;
         if (!choice.selection) continue;
         if (choice.state != next_ && ++detours_ > model_.states.size()) {
             fail({model_.source ? model_.source->name : oroforge::diag::FileName(), detour.at.line, detour.at.column},
@@ -108,24 +146,28 @@ bool MachineCore::decide() {
     return true;
 }
 
-bool MachineCore::finishTransition() {
-    while (inTransition()) {
+bool PendingWork::finishEntry() {
+    if (!finish(locals_) || !finish(entry_)) return false;
+    entering_ = false;
+    entered_ = true;
+    // Otherwise start() begins `run`.
+    if (status_.now() != Status::activating && status_.now() != Status::resetting)
+        schedule(run_, status_.present().run.get());
+    return true;
+}
+
+bool PendingWork::finishTransition() {
+    while (status_.inTransition()) {
         if (leave_) return false;
         if (entering_) {
-            if (!finish(locals_) || !finish(entry_)) return false;
-            entering_ = false;
-            entered_ = true;
-            // Otherwise start() begins `run`.
-            const StatusValue now = status_.load(std::memory_order_relaxed);
-            if (now != Status::activating && now != Status::resetting)
-                schedule(run_, current_.load(std::memory_order_relaxed)->run.get());
+            if (!finishEntry()) return false;
         } else {
             if (program_ && handle_ && handle_->started() && !finish(handle_)) return false;
             if (!finish(program_)) return false;
             if (next_) {
                 if (!finish(exit_)) return false;
                 left_ = true;
-                handle_ = run_ = nullptr;
+                dropRest();
                 if (!decided_ && !decide()) return false;
                 if (decided_ && !program_) enter(*next_);
             }
@@ -135,11 +177,21 @@ bool MachineCore::finishTransition() {
     return true;
 }
 
-// True if nothing is left. Executes `run` at most once, because it may request itself again.
-bool MachineCore::executePending() {
+bool PendingWork::finishAtLast() {
+    for (;;) {
+        if (!finishTransition()) return false;
+        if (&status_.present() == model_.last) break;
+        go(nullptr, *model_.last, true);
+        if (left_) exit_ = nullptr;
+    }
+    dropRest();
+    return true;
+}
+
+bool PendingWork::execute() {
     entered_ = false;
     for (bool ran = false;;) {
-        if (inTransition() && (!finishTransition() || entered_)) return false;
+        if (status_.inTransition() && (!finishTransition() || entered_)) return false;
         if (handle_) {
             if (!finish(handle_)) return false;
         } else {
@@ -150,16 +202,12 @@ bool MachineCore::executePending() {
     }
 }
 
-void MachineCore::fail(const oroforge::diag::Location& where, const std::string& why) {
-    drop();
-    // An earlier pause or step must not hide the error.
-    requests_.fetch_and(kStop, std::memory_order_relaxed);
-    setStatus(Status::error);
-    observer_.failed(where, why);
-}
-
-void MachineCore::tell(const char* what, const std::string& state) {
-    if (traced_.load(std::memory_order_relaxed)) observer_.did(what, state);
+bool PendingWork::executeStatement() {
+    single_ = true;
+    const bool idle = execute();
+    const bool stepped = stepped_;
+    single_ = stepped_ = false;
+    return idle && !stepped;
 }
 
 }  // namespace RTT::scripting::detail
