@@ -21,37 +21,6 @@ Value valueOf(const ValueType& type) {
     return {info, type.id, info->getTypeName(), type.isConst, type.isReference, type.isPointer, "", ""};
 }
 
-bool holds(const base::DataSourceBase& source, const Value& wanted) {
-    const std::type_info* const id = source.getTypeId();
-    return id && *id == *wanted.id;
-}
-
-[[noreturn]] void throwWrongType(std::size_t index, const Value& wanted,
-                                 const base::DataSourceBase::shared_ptr& source) {
-    throw wrong_types_of_args_exception(static_cast<int>(index), wanted.text(), source ? source->getType() : "nothing");
-}
-
-/** Throws unless `to`, which is argument `index`, can be assigned values of that type. */
-void checkAssigned(const base::DataSourceBase::shared_ptr& to, const Value& wanted, std::size_t index) {
-    if (!to || !holds(*to, wanted)) throwWrongType(index, wanted, to);
-    if (!to->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), to->getType());
-}
-
-void checkCount(std::size_t wanted, std::size_t received) {
-    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
-}
-
-/** The source of argument `index`, counted from 1: `source` itself, or one that converts its value. */
-base::DataSourceBase::shared_ptr sourceFor(const Value& wanted, base::DataSourceBase::shared_ptr source,
-                                           std::size_t index) {
-    if (!source) throwWrongType(index, wanted, source);
-    if (wanted.isOutput() && !source->isAssignable())
-        throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
-    if (!holds(*source, wanted) && !wanted.isOutput()) source = wanted.type->convert(source);
-    if (!source || !holds(*source, wanted)) throwWrongType(index, wanted, source);
-    return source;
-}
-
 }  // namespace
 
 OperationPart::OperationPart(std::shared_ptr<const base::OperationDescription> description, Caller caller,
@@ -91,14 +60,6 @@ OperationSignature OperationPart::signature() const {
     return signature;
 }
 
-OperationPart::Args OperationPart::checkedArguments(const Args& args) const {
-    checkCount(table_->arity, args.size());
-    Args checked;
-    for (std::size_t i = 1; i <= args.size(); ++i)
-        checked.push_back(sourceFor(valueOf(table_->types[i]), args[i - 1], i));
-    return checked;
-}
-
 void OperationPart::checkSendable() const {
     if (call_only_)
         throw no_asynchronous_operation_exception("operation '" + getName() + "' can be called, but not sent");
@@ -123,12 +84,8 @@ OperationPart::Source OperationPart::produceHandle() const {
 
 OperationPart::Source OperationPart::produceCollect(const Args& args, DataSource<bool>::shared_ptr blocking) const {
     checkSendable();
-    const OperationSignature own = signature();
-    const auto values = own.collected();
-    if (args.size() != 1) checkCount(1 + values.size(), args.size());
-    auto* const handle = DataSource<SentCall::shared_ptr>::narrow(args[0].get());
-    if (!handle) throw wrong_types_of_args_exception(1, "SendHandle", args[0] ? args[0]->getType() : "nothing");
-    for (std::size_t i = 1; i != args.size(); ++i) checkAssigned(args[i], *values[i - 1], i + 1);
+    auto* const handle = DataSource<SentCall::shared_ptr>::narrow(args.empty() ? nullptr : args[0].get());
+    checkCollected(args, handle != nullptr);
     return new detail::CollectSource(*table_, handle, Args(args.begin() + 1, args.end()), std::move(blocking));
 }
 
@@ -139,9 +96,9 @@ Handle OperationPart::produceSignal(base::ActionInterface* action, const Args& a
     checkCount(table_->arity, args.size());
     for (std::size_t i = 0; i != args.size(); ++i) {
         const Value value = valueOf(table_->types[i + 1]);
-        checkAssigned(args[i], value, i + 1);
+        value.checkAssigned(args[i], i + 1);
         // Arguments for another thread are copied to values of their type.
-        if (subscriber && !value.type->buildValue()) throwWrongType(i + 1, value, args[i]);
+        if (subscriber && !value.type->buildValue()) value.throwWrongType(args[i], i + 1);
     }
     const auto slot = std::make_shared<detail::ActionSlot>(action, args, subscriber);
     callee->signal()->add(slot, true);

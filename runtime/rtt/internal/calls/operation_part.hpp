@@ -46,7 +46,6 @@ public:
     OperationPart* reimplemented(const base::OperationBase& by) const;
 
 private:
-    Args checkedArguments(const Args& args) const;
     void checkSendable() const;
 
     struct Overload {

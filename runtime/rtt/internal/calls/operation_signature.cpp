@@ -2,6 +2,7 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/calls/operation_signature.hpp>
 
+#include <rtt/FactoryExceptions.hpp>
 #include <rtt/internal/DataSourceTypeInfo.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
@@ -58,6 +59,32 @@ OperationSignature::Value OperationSignature::Value::parsed(const std::string& t
     return value;
 }
 
+namespace {
+bool holds(const base::DataSourceBase& source, const std::type_info& wanted) {
+    const std::type_info* const id = source.getTypeId();
+    return id && *id == wanted;
+}
+}  // namespace
+
+void OperationSignature::Value::throwWrongType(const base::DataSourceBase::shared_ptr& found, std::size_t index) const {
+    throw wrong_types_of_args_exception(static_cast<int>(index), text(), found ? found->getType() : "nothing");
+}
+
+void OperationSignature::Value::checkAssigned(const base::DataSourceBase::shared_ptr& to, std::size_t index) const {
+    if (!to || !holds(*to, *id)) throwWrongType(to, index);
+    if (!to->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), to->getType());
+}
+
+base::DataSourceBase::shared_ptr OperationSignature::Value::sourceFor(base::DataSourceBase::shared_ptr source,
+                                                                      std::size_t index) const {
+    if (!source) throwWrongType(source, index);
+    if (isOutput() && !source->isAssignable())
+        throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
+    if (!holds(*source, *id) && !isOutput()) source = type->convert(source);
+    if (!source || !holds(*source, *id)) throwWrongType(source, index);
+    return source;
+}
+
 std::vector<const OperationSignature::Value*> OperationSignature::collected() const {
     std::vector<const Value*> values;
     if (!result.isVoid()) values.push_back(&result);
@@ -89,6 +116,26 @@ const types::TypeInfo* SignedPart::getCollectType(unsigned index) const {
     const OperationSignature own = signature();
     const auto values = own.collected();
     return index >= 1 && index <= values.size() ? values[index - 1]->type : nullptr;
+}
+
+void SignedPart::checkCount(std::size_t wanted, std::size_t received) {
+    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
+}
+
+SignedPart::Args SignedPart::checkedArguments(const Args& args) const {
+    const OperationSignature own = signature();
+    checkCount(own.arguments.size(), args.size());
+    Args checked;
+    for (std::size_t i = 0; i != args.size(); ++i) checked.push_back(own.arguments[i].sourceFor(args[i], i + 1));
+    return checked;
+}
+
+void SignedPart::checkCollected(const Args& args, bool isHandle) const {
+    const OperationSignature own = signature();
+    const auto values = own.collected();
+    if (args.size() != 1) checkCount(1 + values.size(), args.size());
+    if (!isHandle) throw wrong_types_of_args_exception(1, "SendHandle", args[0] ? args[0]->getType() : "nothing");
+    for (std::size_t i = 1; i != args.size(); ++i) values[i - 1]->checkAssigned(args[i], i + 1);
 }
 
 }  // namespace internal

@@ -30,6 +30,12 @@ struct RTT_API OperationSignature {
         std::string text() const;
         /** The same without reference and const. */
         std::string plainText() const { return typeName + (isPointer ? "*" : ""); }
+        // For the argument that has that index, counted from 1. They throw one of the FactoryExceptions.
+        /** `source` itself, or a source that converts its value to this type. */
+        base::DataSourceBase::shared_ptr sourceFor(base::DataSourceBase::shared_ptr source, std::size_t index) const;
+        /** Checks that values of this type can be assigned to `to`. */
+        void checkAssigned(const base::DataSourceBase::shared_ptr& to, std::size_t index) const;
+        [[noreturn]] void throwWrongType(const base::DataSourceBase::shared_ptr& found, std::size_t index) const;
         /** From such a text, or from "const double&"; the type is not looked up. */
         static Value parsed(const std::string& text);
     };
@@ -52,6 +58,15 @@ public:
     const types::TypeInfo* getArgumentType(unsigned index) const final;
     unsigned collectArity() const final;
     const types::TypeInfo* getCollectType(unsigned index) const final;
+
+protected:
+    // They throw one of the FactoryExceptions.
+    static void checkCount(std::size_t wanted, std::size_t received);
+    /** The arguments of a call, converted to the types of the signature. */
+    Args checkedArguments(const Args& args) const;
+    /** Checks the arguments that collect a call: its handle (if the first of them `isHandle`), and the variables for
+        what is collected, or none. */
+    void checkCollected(const Args& args, bool isHandle) const;
 };
 
 }  // namespace internal

@@ -3,7 +3,6 @@
 #include <rtt/scripting/detail/function/function_operation.hpp>
 
 #include <rtt/ExecutionEngine.hpp>
-#include <rtt/FactoryExceptions.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/DataSources.hpp>
@@ -29,15 +28,6 @@ CompileContext ofItself(CompileContext where, oroforge::diag::Sink& sink) {
 
 const types::TypeInfo* typeOf(const DataSourceBase::shared_ptr& value) {
     return value ? value->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
-}
-
-void checkCount(std::size_t wanted, std::size_t received) {
-    if (wanted != received) throw wrong_number_of_args_exception(static_cast<int>(wanted), static_cast<int>(received));
-}
-
-[[noreturn]] void throwWrongType(std::size_t index, const std::string& wanted,
-                                 const DataSourceBase::shared_ptr& found) {
-    throw wrong_types_of_args_exception(static_cast<int>(index), wanted, found ? found->getType() : "nothing");
 }
 
 /** The source for a function that returns nothing, for Void = void. */
@@ -102,33 +92,14 @@ internal::OperationSignature FunctionSignature::signature() const {
     return signature;
 }
 
-FunctionSignature::Args FunctionSignature::checked(const Args& args) const {
-    checkCount(values_.size() - 1, args.size());
-    Args sources;
-    for (std::size_t i = 1; i != values_.size(); ++i) {
-        const DataSourceBase::shared_ptr& given = args[i - 1];
-        const types::TypeInfo& type = *typeOf(values_[i]);
-        const DataSourceBase::shared_ptr source = !given || given->hasTypeOf(*values_[i]) ? given : type.convert(given);
-        if (!source || !source->hasTypeOf(*values_[i])) throwWrongType(i, type.getTypeName(), given);
-        sources.push_back(source);
-    }
-    return sources;
-}
-
 DataSourceBase::shared_ptr FunctionSignature::produceHandle() const {
     return new internal::ValueDataSource<FunctionCall::shared_ptr>();
 }
 
-FunctionSignature::Collected FunctionSignature::collected(const Args& args) const {
-    if (args.size() != 1) checkCount(1 + collectArity(), args.size());
-    FunctionHandle::shared_ptr const handle = FunctionHandle::narrow(args[0].get());
-    if (!handle) throwWrongType(1, "SendHandle", args[0]);
-    const DataSourceBase::shared_ptr variable = args.size() > 1 ? args[1] : nullptr;
-    if (args.size() > 1) {
-        if (!variable || !variable->hasTypeOf(*values_.front())) throwWrongType(2, resultType(), variable);
-        if (!variable->isAssignable()) throw non_lvalue_args_exception(2, variable->getType());
-    }
-    return {handle, variable};
+FunctionHandle::shared_ptr FunctionSignature::handleIn(const Args& args) const {
+    FunctionHandle::shared_ptr const handle = FunctionHandle::narrow(args.empty() ? nullptr : args[0].get());
+    checkCollected(args, handle != nullptr);
+    return handle;
 }
 
 FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation& pattern)
@@ -136,33 +107,32 @@ FunctionPart::FunctionPart(std::shared_ptr<FunctionPool> pool, const Activation&
       pool_(std::move(pool)) {}
 
 DataSourceBase::shared_ptr FunctionPart::produce(const Args& args, ExecutionEngine* caller) const {
-    return makeCallSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+    return makeCallSource({pool_, checkedArguments(args), caller ? caller->gate() : nullptr});
 }
 
 DataSourceBase::shared_ptr FunctionPart::produceSend(const Args& args, ExecutionEngine* caller) const {
-    return makeSendSource({pool_, checked(args), caller ? caller->gate() : nullptr});
+    return makeSendSource({pool_, checkedArguments(args), caller ? caller->gate() : nullptr});
 }
 
 DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
                                                         internal::DataSource<bool>::shared_ptr blocking) const {
-    const Collected what = collected(args);
-    return makeCollectSource(pool_->owner(), what.handle, what.variable, std::move(blocking));
+    return makeCollectSource(pool_->owner(), handleIn(args), args.size() > 1 ? args[1] : nullptr, std::move(blocking));
 }
 
 DataSourceBase::shared_ptr UnexecutedPart::produce(const Args& args, ExecutionEngine*) const {
-    (void)checked(args);
+    (void)checkedArguments(args);
     if (!result()) return new NoValue<void>;
     return result()->clone();
 }
 
 DataSourceBase::shared_ptr UnexecutedPart::produceSend(const Args& args, ExecutionEngine*) const {
-    (void)checked(args);
+    (void)checkedArguments(args);
     return produceHandle();
 }
 
 DataSourceBase::shared_ptr UnexecutedPart::produceCollect(const Args& args,
                                                           internal::DataSource<bool>::shared_ptr) const {
-    (void)collected(args);
+    (void)handleIn(args);
     return new internal::ValueDataSource<SendStatus>(SendNotReady);
 }
 

@@ -30,14 +30,8 @@ protected:
     /** `pattern` has the types. */
     FunctionSignature(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern);
 
-    /** The arguments, converted to the types that the function takes. */
-    Args checked(const Args& args) const;
-    /** What collects a call: its handle and the variable for the result, or null. */
-    struct Collected {
-        FunctionHandle::shared_ptr handle;
-        base::DataSourceBase::shared_ptr variable;
-    };
-    Collected collected(const Args& args) const;
+    /** The handle of a call that is to be collected. Throws if the arguments do not fit. */
+    FunctionHandle::shared_ptr handleIn(const Args& args) const;
     /** The result; null for void. */
     const base::DataSourceBase::shared_ptr& result() const { return values_.front(); }
 
