@@ -9,9 +9,9 @@
 
 namespace RTT::scripting::detail {
 
-std::string joined(const std::vector<ast::Identifier>& parts) {
+std::string joined(const std::vector<ast::Identifier>& parts, std::size_t most) {
     std::string text;
-    for (const auto& part : parts) text += (text.empty() ? "" : ".") + part.text;
+    for (std::size_t i = 0; i != parts.size() && i != most; ++i) text += (i ? "." : "") + parts[i].text;
     return text;
 }
 

@@ -16,8 +16,8 @@ class OperationInterfacePart;
 namespace scripting {
 namespace detail {
 
-/** "a.b.c" */
-std::string joined(const std::vector<ast::Identifier>& parts);
+/** "a.b.c"; at most the first `most` parts. */
+std::string joined(const std::vector<ast::Identifier>& parts, std::size_t most = std::string::npos);
 /** "2 arguments" */
 std::string counted(std::size_t count);
 /** The attempted call: "array(int, int)". */

@@ -10,9 +10,10 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-/** Makes a Code that `fill` fills; null if there was an error. */
+/** Makes a Code that `fill` fills; null if there was an error. `at`: for unexpected errors. */
 template <class Fill>
-std::unique_ptr<Code> codeOf(Compiler::State& state, const CompileContext& where, Scope& scope, Fill fill) {
+std::unique_ptr<Code> codeOf(Compiler::State& state, Scope& scope, Fill fill, ast::Place at = {0, 0}) {
+    const CompileContext& where = state.where;
     const std::size_t errors = where.sink->errorCount();
     auto code = std::make_unique<Code>();
     code->keep(state.activations);
@@ -23,7 +24,8 @@ std::unique_ptr<Code> codeOf(Compiler::State& state, const CompileContext& where
     } catch (const Unresolved&) {
         return nullptr;  // reported, unless the name may exist later
     } catch (const std::exception& thrown) {
-        where.sink->error({where.file, 0, 0}, "OPS119", std::string("cannot be compiled: ") + thrown.what());
+        where.sink->error({where.file, at.line, at.column}, "OPS119",
+                          std::string("cannot be compiled: ") + thrown.what());
     }
     if (where.sink->errorCount() != errors) return nullptr;
     return code;
@@ -37,29 +39,44 @@ Compiler::~Compiler() = default;
 
 std::unique_ptr<Code> Compiler::program(const ast::Block& block, const std::string& name, const Scope& scope) {
     Scope own(name, &scope);
-    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) { unit.statements.compile(block.statements); });
+    return codeOf(*state_, own, [&](UnitCompiler& unit) { unit.statements.compile(block.statements); });
 }
 
 std::unique_ptr<Code> Compiler::statement(const ast::Statement& statement, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statements.compile(statement); });
+    return codeOf(*state_, scope, [&](UnitCompiler& unit) { unit.statements.compile(statement); });
 }
 
 std::unique_ptr<Code> Compiler::declarations(const std::vector<ast::StatementPtr>& declarations, Scope& scope) {
-    return codeOf(*state_, state_->where, scope, [&](UnitCompiler& unit) { unit.statements.compile(declarations); });
+    return codeOf(*state_, scope, [&](UnitCompiler& unit) { unit.statements.compile(declarations); });
 }
 
 std::unique_ptr<Code> Compiler::assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
                                            const std::string& what, const Scope& scope) {
     Scope own("", &scope);
-    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
+    return codeOf(*state_, own, [&](UnitCompiler& unit) {
         unit.code.beginStatement(value.at);
         unit.values.store(unit.values.fromSource(to, value.at), unit.expressions.compile(value), what);
     });
 }
 
+std::unique_ptr<Code> Compiler::value(const ast::Expression& expression, Scope& scope,
+                                      base::DataSourceBase::shared_ptr& result) {
+    const auto fill = [&](UnitCompiler& unit) {
+        unit.code.beginStatement(expression.at);
+        const Operand value = unit.expressions.compile(expression);
+        if (value.kind == Kind::None) return unit.values.discard(value);
+        const base::DataSourceBase::shared_ptr source = unit.values.sourceOf(value);
+        result = source->getTypeInfo()->buildValue();
+        if (result) return unit.values.store(unit.values.fromSource(result, value.at), value, "its copy");
+        unit.values.discard(value);
+        result = source;
+    };
+    return codeOf(*state_, scope, fill, expression.at);
+}
+
 std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, const Scope& scope, const bool*& result) {
     Scope own("", &scope);
-    return codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
+    return codeOf(*state_, own, [&](UnitCompiler& unit) {
         unit.code.beginStatement(expression.at);
         result = static_cast<const bool*>(unit.expressions.truth(expression).address);
     });
@@ -68,7 +85,7 @@ std::unique_ptr<Code> Compiler::condition(const ast::Expression& expression, con
 base::DataSourceBase::shared_ptr Compiler::variable(const ast::Expression& expression, const Scope& scope) {
     base::DataSourceBase::shared_ptr found;
     Scope own("", &scope);
-    const auto code = codeOf(*state_, state_->where, own, [&](UnitCompiler& unit) {
+    const auto code = codeOf(*state_, own, [&](UnitCompiler& unit) {
         const Operand operand = unit.expressions.compile(expression);
         if (operand.assignable()) found = operand.source;
     });

@@ -173,6 +173,10 @@ public:
     /** Code that assigns the value to `to`, converted if necessary. `what` is for messages: "parameter 'p'". */
     std::unique_ptr<Code> assignment(base::DataSourceBase::shared_ptr to, const ast::Expression& value,
                                      const std::string& what, const Scope& scope);
+    /** Code that evaluates the expression. After that `result` has a copy of the value; the source of the expression
+        itself if its type has no variables, null if there is no value. */
+    std::unique_ptr<Code> value(const ast::Expression& expression, Scope& scope,
+                                base::DataSourceBase::shared_ptr& result);
     /** Code that leaves its truth at `*result`, which the code owns. */
     std::unique_ptr<Code> condition(const ast::Expression& expression, const Scope& scope, const bool*& result);
     /** A variable that can be assigned, such as an argument of an event; null if the expression is something else. */

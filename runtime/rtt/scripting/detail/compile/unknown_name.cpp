@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
+#include <rtt/scripting/detail/compile/call_words.hpp>
 #include <rtt/scripting/detail/compile/unit_compiler.hpp>
 
 #include <rtt/TaskContext.hpp>
@@ -26,12 +27,6 @@ void addNames(const ConfigurationInterface& values, std::vector<std::string>& na
 bool isInstalledService(const std::string& name) {
     const std::vector<std::string> services = plugin::PluginLoader::Instance()->listServices();
     return std::find(services.begin(), services.end(), name) != services.end();
-}
-
-std::string textOf(const std::vector<ast::Identifier>& parts, std::size_t count) {
-    std::string joined;
-    for (std::size_t i = 0; i != count; ++i) joined += (i ? "." : "") + parts[i].text;
-    return joined;
 }
 
 std::vector<std::string> unmistakableOperations() {
@@ -89,7 +84,7 @@ void UnknownName::checkCallOfValue(const NameCompiler::Nodes& nodes, const ast::
     const bool gives = operation && operation->arity() == 0;
     if (!unit_.names.value(nodes, owner, gives, of)) return;
     const ast::Identifier& last = name.parts.back();
-    const std::string value = "'" + textOf(owner, owner.size()) + "' is a value of type " + typeName(of);
+    const std::string value = "'" + joined(owner) + "' is a value of type " + typeName(of);
     if (last.text == "collect" || last.text == "collectIfDone")
         reporter_.error(owner[0].at, "OPS147", "expected a SendHandle before '." + last.text + "', " + value);
     reporter_.error(last.at, "OPS134", value + " and has no operation '" + last.text + "'");
@@ -99,7 +94,7 @@ void UnknownName::checkCallOfValue(const NameCompiler::Nodes& nodes, const ast::
 std::string UnknownName::missing(const Node& last, const ast::Name& name) const {
     const bool isLast = last.used + 1 == name.parts.size();
     return (last.component ? "component '" + last.component->getName() + "'"
-                           : "service '" + textOf(name.parts, last.used) + "'") +
+                           : "service '" + joined(name.parts, last.used) + "'") +
            (!isLast       ? " has no peer, service or value '"
             : name.called ? " has no operation '"
                           : " has no value or operation '") +
@@ -135,11 +130,11 @@ void UnknownName::fail(const NameCompiler::Nodes& nodes, const ast::Name& name) 
     const Node& last = nodes.back();
     if (where_.toCome && isToCome(last, name)) throw Unresolved();
     if (name.called) checkCallOfValue(nodes, name);
-    const bool unquoted = this->text == &name && !name.called;
-    const std::string hint = unquoted ? "put texts into quotes: \"" + textOf(parts, parts.size()) + '"' : "";
+    const bool unquoted = text == &name && !name.called;
+    const std::string hint = unquoted ? "put texts into quotes: \"" + joined(parts) + '"' : "";
     if (last.used == parts.size())
         reporter_.error(parts[0].at, "OPS132",
-                        "'" + textOf(parts, parts.size()) + "' is a " + (last.component ? "component" : "service") +
+                        "'" + joined(parts) + "' is a " + (last.component ? "component" : "service") +
                             ", expected a value or a call",
                         hint);
     const ast::Identifier& part = parts[last.used];

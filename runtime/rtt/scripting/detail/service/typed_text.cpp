@@ -7,59 +7,8 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
 #include <rtt/scripting/check.hpp>
-#include <rtt/scripting/detail/compile/unit_compiler.hpp>
-
-#include <exception>
-#include <utility>
 
 namespace RTT::scripting::detail {
-
-namespace {
-
-/** The code of an expression that is evaluated once. */
-struct Evaluation {
-    std::unique_ptr<Code> code;
-    base::DataSourceBase::shared_ptr value;  ///< valid after the code was executed; null for void
-};
-
-/** A copy of the value; the source of the expression itself if its type has no variables. */
-base::DataSourceBase::shared_ptr keepValue(UnitCompiler& unit, const Operand& operand) {
-    if (operand.kind == Kind::None) {
-        unit.values.discard(operand);
-        return nullptr;
-    }
-    const base::DataSourceBase::shared_ptr source = unit.values.sourceOf(operand);
-    const base::DataSourceBase::shared_ptr copy = source->getTypeInfo()->buildValue();
-    if (copy) {
-        unit.values.store(unit.values.fromSource(copy, operand.at), operand, "its copy");
-        return copy;
-    }
-    unit.values.discard(operand);
-    return source;
-}
-
-/** Compiles an expression; after an error, which is reported, there is no code. */
-Evaluation evaluationOf(Compiler::State& state, Scope& scope, const ast::Expression& expression) {
-    oroforge::diag::Sink& sink = *state.where.sink;
-    const std::size_t errors = sink.errorCount();
-    Evaluation result{std::make_unique<Code>(), nullptr};
-    result.code->keep(state.activations);
-    UnitCompiler unit(state, state.where, *result.code, scope);
-    try {
-        unit.code.beginStatement(expression.at);
-        result.value = keepValue(unit, unit.expressions.compile(expression));
-        unit.statements.end();
-    } catch (const Unresolved&) {
-        // The error was reported.
-    } catch (const std::exception& thrown) {
-        sink.error({state.where.file, expression.at.line, expression.at.column}, "OPS119",
-                   std::string("cannot be compiled: ") + thrown.what());
-    }
-    if (sink.errorCount() != errors) result.code.reset();
-    return result;
-}
-
-}  // namespace
 
 TypedText::TypedText(TaskContext& component, std::shared_ptr<SourceFile> file, Scope& scope)
     : ScriptReader(component, std::move(file)), gate_(component.engine()->gate()), scope_(scope) {}
@@ -95,10 +44,11 @@ bool TypedText::take(const ast::Item&, const ast::StatementPtr& statement) {
 }
 
 bool TypedText::evaluate(const ast::Expression& expression) {
-    Compiler::State state(context(internal::GlobalEngine::Instance()));
-    const Evaluation evaluation = evaluationOf(state, scope_, expression);
-    if (!evaluation.code || !execute(*evaluation.code)) return false;
-    answer(evaluation.value);
+    Source value;
+    Compiler compiler(context(internal::GlobalEngine::Instance()));
+    const std::unique_ptr<Code> code = compiler.value(expression, scope_, value);
+    if (!code || !execute(*code)) return false;
+    answer(value);
     return true;
 }
 
