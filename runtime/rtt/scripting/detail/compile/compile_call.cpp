@@ -58,7 +58,7 @@ std::vector<Operand> CallCompiler::values(const ast::Expressions& expressions, c
             for (std::size_t i = 0; i != values.size(); ++i) {
                 if (isOutput(i)) continue;
                 const std::size_t size = code_.size();
-                values[i] = unit_.values.taken(values[i], at);
+                values[i] = values_.taken(values[i], at);
                 at += code_.size() - size;
             }
         }
@@ -78,10 +78,10 @@ OperationInterfacePart::Args CallCompiler::arguments(const ast::Name& name, cons
     for (std::size_t i = 1; fits && unit_.executions != executions && i < given.size(); ++i) {
         if (!isConverted(signature.arguments[i], given[i])) continue;
         for (std::size_t j = 0; j != i; ++j)
-            if (!isOutput(signature, j)) given[j] = unit_.values.taken(given[j], code_.size());
+            if (!isOutput(signature, j)) given[j] = values_.taken(given[j], code_.size());
     }
     for (std::size_t i = 0; i != given.size(); ++i)
-        sources.push_back(fits ? argument(name, signature, i, given) : unit_.values.sourceOf(given[i]));
+        sources.push_back(fits ? argument(name, signature, i, given) : values_.sourceOf(given[i]));
     return sources;
 }
 
@@ -90,11 +90,11 @@ base::DataSourceBase::shared_ptr CallCompiler::argument(const ast::Name& name, c
     const Operand& value = values[index];
     const OperationSignature::Value& argument = signature.arguments[index];
     if (!argument.isOutput() && isEnum(argument.type))
-        return reporter_.watched(value.at, [&] { return argument.type->convert(unit_.values.sourceOf(value)); });
-    if (!isConverted(argument, value)) return unit_.values.sourceOf(value);
+        return reporter_.watched(value.at, [&] { return argument.type->convert(values_.sourceOf(value)); });
+    if (!isConverted(argument, value)) return values_.sourceOf(value);
     const Kind wanted = kindOfArgument(argument);
     if (!value.constant || !isReal(value.kind) || isReal(wanted))
-        return unit_.values.sourceOf(unit_.values.loadAs(value, wanted));
+        return values_.sourceOf(values_.loadAs(value, wanted));
     // A fractional number where an integer is expected often means that two arguments were swapped.
     std::string hint;
     for (std::size_t i = index == 0 ? 0 : index - 1; i != values.size() && i <= index + 1; ++i) {
@@ -107,7 +107,7 @@ base::DataSourceBase::shared_ptr CallCompiler::argument(const ast::Name& name, c
                    "argument " + std::to_string(index + 1) + " (" + argument.name + ") of '" + joined(name.parts) +
                        "' is a whole number (" + argument.text() + "): what is given loses its fraction",
                    hint);
-    return unit_.values.sourceOf(unit_.values.loadAs(value, wanted, false));  // already reported
+    return values_.sourceOf(values_.loadAs(value, wanted, false));  // already reported
 }
 
 Callable CallCompiler::found(const Parts& parts, std::size_t count, const NameCompiler::Nodes& nodes,
@@ -220,7 +220,7 @@ Operand CallCompiler::callOperation(const Callable& called, const ast::Name& nam
     ++unit_.executions;
     code_.keep(OperationInterfacePart::hold(&part));
     const Source call = made(name, at, part, [&] { return part.produce(sources, where_.caller); });
-    return unit_.values.fromSource(unit_.sends.told(call, called, name, at), at);
+    return values_.fromSource(unit_.sends.told(call, called, name, at), at);
 }
 
 bool CallCompiler::construct(const ast::Name& name, ast::Place at, Operand& result) {
@@ -229,13 +229,13 @@ bool CallCompiler::construct(const ast::Name& name, ast::Place at, Operand& resu
     if (!type) return false;
     OperationInterfacePart::Args sources;
     for (const Operand& value : values(name.arguments, [](std::size_t) { return false; }))
-        sources.push_back(unit_.values.sourceOf(value));
+        sources.push_back(values_.sourceOf(value));
     const ast::Place first = name.arguments.empty() ? at : name.arguments[0]->at;
     const Source value =
         reporter_.watched(name.arguments.size() == 1 ? first : at, [&] { return type->construct(sources); });
     if (!value)
         reporter_.error(at, "OPS146", "there is no constructor " + signature(wanted, sources), elementsOf(*type));
-    result = unit_.values.fromSource(value, at);
+    result = values_.fromSource(value, at);
     return true;
 }
 
@@ -254,20 +254,20 @@ Operand CallCompiler::callFunction(const std::shared_ptr<const FunctionDefinitio
                             counted(name.arguments.size()));
     const auto given = values(name.arguments, [](std::size_t) { return false; });
     for (std::size_t i = 0; i != given.size(); ++i)
-        unit_.values.store(unit_.values.fromSource(activation->arguments[i], given[i].at), given[i],
-                           "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
+        values_.store(values_.fromSource(activation->arguments[i], given[i].at), given[i],
+                      "argument " + std::to_string(i + 1) + " of '" + function.name + "'");
     code_.add(&instructions::enter, nullptr, nullptr, activation);
     ++unit_.executions;
     Operand result;
     result.at = at;
     if (!activation->result) return result;
     // A copy, because the next call overwrites the result.
-    const Operand returned = unit_.values.fromSource(activation->result, at);
+    const Operand returned = values_.fromSource(activation->result, at);
     if (returned.address)
-        return unit_.values.computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr,
-                                       returned.kind, at);
-    result = unit_.values.fromSource(activation->result->clone(), at);
-    unit_.values.store(result, returned, "the result");
+        return values_.computedBy(conversionAction(returned.kind, returned.kind), returned.address, nullptr,
+                                  returned.kind, at);
+    result = values_.fromSource(activation->result->clone(), at);
+    values_.store(result, returned, "the result");
     result.computed = true;
     return result;
 }

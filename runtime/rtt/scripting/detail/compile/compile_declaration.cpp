@@ -111,12 +111,12 @@ void DeclarationCompiler::variable(const ast::Declaration& declaration, const as
         entry.source = source;
         addEntry(declarator.name, std::move(entry));
     }
-    const Operand variable = unit_.values.fromSource(source, declarator.name.at);
+    const Operand variable = values_.fromSource(source, declarator.name.at);
     const std::string what = "variable '" + declarator.name.text + "'";
-    if (declarator.value) unit_.values.store(variable, unit_.expressions.compile(*declarator.value), what);
+    if (declarator.value) values_.store(variable, unit_.expressions.compile(*declarator.value), what);
     // Callers share activations, so variables are reset and do not show values of an earlier call.
     else if (unit_.function)
-        unit_.values.store(variable, unit_.values.fromSource(source->clone(), declarator.name.at), what);
+        values_.store(variable, values_.fromSource(source->clone(), declarator.name.at), what);
 }
 
 void DeclarationCompiler::argument(const ast::Function::Argument& argument) {
@@ -131,8 +131,8 @@ void DeclarationCompiler::functionHead(const ast::Function& tree) {
     for (const auto& each : tree.arguments) argument(each);
     if (tree.type.text == "void") return;
     unit_.function->result = newVariable(tree.type, tree.name, nullptr);
-    unit_.values.store(unit_.values.fromSource(unit_.function->result, tree.name.at),
-                       unit_.values.fromSource(unit_.function->result->clone(), tree.name.at), "the result");
+    values_.store(values_.fromSource(unit_.function->result, tree.name.at),
+                  values_.fromSource(unit_.function->result->clone(), tree.name.at), "the result");
 }
 
 void DeclarationCompiler::handle(const ast::Declarator& declarator) {
@@ -148,7 +148,7 @@ void DeclarationCompiler::constant(const ast::Declaration& declaration, const as
     const Source source = newVariable(declaration.type, declarator.name, declarator.size.get());
     Code code;
     UnitCompiler unit(unit_.state, where_, code, unit_.scope);
-    unit.values.store(unit_.values.fromSource(source, declarator.name.at), unit.expressions.compile(*declarator.value),
+    unit.values.store(values_.fromSource(source, declarator.name.at), unit.expressions.compile(*declarator.value),
                       what);
     unit.statements.end();
     Process process(code);
@@ -166,7 +166,7 @@ void DeclarationCompiler::alias(const ast::Declaration& declaration, const ast::
     const types::TypeInfo& info = type(declaration.type);
     const std::size_t before = code_.size();
     const Operand value = unit_.expressions.compile(*declarator.value);
-    const bool same = value.kind != Kind::None && unit_.values.sourceOf(value)->getTypeInfo() == &info;
+    const bool same = value.kind != Kind::None && values_.sourceOf(value)->getTypeInfo() == &info;
     if (!same)
         reporter_.error(declarator.value->at, "OPS118",
                         "alias '" + declarator.name.text + "' is for a value of type " + declaration.type.text +

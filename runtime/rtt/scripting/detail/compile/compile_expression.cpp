@@ -47,8 +47,7 @@ Operand ExpressionCompiler::compile(const ast::Expression& expression) {
     const ast::Place at = expression.at;
     return std::visit(Overloaded{[&](const ast::Literal& e) { return literal(e, at); },
                                  [&](const ast::CurrentTime&) {
-                                     return unit_.values.computedBy(&instructions::now, nullptr, nullptr, Kind::Double,
-                                                                    at);
+                                     return values_.computedBy(&instructions::now, nullptr, nullptr, Kind::Double, at);
                                  },
                                  [&](const ast::Name& e) { return unit_.names.compile(e, at); },
                                  [&](const ast::Member& e) { return member(compile(*e.of), e.member); },
@@ -83,14 +82,13 @@ Operand ExpressionCompiler::literal(const ast::Literal& literal, ast::Place at) 
 Operand ExpressionCompiler::truth(const ast::Expression& condition) {
     if (std::holds_alternative<ast::Assignment>(condition.what))
         reporter_.warn(condition.at, "OPS153", "this condition assigns a value; '==' compares");
-    const Operand value = unit_.values.promoted(compile(condition));
+    const Operand value = values_.promoted(compile(condition));
     if (isDirect(value.kind) && conversion(value.kind, Kind::Bool) != Conversion::None)
-        return unit_.values.loadAs(value, Kind::Bool);
+        return values_.loadAs(value, Kind::Bool);
     if (value.kind != Kind::None && !isDirect(value.kind)) {
         const auto converted =
             reporter_.watched(condition.at, [&] { return types::Types()->getTypeInfo<bool>()->convert(value.source); });
-        if (converted && kindOf(*converted) == Kind::Bool)
-            return unit_.values.load(unit_.values.fromSource(converted, value.at));
+        if (converted && kindOf(*converted) == Kind::Bool) return values_.load(values_.fromSource(converted, value.at));
     }
     reporter_.error(condition.at, "OPS121",
                     "expected a condition, which is true or false, found a value of type " + typeName(value));
@@ -99,10 +97,10 @@ Operand ExpressionCompiler::truth(const ast::Expression& condition) {
 Operand ExpressionCompiler::member(const Operand& of, const ast::Identifier& name) {
     if (of.kind == Kind::None)
         reporter_.error(name.at, "OPS122", "found '." + name.text + "' after something that has no value");
-    const Source whole = unit_.values.sourceOf(of);
-    if (Source part = whole->getMember(name.text)) return unit_.values.fromSource(part, of.at);
+    const Source whole = values_.sourceOf(of);
+    if (Source part = whole->getMember(name.text)) return values_.fromSource(part, of.at);
     if (base::DataSourceBase* const part = types::operators()->applyDot(name.text, whole.get()))
-        return unit_.values.fromSource(part, of.at);
+        return values_.fromSource(part, of.at);
     std::vector<std::string> known = whole->getMemberNames();
     if (const auto* const bag = internal::DataSource<PropertyBag>::narrow(whole.get())) known = bag->rvalue().list();
     if (std::find(known.begin(), known.end(), name.text) != known.end())
@@ -115,12 +113,12 @@ Operand ExpressionCompiler::member(const Operand& of, const ast::Identifier& nam
 
 Operand ExpressionCompiler::element(const ast::Index& index, ast::Place at) {
     const Operand of = compile(*index.of);
-    Operand which = unit_.values.promoted(compile(*index.index));
-    if (isDirect(which.kind)) which = unit_.values.load(which);  // once, however often the element is used
+    Operand which = values_.promoted(compile(*index.index));
+    if (isDirect(which.kind)) which = values_.load(which);  // once, however often the element is used
     if (of.kind == Kind::None || which.kind == Kind::None)
         reporter_.error(at, "OPS122", "found '[...]' with something that has no value");
-    const Source whole = unit_.values.sourceOf(of);
-    if (Source part = whole->getMember(unit_.values.sourceOf(which))) return unit_.values.fromSource(part, at);
+    const Source whole = values_.sourceOf(of);
+    if (Source part = whole->getMember(values_.sourceOf(which))) return values_.fromSource(part, at);
     reporter_.error(
         at, "OPS124",
         "a value of type " + typeName(of) + " has no elements that an index of type " + typeName(which) + " selects");
@@ -130,16 +128,16 @@ Operand ExpressionCompiler::negated(const ast::Unary& operation, const Operand& 
     if (isDirect(operand.kind)) {
         const Operation direct = unaryOperation(operation.op, operand.kind);
         if (direct.act)
-            return unit_.values.computedBy(direct.act, unit_.values.load(operand).address, nullptr, direct.result, at);
+            return values_.computedBy(direct.act, values_.load(operand).address, nullptr, direct.result, at);
         if (operation.op == '!' && conversion(operand.kind, Kind::Bool) != Conversion::None)
-            return unit_.values.computedBy(unaryOperation('!', Kind::Bool).act,
-                                           unit_.values.loadAs(operand, Kind::Bool).address, nullptr, Kind::Bool, at);
+            return values_.computedBy(unaryOperation('!', Kind::Bool).act, values_.loadAs(operand, Kind::Bool).address,
+                                      nullptr, Kind::Bool, at);
     }
     if (operand.kind != Kind::None)
         if (auto* const made =
-                types::operators()->applyUnary(std::string(1, operation.op), unit_.values.sourceOf(operand).get()))
-            return unit_.values.fromSource(made, at);
-    if (isSmallNumber(operand)) return negated(operation, unit_.values.promoted(operand), at);
+                types::operators()->applyUnary(std::string(1, operation.op), values_.sourceOf(operand).get()))
+            return values_.fromSource(made, at);
+    if (isSmallNumber(operand)) return negated(operation, values_.promoted(operand), at);
     reporter_.error(at, "OPS125",
                     std::string("operator '") + operation.op + "' does not exist for type " + typeName(operand));
 }
@@ -153,7 +151,7 @@ Operand ExpressionCompiler::binary(const ast::Binary& row) {
         // Nested sources are evaluated and destroyed by recursion.
         depth = isDirect(left.kind) ? 0 : depth + 1;
         if (depth < kDeepestSource) continue;
-        left = unit_.values.copied(left, code_.size());
+        left = values_.copied(left, code_.size());
         depth = 0;
     }
     return left;
@@ -161,24 +159,24 @@ Operand ExpressionCompiler::binary(const ast::Binary& row) {
 
 /** `first` is what unit_.executions was where the row begins. */
 Operand ExpressionCompiler::operation(Operand left, const ast::Binary::Step& step, unsigned first) {
-    if (isDirect(left.kind)) left = unit_.values.load(left);
+    if (isDirect(left.kind)) left = values_.load(left);
     const std::size_t before = code_.size();
     const unsigned executions = unit_.executions;
     Operand right = compile(*step.right);
     // Calls on the right may change what is read on the left, and calls on the left must precede computations on the
     // right.
     if (unit_.executions != executions || (executions != first && code_.size() != before))
-        left = unit_.values.copied(left, before);
+        left = values_.copied(left, before);
     return combined(left, right, step);
 }
 
 Operand ExpressionCompiler::combined(const Operand& left, Operand right, const ast::Binary::Step& step) {
-    if (isDirect(right.kind)) right = unit_.values.load(right);
+    if (isDirect(right.kind)) right = values_.load(right);
     if (isDirect(left.kind) && isDirect(right.kind)) {
         const Operation direct = binaryOperation(step.op, left.kind);
         if (direct.act && conversion(right.kind, left.kind) != Conversion::None)
-            return unit_.values.computedBy(direct.act, left.address, unit_.values.loadAs(right, left.kind).address,
-                                           direct.result, step.at);
+            return values_.computedBy(direct.act, left.address, values_.loadAs(right, left.kind).address, direct.result,
+                                      step.at);
     }
     // Texts and values of enums are compared as texts.
     const bool compares = step.op == "==" || step.op == "!=";
@@ -186,13 +184,13 @@ Operand ExpressionCompiler::combined(const Operand& left, Operand right, const a
         reporter_.watched(left.at, [&] { return right.source->getTypeInfo()->convert(left.source); });
     if (left.kind != Kind::None && right.kind != Kind::None)
         if (const Source made = reporter_.watched(right.at, [&]() -> Source {
-                return types::operators()->applyBinary(step.op, unit_.values.sourceOf(left).get(),
-                                                       unit_.values.sourceOf(right).get());
+                return types::operators()->applyBinary(step.op, values_.sourceOf(left).get(),
+                                                       values_.sourceOf(right).get());
             }))
-            return unit_.values.fromSource(made, step.at);
+            return values_.fromSource(made, step.at);
     if (isSmallNumber(left) || isSmallNumber(right)) {
-        const Operand wide = unit_.values.promoted(left);
-        return combined(isDirect(wide.kind) ? unit_.values.load(wide) : wide, unit_.values.promoted(right), step);
+        const Operand wide = values_.promoted(left);
+        return combined(isDirect(wide.kind) ? values_.load(wide) : wide, values_.promoted(right), step);
     }
     reporter_.error(
         step.at, "OPS126",
@@ -208,7 +206,7 @@ Operand ExpressionCompiler::assignment(const ast::Assignment& assignment, ast::P
             assignment.to->at, "OPS127",
             to.source ? "this is a constant or a result and cannot be assigned to" : "this cannot be assigned to");
     const auto* const name = std::get_if<ast::Name>(&assignment.to->what);
-    unit_.values.store(to, compile(*assignment.value), name ? "'" + joined(name->parts) + "'" : "a variable");
+    values_.store(to, compile(*assignment.value), name ? "'" + joined(name->parts) + "'" : "a variable");
     ++unit_.executions;
     return to;
 }

@@ -31,19 +31,17 @@ NameCompiler::Nodes NameCompiler::walk(const Parts& parts, std::size_t most) con
         const std::string& part = parts[used].text;
         Node next{nullptr, nullptr, used + 1};
         const Node& here = nodes.back();
+        const auto toComponent = [&](TaskContext* to) { next = {to, to->provides(), used + 1}; };
         if (used == 0 && (part == "this" || part == "task")) {
-            next.component = component;
-            next.service = component->provides();
+            toComponent(component);
         } else if (used == 0 && where_.service && where_.service->hasService(part)) {
             next.service = where_.service->getService(part);
         } else if (here.component && here.component->hasPeer(part)) {
-            next.component = here.component->getPeer(part);
-            next.service = next.component->provides();
+            toComponent(here.component->getPeer(part));
         } else if (here.service->hasService(part)) {
             next.service = here.service->getService(part);
         } else if (used == 0 && part == component->getName()) {
-            next.component = component;
-            next.service = component->provides();
+            toComponent(component);
         } else if (used == 0 && internal::GlobalService::Instance()->hasService(part)) {
             next.service = internal::GlobalService::Instance()->getService(part);
         } else if (here.component && (part == "states" || part == "programs")) {
@@ -137,13 +135,13 @@ bool NameCompiler::variable(const Parts& parts, Operand& found) {
         if (parts.size() != 1) return false;
         const Source handle = entry->handle->source();
         if (!handle) unit_.sends.failUnsent(parts[0]);
-        found = unit_.values.fromSource(handle, parts[0].at);
+        found = values_.fromSource(handle, parts[0].at);
         return true;
     }
     if (entry->alias) {
         found = valueOfAlias(*entry, parts[0]);
     } else {
-        found = unit_.values.fromSource(entry->source, parts[0].at);
+        found = values_.fromSource(entry->source, parts[0].at);
         found.constant = entry->constant && found.address;
     }
     found.at = parts[0].at;
@@ -164,7 +162,7 @@ bool NameCompiler::valueIn(const Nodes& nodes, const Parts& parts, Operand& foun
         }
         if (!source && node->used == 0) source = valueOf(*types::GlobalsRepository::Instance(), parts[0].text);
         if (!source) continue;
-        found = members(unit_.values.fromSource(source, parts[0].at), parts, node->used + 1);
+        found = members(values_.fromSource(source, parts[0].at), parts, node->used + 1);
         return true;
     }
     return false;

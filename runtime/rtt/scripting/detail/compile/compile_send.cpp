@@ -78,15 +78,15 @@ void SendCompiler::sendTo(const Operand& handle, const Callable& called, const a
         code_.keep(told);
         code_.add(&instructions::announce, nullptr, nullptr, told.get());
     }
-    unit_.values.store(handle, call, "the handle");
+    values_.store(handle, call, "the handle");
     if (told) code_.add(&instructions::announce);
 }
 
 Operand SendCompiler::sent(const Callable& called, const ast::Name& name, ast::Place at) {
     const auto told = trackedSend(called, at, nullptr, true);
     if (!told) return sent(*called.part, name, at);
-    Operand result = unit_.values.fromSource(
-        unit_.calls.made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
+    Operand result =
+        values_.fromSource(unit_.calls.made(name, at, *called.part, [&] { return called.part->produceHandle(); }), at);
     sendTo(result, called, name, at, told);
     result.sent = true;
     return result;
@@ -96,7 +96,7 @@ Operand SendCompiler::sent(OperationInterfacePart& part, const ast::Name& name, 
     const auto sources = unit_.calls.arguments(name, part);
     ++unit_.executions;
     code_.keep(OperationInterfacePart::hold(&part));
-    Operand result = unit_.values.fromSource(
+    Operand result = values_.fromSource(
         unit_.calls.made(name, at, part, [&] { return part.produceSend(sources, where_.caller); }), at);
     result.sent = true;
     return result;
@@ -107,7 +107,7 @@ Operand SendCompiler::command(const Callable& called, const ast::Name& name, ast
     const auto last = std::make_shared<LastSent>();
     const Source handle = unit_.calls.made(name, at, part, [&] { return part.produceHandle(); });
     const auto told = trackedSend(called, at, last, false);
-    sendTo(unit_.values.fromSource(handle, at), called, name, at, told);
+    sendTo(values_.fromSource(handle, at), called, name, at, told);
     const Source status = unit_.calls.made(
         name, at, part, [&] { return part.produceCollect({handle}, new internal::ConstantDataSource<bool>(false)); });
     auto* polled = internal::DataSource<SendStatus>::narrow(code_.keepSource(status));
@@ -116,7 +116,7 @@ Operand SendCompiler::command(const Callable& called, const ast::Name& name, ast
     code_.add(&instructions::await, nullptr, nullptr, polled);
     const Source value = new internal::ValueDataSource<SendStatus>(SendNotReady);
     // Evaluating the source would collect again, so its last value is used.
-    Operand result = unit_.values.fromSource(value, at);
+    Operand result = values_.fromSource(value, at);
     std::shared_ptr<base::ActionInterface> copy(
         value->updateAction(code_.keepSource(new internal::ConstReferenceDataSource<SendStatus>(polled->rvalue()))));
     code_.add(&instructions::perform, nullptr, nullptr, copy.get());
@@ -158,7 +158,7 @@ bool SendCompiler::handleCall(const ast::Name& name, ast::Place at, Operand& res
     if (!operation || !handleSource) failUnsent(name.parts[0]);
     OperationInterfacePart::Args sources{handleSource};
     for (const Operand& value : unit_.calls.values(name.arguments, [](std::size_t) { return true; }))
-        sources.push_back(unit_.values.sourceOf(value));
+        sources.push_back(values_.sourceOf(value));
     const OperationInterfacePart& part = *operation;
     const unsigned wanted = part.collectArity();
     if (sources.size() != 1 && sources.size() != wanted + 1)
@@ -173,7 +173,7 @@ bool SendCompiler::handleCall(const ast::Name& name, ast::Place at, Operand& res
     auto* const collect = internal::DataSource<SendStatus>::narrow(status.get());
     const auto& last = entry->handle->lastSent();
     if (collect && last->isUsed()) status = new TrackedCollect(collect, last, sources.size() == 1, true);
-    result = unit_.values.fromSource(status, at);
+    result = values_.fromSource(status, at);
     ++unit_.executions;
     return true;
 }
@@ -207,7 +207,7 @@ Operand SendCompiler::sendInto(Scope::Handle& handle, const std::string& name, c
         if (!source || !source->hasTypeOf(*own)) source = own;
         handle.set(OperationInterfacePart::hold(called.part), source);
     }
-    const Operand result = unit_.values.fromSource(source, at);
+    const Operand result = values_.fromSource(source, at);
     const auto told = trackedSend(called, value.at, handle.lastSent(), false);
     sendTo(result, called, *from, value.at, told);
     if (!told && handle.lastSent()->isUsed()) {

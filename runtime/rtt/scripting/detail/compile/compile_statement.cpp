@@ -35,7 +35,7 @@ void StatementCompiler::compile(const ast::Statement& statement) {
 void StatementCompiler::evaluate(const ast::Expression& expression) {
     unit_.sends.ignore(expression);
     const Operand value = unit_.expressions.compile(expression);
-    if (!std::holds_alternative<ast::Assignment>(expression.what)) unit_.values.discard(value);
+    if (!std::holds_alternative<ast::Assignment>(expression.what)) values_.discard(value);
 }
 
 void StatementCompiler::end() { code_.add(&instructions::leave); }
@@ -68,9 +68,9 @@ void StatementCompiler::giveBack(const ast::Return& statement) {
                                              "' returns nothing (void), but here it returns a value"
                                        : "found a value after 'return', which only functions give back");
     if (statement.value)
-        unit_.values.store(unit_.values.fromSource(unit_.function->result, statement.value->at),
-                           unit_.expressions.compile(*statement.value),
-                           "the result of function '" + unit_.function->name + "'");
+        values_.store(values_.fromSource(unit_.function->result, statement.value->at),
+                      unit_.expressions.compile(*statement.value),
+                      "the result of function '" + unit_.function->name + "'");
     end();
 }
 

@@ -68,7 +68,7 @@ struct UnitCompiler {
 };
 
 inline UnitPart::UnitPart(UnitCompiler& unit)
-    : unit_(unit), where_(unit.where), code_(unit.code), reporter_(unit.reporter) {}
+    : unit_(unit), where_(unit.where), code_(unit.code), reporter_(unit.reporter), values_(unit.values) {}
 
 }  // namespace RTT::scripting::detail
 

@@ -9,6 +9,7 @@
 namespace RTT::scripting::detail {
 
 struct UnitCompiler;
+class ValueCompiler;
 
 /** A part of a UnitCompiler, with what most parts use. */
 class UnitPart {
@@ -27,6 +28,7 @@ protected:
     const CompileContext& where_;
     Code& code_;
     Reporter& reporter_;
+    ValueCompiler& values_;
 };
 
 }  // namespace RTT::scripting::detail
