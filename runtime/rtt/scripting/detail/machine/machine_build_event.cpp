@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-// Builds transitions that wait for a call of an operation or for new data on a port.
-#include <rtt/scripting/detail/machine/machine_builder.hpp>
+#include <rtt/scripting/detail/machine/machine_build_event.hpp>
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/GlobalService.hpp>
+#include <rtt/scripting/detail/compile/call_words.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 #include <diag/nearest_match.hpp>
@@ -13,13 +13,7 @@ namespace RTT::scripting::detail {
 
 namespace {
 
-std::string pathOf(const std::vector<ast::Identifier>& parts) {
-    std::string path;
-    for (const ast::Identifier& part : parts) path += (path.empty() ? "" : ".") + part.text;
-    return path;
-}
-
-std::string counted(std::size_t number, const std::string& of) {
+std::string amount(std::size_t number, const std::string& of) {
     return std::to_string(number) + " " + of + (number == 1 ? "" : "s");
 }
 
@@ -32,19 +26,39 @@ std::shared_ptr<internal::SignalBase> signalOf(const OperationInterfacePart& ope
 
 }  // namespace
 
+void EventBuilder::add(const ast::Transition& tree, const Scope& scope, std::vector<MachineTransition>& to,
+                       const MachineState* state) {
+    if (tree.event.empty()) {
+        to.push_back(transitions_.build(tree, scope));
+        return;
+    }
+    const Source source = sourceOf(tree);
+    if (!source.service) return;
+    const std::string& name = tree.event.back().text;
+    if (auto* const port = source.service->getPortType<base::InputPortInterface>(name)) {
+        MachineTransition made = transitions_.build(tree, scope);
+        made.event = portGuard(tree, *port, scope);
+        to.push_back(std::move(made));
+    } else if (OperationInterfacePart* const operation = source.service->getPart(name)) {
+        addOperationEvent(tree, *operation, scope, state);
+    } else {
+        unknownEvent(tree, source);
+    }
+}
+
 /** What the path before the name of an operation or port leads to. */
-MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
+EventBuilder::Source EventBuilder::sourceOf(const ast::Transition& tree) const {
     Source here{where_.component, where_.component->provides()};
     const std::size_t own = tree.event[0].text == "this" || tree.event[0].text == "task" ||
                             tree.event[0].text == where_.component->getName();
-    if (where_.toCome && own + 1 < tree.event.size() && !model_->service->hasService(tree.event[0].text) &&
+    if (where_.toCome && own + 1 < tree.event.size() && !model_.service->hasService(tree.event[0].text) &&
         where_.toCome->isToCome(tree.event[own].text))
         return {};
     for (std::size_t i = 0; i + 1 != tree.event.size(); ++i) {
         const std::string& part = tree.event[i].text;
         Source next;
-        if (i == 0 && part != "this" && model_->service->hasService(part)) {
-            next.service = model_->service->getService(part);
+        if (i == 0 && part != "this" && model_.service->hasService(part)) {
+            next.service = model_.service->getService(part);
         } else if (here.component && here.component->hasPeer(part)) {
             next.component = here.component->getPeer(part);
             next.service = next.component->provides();
@@ -69,7 +83,7 @@ MachineBuilder::Source MachineBuilder::sourceOf(const ast::Transition& tree) {
     return here;
 }
 
-void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& source) {
+void EventBuilder::unknownEvent(const ast::Transition& tree, const Source& source) const {
     const ast::Identifier& name = tree.event.back();
     if (where_.toCome && where_.toCome->mayHave(source.service->getOwner(), name.text, false)) return;
     std::vector<std::string> names = source.service->getNames();
@@ -87,8 +101,8 @@ void MachineBuilder::unknownEvent(const ast::Transition& tree, const Source& sou
 
 /** Assigns an argument to a variable. If `to` is not a variable or its type does not fit, reports an error and returns
     null. */
-ActionPtr MachineBuilder::assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from,
-                                     const Scope& scope) {
+ActionPtr EventBuilder::assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from,
+                                   const Scope& scope) const {
     const std::size_t errors = where_.sink->errorCount();
     const unsigned gaps = where_.toCome ? where_.toCome->gaps : 0;
     const base::DataSourceBase::shared_ptr variable = Compiler(where_).variable(to, scope);
@@ -104,7 +118,7 @@ ActionPtr MachineBuilder::assignment(const ast::Expression& to, const base::Data
     return nullptr;
 }
 
-GuardPtr MachineBuilder::portGuard(const ast::Transition& tree, base::InputPortInterface& port, const Scope& scope) {
+GuardPtr EventBuilder::portGuard(const ast::Transition& tree, base::InputPortInterface& port, const Scope& scope) {
     const ast::Identifier& name = tree.event.back();
     std::shared_ptr<PortReader>& reader = readers_[&port];
     if (!reader) {
@@ -130,22 +144,22 @@ GuardPtr MachineBuilder::portGuard(const ast::Transition& tree, base::InputPortI
     return std::make_unique<PortGuard>(reader, std::move(assign), at(name.at));
 }
 
-void MachineBuilder::refuseOperation(const ast::Transition& tree) {
+void EventBuilder::refuseOperation(const ast::Transition& tree) const {
     where_.sink
         ->error(at(tree.event.back().at), "OPS313",
-                "calls of operation '" + pathOf(tree.event) + "' cannot be listened to")
+                "calls of operation '" + joined(tree.event) + "' cannot be listened to")
         .hint("its component has to add it with addEventOperation()");
 }
 
-void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation,
-                                       const Scope& scope, const MachineState* state) {
+void EventBuilder::addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation, const Scope& scope,
+                                     const MachineState* state) {
     const ast::Identifier& name = tree.event.back();
     std::shared_ptr<internal::SignalBase> signal = signalOf(operation);
     if (!signal) return refuseOperation(tree);
     if (operation.arity() != tree.arguments.size()) {
         error(name.at, "OPS314",
-              "operation '" + pathOf(tree.event) + "' has " + counted(operation.arity(), "argument") + ", found " +
-                  counted(tree.arguments.size(), "variable") + (operation.arity() == 1 ? " for it" : " for them"));
+              "operation '" + joined(tree.event) + "' has " + amount(operation.arity(), "argument") + ", found " +
+                  amount(tree.arguments.size(), "variable") + (operation.arity() == 1 ? " for it" : " for them"));
         return;
     }
     std::vector<base::DataSourceBase::shared_ptr> arguments;
@@ -155,7 +169,7 @@ void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInt
         arguments.push_back(type ? type->buildValue() : nullptr);
         if (!arguments.back()) {
             error(tree.arguments[i]->at, "OPS317",
-                  "the type of argument " + std::to_string(i + 1) + " of operation '" + pathOf(tree.event) +
+                  "the type of argument " + std::to_string(i + 1) + " of operation '" + joined(tree.event) +
                       "' is not known");
             return;
         }
@@ -163,10 +177,14 @@ void MachineBuilder::addOperationEvent(const ast::Transition& tree, OperationInt
         if (!assign.back()) return;
     }
     auto event = std::make_unique<OperationEvent>(std::move(arguments), std::move(assign));
-    event->transition = transition(tree, scope);
+    event->transition = transitions_.build(tree, scope);
     event->state = state;
     listening_.push_back({event.get(), std::move(signal)});
-    model_->events.push_back(std::move(event));
+    model_.events.push_back(std::move(event));
+}
+
+void EventBuilder::listen(const std::shared_ptr<EventQueue>& queue) const {
+    for (const Listening& each : listening_) each.event->listenTo(*each.signal, queue);
 }
 
 }  // namespace RTT::scripting::detail

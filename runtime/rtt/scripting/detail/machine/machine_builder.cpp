@@ -18,17 +18,15 @@ MachineBuilder::MachineBuilder(const ast::Instance& instance, const Context& con
       where_(context.where),
       scope_("state machine '" + instance.name.text + "'", &type_.file->scope),
       slot_(std::make_shared<boost::weak_ptr<StateMachine>>()),
-      model_(std::make_unique<MachineModel>()) {
+      model_(std::make_unique<MachineModel>()),
+      transitions_(where_),
+      events_(where_, *model_, transitions_) {
     where_.file = type_.file->name;
     where_.text = partOf(type_.file, type_.file->text);
     model_->name = (context.outer ? context.outer->model_->name + "." : "") + instance.name.text;
     model_->text = type_.text;
     model_->firstLine = type_.at.line;
     model_->source = type_.file;
-}
-
-void MachineBuilder::error(ast::Place place, const char* code, const std::string& message) {
-    where_.sink->error(at(place), code, message);
 }
 
 // A redefined type may refer to the former one, which may refer to the new one.
@@ -50,12 +48,12 @@ StateMachinePtr MachineBuilder::build() {
     makeSubMachines();
     makeStates();
     if (where_.sink->errorCount() == errors) {
-        if (!listening_.empty()) model_->queue = std::make_shared<EventQueue>(where_.component->engine()->gate());
+        if (events_.hasEvents()) model_->queue = std::make_shared<EventQueue>(where_.component->engine()->gate());
         const std::shared_ptr<EventQueue> queue = model_->queue;
         const auto machine = boost::make_shared<StateMachine>(std::move(model_));
         *slot_ = machine;
         if (queue) queue->leadTo(machine);
-        for (const Listening& each : listening_) each.event->listenTo(*each.signal, queue);
+        events_.listen(queue);
         return machine;
     }
     context_.service.removeService(instance_.name.text);
@@ -85,7 +83,8 @@ void MachineBuilder::declare() {
 
 void MachineBuilder::declare(const std::vector<const ast::Statement*>& statements, Scope& scope) {
     for (const ast::Statement* statement : statements)
-        if (RoutinePtr values = routine(Compiler(where_).statement(*statement, scope), CodeRoutine::Pace::AtOnce))
+        if (RoutinePtr values =
+                makeRoutine(Compiler(where_).statement(*statement, scope), where_, CodeRoutine::Pace::AtOnce))
             model_->initial.push_back(std::move(values));
 }
 
@@ -133,13 +132,13 @@ void MachineBuilder::makeStates() {
     for (const ast::State& tree : tree_.states) {
         MachineState& state = model_->states.emplace_back();
         state.name = tree.name.text;
-        states_[state.name] = &state;
+        transitions_.addState(state);
         if (tree.initial) model_->first = &state;
         if (tree.final) model_->last = &state;
     }
     auto state = model_->states.begin();
     for (const ast::State& tree : tree_.states) fillState(tree, *state++);
-    for (const ast::Transition& tree : tree_.transitions) addTransition(tree, scope_, model_->transitions, nullptr);
+    for (const ast::Transition& tree : tree_.transitions) events_.add(tree, scope_, model_->transitions, nullptr);
 }
 
 void MachineBuilder::fillState(const ast::State& tree, MachineState& state) {
@@ -148,34 +147,17 @@ void MachineBuilder::fillState(const ast::State& tree, MachineState& state) {
     state_scopes_.push_back(std::make_unique<Scope>(name, &before));
     Scope& scope = *state_scopes_.back();
     if (!tree.locals.empty())
-        state.locals = routine(Compiler(where_).declarations(tree.locals, scope), CodeRoutine::Pace::AtOnce);
-    state.entry = program(tree.entry, "the entry of " + name, scope);
-    state.run = program(tree.run, "the run program of " + name, scope);
-    state.handle = program(tree.handle, "the handle program of " + name, scope);
-    state.exit = program(tree.exit, "the exit of " + name, scope);
+        state.locals =
+            makeRoutine(Compiler(where_).declarations(tree.locals, scope), where_, CodeRoutine::Pace::AtOnce);
+    state.entry = makeProgram(tree.entry, "the entry of " + name, scope, where_);
+    state.run = makeProgram(tree.run, "the run program of " + name, scope, where_);
+    state.handle = makeProgram(tree.handle, "the handle program of " + name, scope, where_);
+    state.exit = makeProgram(tree.exit, "the exit of " + name, scope, where_);
     for (const ast::ExpressionPtr& condition : tree.preconditions)
-        if (GuardPtr made = guard(*condition, scope)) state.preconditions.push_back(std::move(made));
-    for (const ast::Transition& detour : tree.detours) state.detours.push_back(transition(detour, scope));
+        if (GuardPtr made = makeGuard(*condition, scope, where_)) state.preconditions.push_back(std::move(made));
+    for (const ast::Transition& detour : tree.detours) state.detours.push_back(transitions_.build(detour, scope));
     for (const ast::Transition& transition : tree.transitions)
-        addTransition(transition, scope, state.transitions, &state);
-}
-
-RoutinePtr MachineBuilder::routine(std::unique_ptr<Code> code, CodeRoutine::Pace pace) const {
-    if (!code || code->statementCount() == 0) return nullptr;
-    return std::make_unique<CodeRoutine>(std::move(code), where_, pace);
-}
-
-RoutinePtr MachineBuilder::program(const std::unique_ptr<ast::Block>& block, const std::string& name,
-                                   const Scope& scope) const {
-    if (!block) return nullptr;
-    return routine(Compiler(where_).program(*block, name, scope), CodeRoutine::Pace::StepByStep);
-}
-
-GuardPtr MachineBuilder::guard(const ast::Expression& condition, const Scope& scope) const {
-    const bool* result = nullptr;
-    auto code = Compiler(where_).condition(condition, scope, result);
-    if (!code) return nullptr;
-    return std::make_unique<CodeGuard>(std::move(code), result, where_);
+        events_.add(transition, scope, state.transitions, &state);
 }
 
 StateMachinePtr makeMachine(const ast::Instance& root, const MachineTypes& known, const SourceFile& file,

@@ -4,10 +4,9 @@
 #define ORO_SCRIPTING_DETAIL_MACHINE_BUILDER_HPP
 
 #include <rtt/scripting/detail/machine/machine_build.hpp>
-#include <rtt/scripting/detail/machine/machine_event.hpp>
+#include <rtt/scripting/detail/machine/machine_build_event.hpp>
 #include <rtt/scripting/detail/machine/machine_service.hpp>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,10 +41,6 @@ public:
 
 private:
     bool isPartOfItself() const;
-    oroforge::diag::Location at(ast::Place place) const { return {where_.file, place.line, place.column}; }
-    void error(ast::Place place, const char* code, const std::string& message);
-
-    // machine_builder.cpp
     void makeService();
     void declare();
     void declare(const std::vector<const ast::Statement*>& statements, Scope& scope);
@@ -54,33 +49,6 @@ private:
     void makeSubMachines();
     void makeStates();
     void fillState(const ast::State& tree, MachineState& state);
-    /** A routine for the code; null if there is nothing to execute. */
-    RoutinePtr routine(std::unique_ptr<Code> code, CodeRoutine::Pace pace) const;
-    RoutinePtr program(const std::unique_ptr<ast::Block>& block, const std::string& name, const Scope& scope) const;
-    GuardPtr guard(const ast::Expression& condition, const Scope& scope) const;
-
-    // machine_build_transition.cpp
-    MachineTransition transition(const ast::Transition& tree, const Scope& scope);
-    MachineSelection selection(const ast::Selection& tree, const Scope& scope);
-    void addTransition(const ast::Transition& tree, const Scope& scope, std::vector<MachineTransition>& to,
-                       const MachineState* state);
-
-    // machine_build_event.cpp
-    struct Source {
-        TaskContext* component = nullptr;
-        Service::shared_ptr service;
-    };
-    struct Listening {
-        OperationEvent* event;
-        std::shared_ptr<internal::SignalBase> signal;
-    };
-    Source sourceOf(const ast::Transition& tree);
-    void unknownEvent(const ast::Transition& tree, const Source& source);
-    GuardPtr portGuard(const ast::Transition& tree, base::InputPortInterface& port, const Scope& scope);
-    void refuseOperation(const ast::Transition& tree);
-    void addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation, const Scope& scope,
-                           const MachineState* state);
-    ActionPtr assignment(const ast::Expression& to, const base::DataSourceBase::shared_ptr& from, const Scope& scope);
 
     const ast::Instance& instance_;
     const Context& context_;
@@ -90,9 +58,8 @@ private:
     Scope scope_;
     MachineSlot slot_;
     std::unique_ptr<MachineModel> model_;
-    std::map<std::string, MachineState*> states_;
-    std::map<base::InputPortInterface*, std::shared_ptr<PortReader>> readers_;
-    std::vector<Listening> listening_;
+    TransitionBuilder transitions_;
+    EventBuilder events_;
     std::vector<std::unique_ptr<Scope>> state_scopes_;  // each sees those of earlier states
 };
 

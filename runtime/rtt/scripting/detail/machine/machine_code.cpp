@@ -42,6 +42,24 @@ Guard::Truth CodeGuard::check(unsigned) {
     return *result_ ? Truth::Yes : Truth::No;
 }
 
+RoutinePtr makeRoutine(std::unique_ptr<Code> code, const CompileContext& where, CodeRoutine::Pace pace) {
+    if (!code || code->statementCount() == 0) return nullptr;
+    return std::make_unique<CodeRoutine>(std::move(code), where, pace);
+}
+
+RoutinePtr makeProgram(const std::unique_ptr<ast::Block>& block, const std::string& name, const Scope& scope,
+                       const CompileContext& where) {
+    if (!block) return nullptr;
+    return makeRoutine(Compiler(where).program(*block, name, scope), where, CodeRoutine::Pace::StepByStep);
+}
+
+GuardPtr makeGuard(const ast::Expression& condition, const Scope& scope, const CompileContext& where) {
+    const bool* result = nullptr;
+    auto code = Compiler(where).condition(condition, scope, result);
+    if (!code) return nullptr;
+    return std::make_unique<CodeGuard>(std::move(code), result, where);
+}
+
 PortReader::PortReader(const base::InputPortInterface& port, base::DataSourceBase::shared_ptr sample)
     : name_(port.getName()), port_(port), sample_(std::move(sample)) {}
 

@@ -57,6 +57,13 @@ private:
     bool failed_ = false;
 };
 
+/** A routine for the code; null if there is nothing to execute. */
+RoutinePtr makeRoutine(std::unique_ptr<Code> code, const CompileContext& where, CodeRoutine::Pace pace);
+// They are null if there is nothing to compile, or an error, which is reported.
+RoutinePtr makeProgram(const std::unique_ptr<ast::Block>& block, const std::string& name, const Scope& scope,
+                       const CompileContext& where);
+GuardPtr makeGuard(const ast::Expression& condition, const Scope& scope, const CompileContext& where);
+
 /** Reads a port for transitions, once in a round. If it outlives the port, there is no more data. */
 class PortReader {
 public:
