@@ -5,7 +5,7 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/FusedFunctorDataSource.hpp>
 #include <rtt/internal/GlobalService.hpp>
 #include <rtt/scripting/detail/function/function_sources.hpp>
 #include <rtt/types/TypeInfo.hpp>
@@ -26,23 +26,11 @@ CompileContext ofItself(CompileContext where, oroforge::diag::Sink& sink) {
     return where;
 }
 
-const types::TypeInfo* typeOf(const DataSourceBase::shared_ptr& value) {
-    return value ? value->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
+/** A value of the type of `of`; of type void if that is null. */
+internal::OperationSignature::Value valueLike(const DataSourceBase::shared_ptr& of) {
+    const types::TypeInfo* const type = of ? of->getTypeInfo() : internal::DataSource<void>::GetTypeInfo();
+    return {type, type->getTypeId(), type->getTypeName(), false, false, false, "", ""};
 }
-
-/** The source for a function that returns nothing, for Void = void. */
-template <class Void>
-class NoValue final : public internal::DataSource<Void> {
-public:
-    typedef typename internal::DataSource<Void>::const_reference_t const_reference_t;
-
-    bool evaluate() const override { return true; }
-    void get() const override {}
-    void value() const override {}
-    const_reference_t rvalue() const override {}
-    NoValue* clone() const override { return new NoValue; }
-    NoValue* copy(CopyMap&) const override { return const_cast<NoValue*>(this); }
-};
 
 oroforge::diag::Location placeOf(const FunctionDefinition& definition) {
     const ast::Place at = definition.tree->name.at;
@@ -68,29 +56,16 @@ Service* homeOf(ast::Function::Scope scope, Service* scripting, TaskContext& com
 
 FunctionSignature::FunctionSignature(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern)
     : definition_(std::move(definition)) {
-    values_.emplace_back(pattern.result ? pattern.result->clone() : nullptr);
-    for (const auto& argument : pattern.arguments) values_.emplace_back(argument->clone());
+    signature_.result = valueLike(pattern.result);
+    for (const DataSourceBase::shared_ptr& argument : pattern.arguments) {
+        const std::size_t index = signature_.arguments.size();
+        signature_.arguments.push_back(valueLike(argument));
+        signature_.arguments.back().name = definition_->tree->arguments[index].name.text;
+    }
 }
 
 std::string FunctionSignature::getName() const { return definition_->name; }
 std::string FunctionSignature::description() const { return "A function of a script."; }
-
-internal::OperationSignature FunctionSignature::signature() const {
-    const auto valueAt = [this](std::size_t index) {
-        internal::OperationSignature::Value value;
-        value.type = typeOf(values_[index]);
-        value.id = value.type->getTypeId();
-        value.typeName = value.type->getTypeName();
-        return value;
-    };
-    internal::OperationSignature signature;
-    signature.result = valueAt(0);
-    for (const ast::Function::Argument& argument : definition_->tree->arguments) {
-        signature.arguments.push_back(valueAt(signature.arguments.size() + 1));
-        signature.arguments.back().name = argument.name.text;
-    }
-    return signature;
-}
 
 DataSourceBase::shared_ptr FunctionSignature::produceHandle() const {
     return new internal::ValueDataSource<FunctionCall::shared_ptr>();
@@ -121,8 +96,8 @@ DataSourceBase::shared_ptr FunctionPart::produceCollect(const Args& args,
 
 DataSourceBase::shared_ptr UnexecutedPart::produce(const Args& args, ExecutionEngine*) const {
     (void)checkedArguments(args);
-    if (!result()) return new NoValue<void>;
-    return result()->clone();
+    if (!result_) return new internal::FusedFunctorDataSource<void()>([] {}, Args());
+    return result_->clone();
 }
 
 DataSourceBase::shared_ptr UnexecutedPart::produceSend(const Args& args, ExecutionEngine*) const {

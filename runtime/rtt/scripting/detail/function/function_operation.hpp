@@ -23,7 +23,7 @@ class FunctionSignature : public internal::SignedPart {
 public:
     std::string getName() const override;
     std::string description() const override;
-    internal::OperationSignature signature() const override;
+    internal::OperationSignature signature() const override { return signature_; }
     base::DataSourceBase::shared_ptr produceHandle() const override;
 
 protected:
@@ -32,13 +32,10 @@ protected:
 
     /** The handle of a call that is to be collected. Throws if the arguments do not fit. */
     FunctionHandle::shared_ptr handleIn(const Args& args) const;
-    /** The result; null for void. */
-    const base::DataSourceBase::shared_ptr& result() const { return values_.front(); }
 
 private:
     const std::shared_ptr<const FunctionDefinition> definition_;
-    std::vector<base::DataSourceBase::shared_ptr>
-        values_;  // with the types of the result (null for void) and the arguments
+    internal::OperationSignature signature_;
 };
 
 /** Each source that calls takes its own execution of the function when it is made; one that sends takes several. So
@@ -62,12 +59,16 @@ private:
 class UnexecutedPart final : public FunctionSignature {
 public:
     UnexecutedPart(std::shared_ptr<const FunctionDefinition> definition, const Activation& pattern)
-        : FunctionSignature(std::move(definition), pattern) {}
+        : FunctionSignature(std::move(definition), pattern),
+          result_(pattern.result ? pattern.result->clone() : nullptr) {}
 
     base::DataSourceBase::shared_ptr produce(const Args& args, ExecutionEngine* caller) const override;
     base::DataSourceBase::shared_ptr produceSend(const Args& args, ExecutionEngine* caller) const override;
     base::DataSourceBase::shared_ptr produceCollect(
         const Args& args, boost::intrusive_ptr<internal::DataSource<bool>> blocking) const override;
+
+private:
+    const base::DataSourceBase::shared_ptr result_;  // null for void
 };
 
 /** Breaks a cycle at the end of a script: a handle of one of its functions keeps the function, which keeps the file of
