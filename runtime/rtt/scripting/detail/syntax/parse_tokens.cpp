@@ -3,6 +3,7 @@
 #include <rtt/scripting/detail/syntax/parse_tokens.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iterator>
 #include <utility>
@@ -17,6 +18,13 @@ constexpr std::string_view kReserved[] = {
     "alias", "and",   "call", "catch",   "collect", "collectIfDone", "const", "define",  "do",   "done",
     "else",  "false", "for",  "foreach", "if",      "include",       "not",   "nothing", "or",   "return",
     "send",  "set",   "then", "true",    "try",     "until",         "var",   "while",   "yield"};
+
+/** A bit for each length that reserved words with the same first letter have. */
+constexpr auto kLengths = [] {
+    std::array<unsigned, 26> lengths{};
+    for (const std::string_view word : kReserved) lengths[static_cast<std::size_t>(word[0] - 'a')] |= 1U << word.size();
+    return lengths;
+}();
 
 /** The number of tokens to look ahead for a ')' after an error. */
 constexpr int kLookAhead = 200;
@@ -91,10 +99,10 @@ std::string strayMessage(std::string_view text) {
 }  // namespace
 
 bool isReserved(std::string_view word) {
-    // Fast for most names, which differ in length or first letter from all reserved words.
-    return std::any_of(std::begin(kReserved), std::end(kReserved), [word](std::string_view reserved) {
-        return reserved.size() == word.size() && reserved[0] == word[0] && reserved == word;
-    });
+    // Asked for almost every token, and most are names.
+    if (word.empty() || word.size() > 31 || word[0] < 'a' || word[0] > 'z') return false;
+    if ((kLengths[static_cast<std::size_t>(word[0] - 'a')] >> word.size() & 1U) == 0) return false;
+    return std::find(std::begin(kReserved), std::end(kReserved), word) != std::end(kReserved);
 }
 
 TokenReader::TokenReader(std::string_view text, const oroforge::diag::FileName& name, oroforge::diag::Sink& sink)
