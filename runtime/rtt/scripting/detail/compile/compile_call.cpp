@@ -47,8 +47,8 @@ std::vector<Operand> CallCompiler::values(const ast::Expressions& expressions, c
         const types::TypeInfo* const wanted = signature && values.size() < signature->arguments.size()
                                                   ? signature->arguments[values.size()].type
                                                   : nullptr;
-        unit_.unknownName.text =
-            wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr;
+        unit_.unknownName.expectText(
+            wanted && wanted->getTypeName() == "string" ? std::get_if<ast::Name>(&argument->what) : nullptr);
         Operand value = unit_.expressions.compile(*argument);
         if (value.kind == Kind::None) reporter_.error(argument->at, "OPS140", "found an argument without value");
         // An earlier call is made where its value is used, which is after this computation.

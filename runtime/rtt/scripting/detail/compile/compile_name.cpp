@@ -72,41 +72,39 @@ Operand NameCompiler::compile(const ast::Name& name, ast::Place at) {
 }
 
 const Scope::Entry* NameCompiler::declared(const std::string& name) const {
-    const Scope::Entry* const alias = reporter_.alias.declared;
+    const Scope::Entry* const alias = reporter_.alias().declared;
     return scope_->find(name, alias ? alias->declared : Scope::kEver);
 }
 
 /** The value of an alias, with the names that were known where it was declared. */
 Operand NameCompiler::valueOfAlias(const Scope::Entry& alias, const ast::Identifier& name) {
     struct Elsewhere {
-        explicit Elsewhere(NameCompiler& of) : names(of), scope(of.scope_), use(of.reporter_.alias) {
+        explicit Elsewhere(NameCompiler& of) : names(of), scope(of.scope_), use(of.reporter_.alias()) {
             ++names.aliases_;
         }
         ~Elsewhere() {
             --names.aliases_;
             names.scope_ = scope;
-            names.reporter_.alias = use;
+            names.reporter_.setAlias(use);
         }
         NameCompiler& names;
         const Scope* const scope;
         const Reporter::Alias use;
     } elsewhere(*this);
-    Reporter::Alias& now = reporter_.alias;
-    if (!now.declared) {
-        now.used = &name;
-        alias_uses_ = 0;
-    }
+    const bool isOutermost = !elsewhere.use.declared;
+    const ast::Identifier* const used = isOutermost ? &name : elsewhere.use.used;
+    if (isOutermost) alias_uses_ = 0;
     // Each use is compiled separately, so the code of aliases that use others twice grows exponentially.
     if (++alias_uses_ > kMostAliases || aliases_ > kDeepestAlias) {
-        now.declared = nullptr;
-        reporter_.error(now.used->at, "OPS131",
-                        "alias '" + now.used->text + "' is made of more than " +
+        reporter_.setAlias({});
+        reporter_.error(used->at, "OPS131",
+                        "alias '" + used->text + "' is made of more than " +
                             (aliases_ > kDeepestAlias ? std::to_string(kDeepestAlias) + " others in each other"
                                                       : std::to_string(kMostAliases) + " others") +
                             "; assign one of them to a variable, and use that");
     }
     scope_ = alias.scope;
-    now.declared = &alias;
+    reporter_.setAlias({&alias, used});
     return unit_.expressions.compile(*alias.alias);
 }
 

@@ -56,7 +56,7 @@ base::DataSourceBase::shared_ptr SendCompiler::told(Source call, const Callable&
 
 CallPlace SendCompiler::placeOfCall(ast::Place at) const {
     // An alias may be from another file.
-    const bool isHere = where_.text && !reporter_.alias.declared;
+    const bool isHere = where_.text && !reporter_.alias().declared;
     return {reporter_.locate(at), isHere ? lineOf(*where_.text, at.line) : ""};
 }
 

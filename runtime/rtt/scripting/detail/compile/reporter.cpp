@@ -5,7 +5,7 @@
 namespace RTT::scripting::detail {
 
 void Reporter::warn(ast::Place at, const char* code, const std::string& message, const std::string& hint) const {
-    if (alias.declared || quiet_ != 0) return;
+    if (alias_.declared || quiet_ != 0) return;
     auto& warning = where_.sink->warning(locate(at), code, message);
     if (!hint.empty()) warning.hint(hint);
 }
@@ -23,9 +23,9 @@ void Reporter::warnOfConversion(ast::Place at, const std::string& from, const st
 void Reporter::error(ast::Place at, const char* code, const std::string& message, const std::string& hint) const {
     auto& error = where_.sink->error(locate(at), code, message);
     if (!hint.empty()) error.hint(hint);
-    if (alias.declared)
-        error.note({where_.file, alias.used->at.line, alias.used->at.column},
-                   "alias '" + alias.used->text + "' is used here");
+    if (alias_.declared)
+        error.note({where_.file, alias_.used->at.line, alias_.used->at.column},
+                   "alias '" + alias_.used->text + "' is used here");
     throw Unresolved();
 }
 

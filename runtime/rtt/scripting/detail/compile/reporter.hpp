@@ -29,7 +29,7 @@ public:
     template <class Convert>
     auto watched(ast::Place at, Convert convert) const;
     oroforge::diag::Location locate(ast::Place at) const {
-        return {alias.declared ? alias.declared->file : where_.file, at.line, at.column};
+        return {alias_.declared ? alias_.declared->file : where_.file, at.line, at.column};
     }
 
     /** The alias that is compiled where it is used, if any. It gets no warnings, because its declaration got them. */
@@ -37,11 +37,13 @@ public:
         const Scope::Entry* declared = nullptr;  ///< the innermost one
         const ast::Identifier* used = nullptr;   ///< the use of the outermost one
     };
-    Alias alias;
+    const Alias& alias() const { return alias_; }
+    void setAlias(Alias alias) { alias_ = alias; }
 
 private:
     const CompileContext& where_;
     const unsigned& quiet_;
+    Alias alias_;
 };
 
 template <class Convert>

@@ -130,7 +130,7 @@ void UnknownName::fail(const NameCompiler::Nodes& nodes, const ast::Name& name) 
     const Node& last = nodes.back();
     if (where_.toCome && isToCome(last, name)) throw Unresolved();
     if (name.called) checkCallOfValue(nodes, name);
-    const bool unquoted = text == &name && !name.called;
+    const bool unquoted = text_ == &name && !name.called;
     const std::string hint = unquoted ? "put texts into quotes: \"" + joined(parts) + '"' : "";
     if (last.used == parts.size())
         reporter_.error(parts[0].at, "OPS132",

@@ -14,8 +14,8 @@ public:
 
     /** Reports that the name leads no further than to the last node, unless it may exist later. */
     [[noreturn]] void fail(const NameCompiler::Nodes& nodes, const ast::Name& name);
-    /** The argument that must be a text; null if there is none. Its name may lack the quotes. */
-    const ast::Name* text = nullptr;
+    /** Notes the argument that must be a text, whose name may lack the quotes; null if there is none. */
+    void expectText(const ast::Name* argument) { text_ = argument; }
 
 private:
     typedef NameCompiler::Node Node;
@@ -27,6 +27,8 @@ private:
     std::string missing(const Node& last, const ast::Name& name) const;
     std::vector<std::string> knownNames(const Node& last, bool isLast, bool called) const;
     unsigned lineOfLaterFunction(const ast::Identifier& name) const;
+
+    const ast::Name* text_ = nullptr;
 };
 
 }  // namespace RTT::scripting::detail
