@@ -104,6 +104,22 @@ Operand ValueCompiler::taken(const Operand& value, std::size_t at) {
     return loaded;
 }
 
+bool ValueCompiler::storeDirect(const Operand& to, const Operand& value) {
+    if (!to.address)
+        return withType(to.kind, [&](auto type) {
+            typedef typename decltype(type)::type T;
+            auto* const target = internal::AssignableDataSource<T>::narrow(code_.keepSource(to.source));
+            if (target) code_.add(&instructions::store<T>, value.address, nullptr, target);
+            return target != nullptr;
+        });
+    void* const address = const_cast<void*>(to.address);
+    if (value.computed && code_.at(code_.size() - 1).to == value.address)
+        code_.at(code_.size() - 1).to = address;
+    else
+        code_.add(conversionAction(to.kind, to.kind), value.address, nullptr, address);
+    return true;
+}
+
 void ValueCompiler::store(const Operand& to, Operand value, const std::string& what) {
     const auto refuse = [&] {
         reporter_.error(value.at, "OPS128",
@@ -117,18 +133,7 @@ void ValueCompiler::store(const Operand& to, Operand value, const std::string& w
         value = loadAs(value, wide);
     if (isDirect(to.kind) && isDirect(value.kind) && conversion(value.kind, to.kind) != Conversion::None) {
         value = loadAs(value, to.kind);
-        if (!to.address) {
-            withType(to.kind, [&](auto type) {
-                typedef typename decltype(type)::type T;
-                auto* const target = internal::AssignableDataSource<T>::narrow(code_.keepSource(to.source));
-                if (!target) refuse();
-                code_.add(&instructions::store<T>, value.address, nullptr, target);
-            });
-        } else if (value.computed && code_.at(code_.size() - 1).to == value.address) {
-            code_.at(code_.size() - 1).to = const_cast<void*>(to.address);
-        } else {
-            code_.add(conversionAction(to.kind, to.kind), value.address, nullptr, const_cast<void*>(to.address));
-        }
+        if (!storeDirect(to, value)) refuse();
         return;
     }
     try {

@@ -33,7 +33,8 @@ public:
     void discard(const Operand& operand);
 
 private:
-    void storeDirect(const Operand& to, const Operand& value);
+    /** The value has the kind of `to`. False if `to` cannot be assigned. */
+    bool storeDirect(const Operand& to, const Operand& value);
 };
 
 }  // namespace RTT::scripting::detail
