@@ -47,5 +47,5 @@ oroforge_clang_library(describe
   LIBS oroforge_clang_types)
 # Finds the user's classes: which bytes of the sources are which part.
 oroforge_clang_library(update
-  FILES conditional_watch function_spans registrations source_run user_class
+  FILES conditional_watch format_inserted function_spans registrations source_run user_class
   LIBS oroforge_clang_base)

@@ -71,7 +71,8 @@ void addNewClasses(const NewClasses& input, const render::Renderer& renderer, em
                         .note(wanted.where, "the manifest wants it here");
                 continue;
             }
-            outputs[file] = all.user.at(file);
+            const std::string& text = all.user.at(file);
+            outputs[file] = input.format(file, text, {{0, text.size()}}).front();
             plan.changes.push_back(file + ": new");
         }
         plan.record[wanted.name] = merge::recordOf(wanted);

@@ -21,6 +21,7 @@ struct NewClasses {
     const std::vector<merge::WantedClass>& wanted;
     const merge::Record& record;
     const model::UserCode& code;
+    const merge::Formatter& format;
 };
 
 /// Adds classes that only the manifest has: their files, and their lines in CMakeLists.txt. A file that exists already

@@ -9,6 +9,7 @@
 
 #include <check/check.hpp>
 #include <clang/base/toolchain_flags.hpp>
+#include <clang/update/format_inserted.hpp>
 #include <clang/update/user_class.hpp>
 #include <diag/nearest_match.hpp>
 #include <driver/manifest_types.hpp>
@@ -226,13 +227,17 @@ void updatePackage(const Options& options, const render::Renderer& renderer, std
                                  {options.takeCode.begin(), options.takeCode.end()}};
     diag::Sink found;
     merge::Plan plan = merge::plan(package->wanted, {code.user, code.answers, package->record, choices}, found);
+    const merge::Formatter format = [&](const auto& file, const auto& text, const auto& inserted) {
+        return cxx::formatInserted({package->root.string(), package->shown, file, text, inserted}, sink);
+    };
+    if (!found.hadErrors()) plan.edits.format(code.user.texts, format);
     emit::Outputs outputs;
     for (const auto& [file, edits] : plan.edits.byFile())
         outputs[file] = merge::applied(code.user.texts.at(file), edits);
     const NewClasses fresh{package->model,  fs::path(package->manifest).filename().string(),
                            package->root,   package->shown,
                            package->wanted, package->record,
-                           code.user};
+                           code.user,       format};
     addNewClasses(fresh, renderer, outputs, plan, found);
     const bool writes = !sink.hadErrors() && !found.hadErrors() && !options.dryRun && !options.check;
     passOn(found, writes ? plan.edits : merge::Edits(), package->shown, code.user, sink);

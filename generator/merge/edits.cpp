@@ -7,15 +7,41 @@
 
 namespace oroforge::merge {
 
-void Edits::replace(const std::string& file, model::Span span, const std::string& text) {
-    std::vector<Edit>& edits = byFile_[file];
+namespace {
+
+void add(std::vector<Edit>& edits, Edit edit) {
     // Goes after all edits at the same place: the order of insertions is the order of the calls.
-    const auto at = std::upper_bound(edits.begin(), edits.end(), span.begin,
-                                     [](std::size_t begin, const Edit& edit) { return begin < edit.span.begin; });
-    edits.insert(at, Edit{span, text});
+    const auto at = std::upper_bound(edits.begin(), edits.end(), edit.span.begin,
+                                     [](std::size_t begin, const Edit& one) { return begin < one.span.begin; });
+    edits.insert(at, std::move(edit));
 }
 
-void Edits::insert(const std::string& file, std::size_t at, const std::string& text) { replace(file, {at, at}, text); }
+}  // namespace
+
+void Edits::replace(const std::string& file, model::Span span, const std::string& text) {
+    add(byFile_[file], {span, text, false});
+}
+
+void Edits::insert(const std::string& file, std::size_t at, const std::string& text) {
+    add(byFile_[file], {{at, at}, text, true});
+}
+
+void Edits::format(const std::map<std::string, std::string>& texts, const Formatter& formatter) {
+    for (auto& [file, edits] : byFile_) {
+        std::vector<Edit*> lines;
+        std::vector<model::Span> inserted;
+        std::size_t added = 0, removed = 0;
+        for (Edit& edit : edits) {
+            const std::size_t begin = edit.span.begin + added - removed;
+            if (edit.isLines) lines.push_back(&edit), inserted.push_back({begin, begin + edit.text.size()});
+            added += edit.text.size();
+            removed += edit.span.end - edit.span.begin;
+        }
+        if (lines.empty()) continue;
+        const std::vector<std::string> formatted = formatter(file, applied(texts.at(file), edits), inserted);
+        for (std::size_t i = 0; i != lines.size(); ++i) lines[i]->text = formatted[i];
+    }
+}
 
 std::string applied(const std::string& text, const std::vector<Edit>& edits) {
     std::string result;

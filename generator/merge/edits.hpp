@@ -4,6 +4,7 @@
 #ifndef OROFORGE_GENERATOR_MERGE_EDITS_HPP
 #define OROFORGE_GENERATOR_MERGE_EDITS_HPP
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,13 +17,20 @@ namespace oroforge::merge {
 struct Edit {
     model::Span span;
     std::string text;
+    bool isLines = false;  ///< whole declarations, definitions or statements
 };
+
+/// Returns the new text of each of `inserted`, which are bytes of `text` in `file`.
+using Formatter = std::function<std::vector<std::string>(const std::string& file, const std::string& text,
+                                                         const std::vector<model::Span>& inserted)>;
 
 class Edits {
 public:
     void replace(const std::string& file, model::Span span, const std::string& text);
-    /// Insertions at the same place keep the order of the calls.
+    /// Inserts lines. Insertions at the same place keep the order of the calls.
     void insert(const std::string& file, std::size_t at, const std::string& text);
+    /// Formats the inserted lines where they will be. `texts` has the files before the edits.
+    void format(const std::map<std::string, std::string>& texts, const Formatter& formatter);
 
     bool empty() const { return byFile_.empty(); }
     /// By file; sorted by place.

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright Oroforge contributors
 """orocreate-pkg --update on random pairs of a user edit and a manifest edit: no byte of the user is lost, the second run
-changes nothing, and what comes out compiles (a sample of it). Classes have a generated base, or register all themselves.
+changes nothing, and what comes out compiles (a sample of it). Classes have a generated base, or register all themselves;
+most packages have a .clang-format.
 
 usage: round_trip.py OROCREATE_PKG COMPILER INCLUDES COUNT SAMPLE [FIRST_SEED]
 """
@@ -20,6 +21,12 @@ from user_edits import USER_EDITS
 TYPES = ["int", "double", "bool", "std::string", "const std::string&", "std::vector<double>", "unsigned int"]
 RETURNS = ["void", "bool", "int", "std::string", "std::vector<double>"]
 HOOKS = ["configure", "start", "update", "stop", "cleanup", "error", "exception"]
+# None: the style is learnt. LineEnding must not change those that a file has.
+STYLES = [None, "BasedOnStyle: Google", "BasedOnStyle: LLVM\nLineEnding: LF", "BasedOnStyle: Microsoft\nColumnLimit: 60",
+          "BasedOnStyle: GNU", "BasedOnStyle: Mozilla\nLineEnding: CRLF", "BasedOnStyle: WebKit\nUseTab: Always",
+          "BasedOnStyle: LLVM\nNamespaceIndentation: All\nMaxEmptyLinesToKeep: 0\nInsertNewlineAtEOF: true",
+          "BasedOnStyle: Google\nAlignConsecutiveDeclarations: true\nSeparateDefinitionBlocks: Always",
+          "BasedOnStyle: Chromium\nQualifierAlignment: Right\nInsertBraces: true", "DisableFormat: true", "IndentWidth: x"]
 STUBS = pathlib.Path(__file__).resolve().parent / "stubs"
 
 
@@ -166,7 +173,7 @@ def without_entitled(text, changed):
     for name in changed.texts:
         def silent(match):
             return re.sub(r'\s*\.(?:doc|arg)\("[^)]*"\)', "", match.group(0))
-        text = re.sub(r'\badd\w+\s*\("' + name + r'"[^;]*;', silent, text)
+        text = re.sub(r'\badd\w+\s*\(\s*"' + name + r'"[^;]*;', silent, text)
     return text
 
 
@@ -232,6 +239,10 @@ def one_case(seed, program, compiler, includes, compiles):
     with tempfile.TemporaryDirectory(prefix="oro_update_") as folder:
         manifest = Manifest(rng)
         package = make_package(folder, manifest, program, own)
+        style = rng.choice(STYLES)
+        (package / ".clang-format").unlink(missing_ok=True)
+        if style:
+            (package / ".clang-format").write_text(style + "\n")
         edits = rng.sample(USER_EDITS, rng.randint(1, 4))
         for edit in sorted(edits, key=USER_EDITS.index):
             edit(package, rng)
@@ -240,7 +251,7 @@ def one_case(seed, program, compiler, includes, compiles):
         for _ in range(rng.randint(1, 3)):
             manifest.edit(changed, compiles)
         (package / "tank.xml").write_text(manifest.text())
-        told = f"{'own registration, ' if own else ''}user edits: {[edit.__name__ for edit in edits]}"
+        told = f"{'own registration, ' if own else ''}style {style!r}, user edits: {[edit.__name__ for edit in edits]}"
         update = [program, "--update", "-I", str(STUBS)]
         status, _, errors = run(update, package)
         after = sources(package)
@@ -271,9 +282,10 @@ def check_follows(package, manifest, text, own, told):
     missing = [name for name in manifest.operations if not re.search(r"\b" + name + r"\s*\(", text)]
     if own:
         for name, (_, arguments) in manifest.operations.items():
-            call = re.search(r'addOperation\s*\("' + name + r'"[^;]*;', text)
-            names = re.findall(r'\.arg\("(\w+)"', call.group(0)) if call else None
-            if names != [argument for argument, _ in arguments] or f'.doc("{manifest.doc}")' not in call.group(0):
+            call = re.search(r'addOperation\s*\(\s*"' + name + r'"[^;]*;', text)
+            names = re.findall(r'\.arg\s*\("(\w+)"', call.group(0)) if call else None
+            doc = r'\.doc\s*\("' + manifest.doc + r'"\)'
+            if names != [argument for argument, _ in arguments] or not re.search(doc, call.group(0)):
                 missing.append(call.group(0) if call else f"the registration of {name}")
         for kind, member in ((f"RTT::OutputPort<{manifest.port}>", "level_"), (manifest.property, "gain_")):
             if not re.search(re.escape(kind) + r"\s+" + member, text):

@@ -112,9 +112,29 @@ TEST(Edits, AreMadeAndUndone) {
     EXPECT_EQ(undone(after, text, edits.byFile().at("f")), text);
 }
 
+TEST(Edits, FormatLinesWhereTheyWillBe) {
+    const std::string text = "one\ntwo three\n";
+    Edits edits;
+    edits.replace("f", {0, 3}, "first");
+    edits.insert("f", 4, "a\n");
+    edits.replace("f", {8, 8}, "and ");
+    edits.insert("f", text.size(), "b\n");
+    edits.replace("g", {0, 0}, "no line");
+    std::string seen;
+    edits.format({{"f", text}, {"g", ""}}, [&](const auto& file, const auto& after, const auto& inserted) {
+        seen += file + ": " + after;
+        std::vector<std::string> formatted;
+        for (const model::Span& span : inserted) formatted.push_back("<" + cut(after, span) + ">");
+        return formatted;
+    });
+
+    EXPECT_EQ(seen, "f: first\na\ntwo and three\nb\n");
+    EXPECT_EQ(applied(text, edits.byFile().at("f")), "first\n<a\n>two and three\n<b\n>");
+}
+
 TEST(Moved, FollowsWhatWasInserted) {
     const std::string text = "a\nb c\nd";
-    const std::vector<Edit> edits = {{{2, 2}, "new\n"}, {{2, 3}, "bb"}};
+    const std::vector<Edit> edits = {{{2, 2}, "new\n", true}, {{2, 3}, "bb", false}};
 
     EXPECT_EQ(moved({"f", 1, 1}, text, edits), (diag::Location{"f", 1, 1}));
     EXPECT_EQ(moved({"f", 2, 3}, text, edits), (diag::Location{"f", 3, 4}));
