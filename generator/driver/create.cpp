@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 //
 //     words or manifest ─► model ─► checks ─► scaffold ─► directory ready? ─► write all or nothing
-#include <driver/create.hpp>
+#include <driver/commands.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // Copyright Oroforge contributors
 //
 //     files ─► flags of the compiler ─► classes ─► model ─► checks ─► manifest
-#include <driver/describe.hpp>
+#include <driver/commands.hpp>
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <driver/create.hpp>
+#include <driver/commands.hpp>
 
 #include <filesystem>
 #include <ostream>

@@ -4,12 +4,8 @@
 #include <iostream>
 
 #include <diag/print.hpp>
-#include <driver/add.hpp>
-#include <driver/create.hpp>
-#include <driver/describe.hpp>
+#include <driver/commands.hpp>
 #include <driver/kinds.hpp>
-#include <driver/update.hpp>
-#include <driver/upgrade.hpp>
 #include <render/renderer.hpp>
 #include <explain/explanations.hpp>
 #include <report/report.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <driver/upgrade.hpp>
+#include <driver/commands.hpp>
 
 #include <algorithm>
 #include <filesystem>
