@@ -74,8 +74,7 @@ bool checkLimit(const char* what, const std::optional<model::Number>& limit, con
 }
 
 /// `what` says whether it is a property or an attribute.
-template <class Value>
-void checkRange(const std::string& what, const Value& property, diag::Sink& sink) {
+void checkRange(const std::string& what, const model::Value& property, diag::Sink& sink) {
     const bool hasMinimum = checkLimit("min", property.minimum, property.type, sink);
     const bool hasMaximum = checkLimit("max", property.maximum, property.type, sink);
     if (hasMinimum && hasMaximum && property.minimum->value > property.maximum->value) {
@@ -101,8 +100,7 @@ void checkRange(const std::string& what, const Value& property, diag::Sink& sink
     }
 }
 
-template <class Value>
-void checkValue(const std::string& what, const Value& value, diag::Sink& sink) {
+void checkValue(const std::string& what, const model::Value& value, diag::Sink& sink) {
     checkDefault(value.defaultValue, value.type, sink);
     if (value.type.given()) checkRange(what, value, sink);
 }

@@ -65,30 +65,27 @@ model::Port readPort(const Element& element) {
     return port;
 }
 
+void readValue(const Element& element, model::Value& value) {
+    value.name = text(element, "name");
+    value.type = text(element, "type");
+    value.defaultValue = text(element, "default");
+    value.minimum = number(element, "min");
+    value.maximum = number(element, "max");
+    value.unit = element.attributeOr("unit", "");
+    value.doc = docOf(element);
+    value.where = element.where;
+}
+
 model::Property readProperty(const Element& element) {
     model::Property property;
-    property.name = text(element, "name");
-    property.type = text(element, "type");
-    property.defaultValue = text(element, "default");
-    property.minimum = number(element, "min");
-    property.maximum = number(element, "max");
-    property.unit = element.attributeOr("unit", "");
-    property.doc = docOf(element);
-    property.where = element.where;
+    readValue(element, property);
     return property;
 }
 
 model::Attribute readAttribute(const Element& element) {
     model::Attribute attribute;
-    attribute.name = text(element, "name");
-    attribute.type = text(element, "type");
-    attribute.defaultValue = text(element, "default");
+    readValue(element, attribute);
     attribute.constant = flag(element, "constant", false);
-    attribute.minimum = number(element, "min");
-    attribute.maximum = number(element, "max");
-    attribute.unit = element.attributeOr("unit", "");
-    attribute.doc = docOf(element);
-    attribute.where = element.where;
     return attribute;
 }
 
@@ -170,10 +167,10 @@ std::optional<model::Activity> readActivity(const Element& element) {
 /// Without <hooks>, a component has the five usual ones; with it, exactly those listed.
 model::Hooks readHooks(const Element& component) {
     const Element* element = component.child("hooks");
-    if (element == nullptr) return {};
-    return {flag(*element, "configure", false), flag(*element, "start", false),   flag(*element, "update", false),
-            flag(*element, "stop", false),      flag(*element, "cleanup", false), flag(*element, "error", false),
-            flag(*element, "exception", false)};
+    model::Hooks hooks;
+    if (element == nullptr) return hooks;
+    for (const model::Hook& hook : model::kHooks) hooks.*hook.wanted = flag(*element, hook.name, false);
+    return hooks;
 }
 
 model::Component readComponent(const Element& element) {

@@ -85,8 +85,7 @@ Node portNode(const model::Port& port) {
     return node;
 }
 
-template <class Value>
-void addValue(const Value& value, Node& node) {
+void addValue(const model::Value& value, Node& node) {
     node.setIf(value.defaultValue.given(), "default", value.defaultValue.value);
     node.setIf(!value.unit.empty(), "unit", value.unit);
     node.setGiven("min", value.minimum).setGiven("max", value.maximum).doc(value.doc);

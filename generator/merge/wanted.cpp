@@ -60,16 +60,20 @@ WantedMember wantedMember(const model::Port& port, const model::ServicePath& pat
     return member;
 }
 
-WantedMember wantedMember(const model::Property& property, const model::ServicePath& path) {
-    WantedMember member = memberOf(property, "property", path, model::docWithUnit(property.doc, property.unit));
-    member.initialiser = model::initialiser(property.defaultValue, property.type.value);
+template <class Value>
+WantedMember valueMember(const Value& value, const char* kind, const model::ServicePath& path) {
+    WantedMember member = memberOf(value, kind, path, model::docWithUnit(value.doc, value.unit));
+    member.initialiser = model::initialiser(value.defaultValue, value.type.value);
     return member;
 }
 
+WantedMember wantedMember(const model::Property& property, const model::ServicePath& path) {
+    return valueMember(property, "property", path);
+}
+
 WantedMember wantedMember(const model::Attribute& attribute, const model::ServicePath& path) {
-    WantedMember member = memberOf(attribute, "attribute", path, model::docWithUnit(attribute.doc, attribute.unit));
+    WantedMember member = valueMember(attribute, "attribute", path);
     member.declared = model::qualifierOf(attribute) + member.type;
-    member.initialiser = model::initialiser(attribute.defaultValue, attribute.type.value);
     // Attributes have no description in the runtime.
     member.registration.texts.clear();
     return member;

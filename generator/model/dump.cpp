@@ -71,28 +71,20 @@ Json toJson(const Port& port) {
     return json;
 }
 
-Json toJson(const Property& property) {
-    Json json = started(property.name);
-    put(json, "type", property.type);
-    if (property.defaultValue.given()) json["default"] = property.defaultValue.value;
-    put(json, "unit", property.unit);
-    put(json, "min", property.minimum);
-    put(json, "max", property.maximum);
-    put(json, "doc", property.doc);
+Json toJson(const Value& value, bool constant) {
+    Json json = started(value.name);
+    put(json, "type", value.type);
+    if (value.defaultValue.given()) json["default"] = value.defaultValue.value;
+    if (constant) json["constant"] = true;
+    put(json, "unit", value.unit);
+    put(json, "min", value.minimum);
+    put(json, "max", value.maximum);
+    put(json, "doc", value.doc);
     return json;
 }
 
-Json toJson(const Attribute& attribute) {
-    Json json = started(attribute.name);
-    put(json, "type", attribute.type);
-    if (attribute.defaultValue.given()) json["default"] = attribute.defaultValue.value;
-    if (attribute.constant) json["constant"] = true;
-    put(json, "unit", attribute.unit);
-    put(json, "min", attribute.minimum);
-    put(json, "max", attribute.maximum);
-    put(json, "doc", attribute.doc);
-    return json;
-}
+Json toJson(const Property& property) { return toJson(property, false); }
+Json toJson(const Attribute& attribute) { return toJson(attribute, attribute.constant); }
 
 Json toJson(const Argument& argument) {
     Json json = started(argument.name);

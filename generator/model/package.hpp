@@ -53,7 +53,8 @@ struct Port {
     diag::Location where;
 };
 
-struct Property {
+/// A property or an attribute.
+struct Value {
     Text name;
     Text type;
     Text defaultValue;
@@ -64,17 +65,11 @@ struct Property {
     diag::Location where;
 };
 
-/// A value without description in the runtime. A constant keeps its default.
-struct Attribute {
-    Text name;
-    Text type;
-    Text defaultValue;
+struct Property : Value {};
+
+/// Without description in the runtime. A constant keeps its default.
+struct Attribute : Value {
     bool constant = false;
-    std::optional<Number> minimum;
-    std::optional<Number> maximum;
-    std::string unit;
-    std::string doc;
-    diag::Location where;
 };
 
 struct Argument {

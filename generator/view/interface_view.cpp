@@ -53,8 +53,7 @@ json portView(const model::Port& port, const model::ServicePath& path) {
 }
 
 /// Makes a condition per limit, but none that is always true: compilers warn about those.
-template <class Value>
-json limitsOf(const Value& property, const std::string& member) {
+json limitsOf(const model::Value& property, const std::string& member) {
     const model::TypeClass kind = model::classify(property.type.value);
     json list = json::array();
     const auto add = [&](const char* comparison, const char* words, const model::Number& limit) {
@@ -68,9 +67,7 @@ json limitsOf(const Value& property, const std::string& member) {
     return list;
 }
 
-/// For a property or an attribute.
-template <class Value>
-json valueView(const Value& value, const model::ServicePath& path) {
+json valueView(const model::Value& value, const model::ServicePath& path) {
     json view = placed(value.name, path);
     view["type"] = value.type.value;
     view["init"] = model::initialiser(value.defaultValue, value.type.value);

@@ -41,8 +41,7 @@ std::string paragraph(const std::string& text) {
     return result;
 }
 
-template <class Value>
-std::string rangeOf(const Value& value) {
+std::string rangeOf(const model::Value& value) {
     if (value.minimum && value.maximum) return value.minimum->text + " to " + value.maximum->text;
     if (value.minimum) return "from " + value.minimum->text;
     return value.maximum ? "up to " + value.maximum->text : "";
@@ -65,8 +64,7 @@ json portEntry(const model::Port& port) {
             {"doc", cell(port.doc)}};
 }
 
-template <class Value>
-json valueEntry(const Value& value) {
+json valueEntry(const model::Value& value) {
     return {
         {"name", code(value.name.value)}, {"type", code(value.type.value)}, {"default", code(value.defaultValue.value)},
         {"unit", cell(value.unit)},       {"range", cell(rangeOf(value))},  {"doc", cell(value.doc)}};
@@ -109,7 +107,7 @@ json sections(const model::Interface& top, const std::string& title, const std::
     const auto add = [&](const model::Interface& interface, const std::string& heading, const std::string& text) {
         json view{{"heading", heading}, {"doc", orNull(paragraph(text))}};
         put(view, "ports", interface.ports, portEntry);
-        put(view, "properties", interface.properties, valueEntry<model::Property>);
+        put(view, "properties", interface.properties, valueEntry);
         put(view, "attributes", interface.attributes, attributeEntry);
         put(view, "operations", interface.operations, operationEntry);
         list.push_back(view);

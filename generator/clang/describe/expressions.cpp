@@ -16,7 +16,8 @@ using Kind = Value::Kind;
 bool isNumeric(const Value& value) { return value.is(Kind::Number) || value.is(Kind::Real) || value.is(Kind::Boolean); }
 double realOf(const Value& value) { return value.is(Kind::Real) ? value.real : static_cast<double>(value.number); }
 
-Value compared(BinaryOperatorKind kind, double left, double right) {
+template <class Number>
+Value compared(BinaryOperatorKind kind, Number left, Number right) {
     switch (kind) {
         case clang::BO_LT: return Value::ofBoolean(left < right);
         case clang::BO_GT: return Value::ofBoolean(left > right);
@@ -54,13 +55,7 @@ Value computed(BinaryOperatorKind kind, long long left, long long right) {
         case clang::BO_Xor: return of(a ^ b);
         case clang::BO_Shl: return b < 64 ? of(a << b) : Value();
         case clang::BO_Shr: return b < 64 ? Value::ofNumber(left >> right) : Value();
-        case clang::BO_LT: return Value::ofBoolean(left < right);
-        case clang::BO_GT: return Value::ofBoolean(left > right);
-        case clang::BO_LE: return Value::ofBoolean(left <= right);
-        case clang::BO_GE: return Value::ofBoolean(left >= right);
-        case clang::BO_EQ: return Value::ofBoolean(left == right);
-        case clang::BO_NE: return Value::ofBoolean(left != right);
-        default: return {};
+        default: return compared(kind, left, right);
     }
 }
 
