@@ -55,22 +55,6 @@ std::string applied(const std::string& text, const std::vector<Edit>& edits) {
     return result.append(text, at, std::string::npos);
 }
 
-std::string undone(const std::string& changed, const std::string& before, const std::vector<Edit>& edits) {
-    std::string result;
-    std::size_t at = 0;     // in `changed`
-    std::size_t atOld = 0;  // in `before`
-    for (const Edit& edit : edits) {
-        const std::size_t kept = edit.span.begin - atOld;
-        result.append(changed, at, kept);
-        at += kept;
-        if (changed.compare(at, edit.text.size(), edit.text) != 0) return {};
-        result.append(before, edit.span.begin, edit.span.end - edit.span.begin);
-        at += edit.text.size();
-        atOld = edit.span.end;
-    }
-    return result.append(changed, std::min(at, changed.size()), std::string::npos);
-}
-
 diag::Location moved(const diag::Location& where, const std::string& before, const std::vector<Edit>& edits) {
     if (where.line == 0) return where;
     std::size_t at = 0;

@@ -43,9 +43,6 @@ private:
 /// Returns the text with all edits made. Edits must not overlap.
 std::string applied(const std::string& text, const std::vector<Edit>& edits);
 
-/// Reverts the edits in `changed`; the result equals `before` if nothing else was touched.
-std::string undone(const std::string& changed, const std::string& before, const std::vector<Edit>& edits);
-
 /// Returns the place after the edits of a place in the text before them.
 diag::Location moved(const diag::Location& where, const std::string& before, const std::vector<Edit>& edits);
 

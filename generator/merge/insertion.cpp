@@ -57,11 +57,8 @@ Place placeBehind(const std::vector<Neighbour>& neighbours, const model::UserCla
 void insertLines(Edits& edits, const std::string& text, const std::string& file, std::size_t at,
                  const std::string& lines, const std::string& lineEnd, bool blankAboveIt) {
     std::string chunk = (blankAboveIt ? lineEnd : "") + lines;
-    if (at > 0 && text[at - 1] != '\n') {
-        // The place is inside a line: the rest of the line follows the new text.
-        chunk = lineEnd + chunk;
-        chunk.resize(chunk.size() - lineEnd.size());
-    }
+    // The place is inside a line: the rest of the line follows the new text.
+    if (at > 0 && text[at - 1] != '\n') chunk = lineEnd + chunk.substr(0, chunk.size() - lineEnd.size());
     edits.insert(file, at, chunk);
 }
 

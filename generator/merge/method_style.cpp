@@ -106,9 +106,12 @@ std::string bodyText(const MethodStyle& style, const WantedMethod& method) {
     return result + style.indent + "}" + style.lineEnd;
 }
 
-std::string head(const MethodStyle& style, const WantedMethod& method, bool overrides) {
-    return style.indent + (overrides && style.saysVirtual ? "virtual " : "") + method.signature.returns +
-           style.behindReturn + method.name + style.beforeBracket;
+/// Returns a declaration up to its ';' or body.
+std::string declared(const MethodStyle& style, const WantedMethod& method, bool overrides, bool commentNames) {
+    return withIndent(style, commentText(style, method.comment)) + style.indent +
+           (overrides && style.saysVirtual ? "virtual " : "") + method.signature.returns + style.behindReturn +
+           method.name + style.beforeBracket + arguments(style, method, commentNames) +
+           (overrides && style.saysOverride ? " override" : "");
 }
 
 }  // namespace
@@ -215,14 +218,11 @@ std::vector<std::string> commentText(const MethodStyle& style, const std::vector
 }
 
 std::string declarationText(const MethodStyle& style, const WantedMethod& method, bool overrides) {
-    return withIndent(style, commentText(style, method.comment)) + head(style, method, overrides) +
-           arguments(style, method, false) + (overrides && style.saysOverride ? " override" : "") + ";" + style.lineEnd;
+    return declared(style, method, overrides, false) + ";" + style.lineEnd;
 }
 
 std::string inlineText(const MethodStyle& style, const WantedMethod& method, bool overrides) {
-    return withIndent(style, commentText(style, method.comment)) + head(style, method, overrides) +
-           arguments(style, method, true) + (overrides && style.saysOverride ? " override" : "") +
-           bodyText(style, method);
+    return declared(style, method, overrides, true) + bodyText(style, method);
 }
 
 std::string definitionText(const MethodStyle& style, const WantedMethod& method, const std::string& qualifier,

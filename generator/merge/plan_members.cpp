@@ -5,6 +5,7 @@
 
 #include <merge/new_members.hpp>
 #include <merge/plan.hpp>
+#include <merge/plan_methods.hpp>
 #include <merge/plan_registration.hpp>
 #include <merge/text_places.hpp>
 #include <model/cpp_type.hpp>
@@ -134,7 +135,10 @@ private:
         if (field != nullptr) return planDeclared(member, *field, call, last, unchanged, takeManifest);
         // The call takes something that no class declares, such as a variable of another class.
         if (call != nullptr) return keepRecord(member, "", false);
-        if (last != nullptr && unchanged && !takeManifest) return warnRemoved(member, last->member);
+        if (last != nullptr && unchanged && !takeManifest) {
+            keepRecord(member, last->member, false);
+            return warnRemoved(type_, member.kind, member.shown, member.where, sink_);
+        }
         if (!canAdd(member.kind, member.shown, member.where)) return;
         const std::string name = fresh_.declare(member);
         registerField(member, name);
@@ -205,17 +209,6 @@ private:
         error.note(member.where, "in the manifest here")
             .hint("'--take-manifest " + member.shown + "' changes the type here, '--take-code " + member.shown +
                   "' leaves it as it is");
-    }
-
-    void warnRemoved(const WantedMember& member, const std::string& name) {
-        keepRecord(member, name, false);
-        sink_
-            .warning(type_.where, "OC034",
-                     "class '" + type_.name + "' no longer has " + member.kind + " '" + member.shown +
-                         "', which the manifest still has")
-            .note(member.where, "in the manifest here")
-            .hint("'--take-manifest " + member.shown + "' writes it again, '--take-code " + member.shown +
-                  "' leaves it out");
     }
 
     bool canAdd(const std::string& kind, const std::string& shown, const diag::Location& where) {

@@ -80,14 +80,7 @@ private:
         if (last != nullptr && unchanged && !takeManifest) {
             // The user removed it. If it is not wanted back, the manifest must drop it.
             keepRecord(method, false);
-            sink_
-                .warning(type_.where, "OC034",
-                         "class '" + type_.name + "' no longer has " + kind(method) + " '" + method.shown +
-                             "', which the manifest still has")
-                .note(method.where, "in the manifest here")
-                .hint("'--take-manifest " + method.shown + "' writes it again, '--take-code " + method.shown +
-                      "' leaves it out");
-            return;
+            return warnRemoved(type_, kind(method), method.shown, method.where, sink_);
         }
         if (type_.isMacro) {
             sink_
@@ -191,6 +184,14 @@ std::string asWritten(const UserFunction& function, const model::UserCode& code)
     const std::string type = withoutLayout(cut(text, function.returns));
     return (function.isTemplate ? "template " : "") + (trailing ? "auto" : type) + " " + function.name + "(" +
            arguments + ")" + (function.isOther ? " …" : "") + (trailing ? " -> " + type : "");
+}
+
+void warnRemoved(const model::UserClass& type, const std::string& kind, const std::string& shown,
+                 const diag::Location& where, diag::Sink& sink) {
+    sink.warning(type.where, "OC034",
+                 "class '" + type.name + "' no longer has " + kind + " '" + shown + "', which the manifest still has")
+        .note(where, "in the manifest here")
+        .hint("'--take-manifest " + shown + "' writes it again, '--take-code " + shown + "' leaves it out");
 }
 
 void planMethods(const WantedClass& wanted, const model::UserClass& type, const Input& input, Plan& into,

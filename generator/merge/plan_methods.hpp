@@ -18,6 +18,10 @@ bool hasSignature(const model::UserFunction& function, const model::Signature& s
 /// Returns the signature as the user wrote it: "bool finish(double sent)".
 std::string asWritten(const model::UserFunction& function, const model::UserCode& code);
 
+/// Warns that the user removed "operation" or "port" `shown`.
+void warnRemoved(const model::UserClass& type, const std::string& kind, const std::string& shown,
+                 const diag::Location& where, diag::Sink& sink);
+
 }  // namespace oroforge::merge
 
 #endif
