@@ -8,16 +8,6 @@ namespace {
 
 using model::ActivityKind;
 
-std::string word(ActivityKind kind) {
-    switch (kind) {
-        case ActivityKind::Periodic: return "periodic";
-        case ActivityKind::NonPeriodic: return "nonperiodic";
-        case ActivityKind::Sequential: return "sequential";
-        case ActivityKind::Slave: return "slave";
-    }
-    return {};
-}
-
 void checkPeriod(const model::Component& component, diag::Sink& sink) {
     const model::Activity& activity = *component.activity;
     if (activity.kind == ActivityKind::Periodic && !activity.period) {

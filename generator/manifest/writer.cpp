@@ -133,16 +133,9 @@ void addInterface(const model::Interface& interface, Node& node) {
 }
 
 void addActivity(const model::Activity& activity, Node& node) {
-    static const std::pair<model::ActivityKind, const char*> words[] = {
-        {model::ActivityKind::Periodic, "periodic"},
-        {model::ActivityKind::NonPeriodic, "nonperiodic"},
-        {model::ActivityKind::Sequential, "sequential"},
-        {model::ActivityKind::Slave, "slave"}};
     const auto usual = activity.period ? model::ActivityKind::Periodic : model::ActivityKind::NonPeriodic;
     const bool others = activity.period || activity.priority || activity.scheduler.given();
-    for (const auto& [kind, word] : words) {
-        if (kind == activity.kind && (kind != usual || !others)) node.set("activity", word);
-    }
+    node.setIf(activity.kind != usual || !others, "activity", model::word(activity.kind));
     node.setGiven("period", activity.period).setGiven("priority", activity.priority);
     node.setGiven("scheduler", activity.scheduler);
 }

@@ -42,16 +42,6 @@ Json toJson(const std::vector<T>& items) {
 
 Json started(const Text& name) { return Json{{"name", name.value}, {"at", place(name.where)}}; }
 
-const char* word(ActivityKind kind) {
-    switch (kind) {
-        case ActivityKind::Periodic: return "periodic";
-        case ActivityKind::NonPeriodic: return "nonperiodic";
-        case ActivityKind::Sequential: return "sequential";
-        case ActivityKind::Slave: return "slave";
-    }
-    return "";
-}
-
 Json toJson(const Policy& policy) {
     Json json{{"type", policy.type}};
     put(json, "size", policy.size);

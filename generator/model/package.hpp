@@ -30,6 +30,10 @@ struct Number {
 enum class Direction { In, Out };
 enum class Thread { Client, Own };
 enum class ActivityKind { Periodic, NonPeriodic, Sequential, Slave };
+/// Of each kind, in the manifest.
+inline constexpr const char* kActivityWords[] = {"periodic", "nonperiodic", "sequential", "slave"};
+inline std::string word(ActivityKind kind) { return kActivityWords[static_cast<std::size_t>(kind)]; }
+
 enum class InitialState { PreOperational, Stopped };
 
 /// The connection policy that a port proposes.
