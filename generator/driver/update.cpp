@@ -57,7 +57,6 @@ struct Package {
     model::Package model;
     std::vector<merge::WantedClass> wanted;
     merge::Record record;
-    bool hasRecord = false;
 };
 
 std::optional<Package> readPackage(const Options& options, const render::Renderer& renderer, diag::Sink& sink) {
@@ -83,7 +82,6 @@ std::optional<Package> readPackage(const Options& options, const render::Rendere
     const auto parsed = merge::parseRecord(record, package.shown + merge::kRecordFile, sink);
     if (!parsed) return std::nullopt;
     package.record = *parsed;
-    package.hasRecord = true;
     return package;
 }
 
