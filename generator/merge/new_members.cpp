@@ -140,9 +140,9 @@ std::string NewMembers::receiverLike(const UserRegistration* sample, bool sameKi
 }
 
 void NewMembers::registerBy(const std::string& kind, const std::string& path, const std::string& bare,
-                            const std::vector<WantedText>& texts) {
+                            const std::vector<DocText>& texts) {
     std::string call = bare;
-    for (const WantedText& one : texts)
+    for (const DocText& one : texts)
         call += one.argument.empty() ? ".doc(" + model::stringLiteral(one.words) + ")"
                                      : ".arg(\"" + one.argument + "\", " + model::stringLiteral(one.words) + ")";
     const std::string& text = input_.code.texts.at(constructor_->file);

@@ -27,7 +27,7 @@ public:
     std::string declare(const WantedMember& member);
     /// Adds "this->" + call + ".doc(…);" to the constructor.
     void registerBy(const std::string& kind, const std::string& path, const std::string& call,
-                    const std::vector<WantedText>& texts);
+                    const std::vector<DocText>& texts);
     /// Makes the edits.
     void finish();
 

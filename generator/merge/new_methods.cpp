@@ -26,6 +26,16 @@ const char* labelText(Access access) {
 
 }  // namespace
 
+/// Returns the operations, or hooks, before it in the manifest, the nearest first.
+std::vector<const WantedMethod*> NewMethods::methodsBefore(const WantedMethod& method) const {
+    std::vector<const WantedMethod*> result;
+    for (const WantedMethod& one : wanted_.methods) {
+        if (one.name == method.name) break;
+        if (one.isHook == method.isHook) result.insert(result.begin(), &one);
+    }
+    return result;
+}
+
 /// Returns the functions that it may follow, the best first.
 std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, bool inClass) const {
     std::vector<const UserFunction*> result;
@@ -38,15 +48,15 @@ std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, 
         for (auto it = type_.functions.rbegin(); it != type_.functions.rend(); ++it)
             if (usable(*it) && test(*it)) result.push_back(&*it);
     };
-    const auto self = std::find_if(wanted_.methods.begin(), wanted_.methods.end(),
-                                   [&](const WantedMethod& one) { return one.name == method.name; });
-    for (auto before = self; before != wanted_.methods.begin();) {
-        --before;
-        if (before->isHook != method.isHook) continue;
-        addLast([&](const UserFunction& one) { return one.name == before->name; });
+    const auto addNamed = [&](const std::string& name) {
+        addLast([&](const UserFunction& one) { return one.name == name; });
+    };
+    for (const WantedMethod* one : methodsBefore(method)) addNamed(one->name);
+    bool isBehind = false;
+    for (const WantedMethod& one : wanted_.methods) {
+        isBehind = isBehind || one.name == method.name;
+        if (isBehind && method.isHook) addNamed(one.name);
     }
-    for (auto behind = self; method.isHook && behind != wanted_.methods.end(); ++behind)
-        addLast([&](const UserFunction& one) { return one.name == behind->name; });
     if (inClass && method.isHook) return result;
     if (!inClass && method.isHook) addLast([](const UserFunction& one) { return one.kind == FunctionKind::Method; });
     const auto isPublic = [&](const UserFunction& one) { return !inClass || one.access == Access::Public; };
@@ -58,11 +68,7 @@ std::vector<const UserFunction*> NewMethods::ranked(const WantedMethod& method, 
 Place NewMethods::placeOf(const WantedMethod& method, bool inClass) {
     const std::map<std::string, Place>& added = inClass ? declared_ : defined_;
     // The nearest one before it may have just been added.
-    const auto self = std::find_if(wanted_.methods.begin(), wanted_.methods.end(),
-                                   [&](const WantedMethod& one) { return one.name == method.name; });
-    for (auto before = self; before != wanted_.methods.begin();) {
-        --before;
-        if (before->isHook != method.isHook) continue;
+    for (const WantedMethod* before : methodsBefore(method)) {
         const auto found = added.find(before->name);
         if (found != added.end()) return found->second;
         const auto stands = [&](const UserFunction& one) { return one.name == before->name && one.inClass == inClass; };

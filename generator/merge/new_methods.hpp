@@ -22,6 +22,7 @@ public:
     void add(const WantedMethod& method);
 
 private:
+    std::vector<const WantedMethod*> methodsBefore(const WantedMethod& method) const;
     std::vector<const model::UserFunction*> ranked(const WantedMethod& method, bool inClass) const;
     Place placeOf(const WantedMethod& method, bool inClass);
     void addAtEnd(const WantedMethod& method, bool overrides, bool isInline);

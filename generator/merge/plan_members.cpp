@@ -88,7 +88,7 @@ private:
 
     void keepRecord(const WantedMember& member, const std::string& name, bool kept) {
         into_.record[wanted_.name].members[member.shown] = {
-            member.kind, name, member.type, kept, member.portClass, recordOf(member.registration)};
+            member.kind, name, member.type, kept, member.portClass, member.registration};
     }
 
     /// Finds a registration under another kind: a property that became an attribute.
@@ -145,16 +145,15 @@ private:
         keepRecord(member, name, false);
     }
 
-    bool planCall(const WantedRegistration& wanted, const std::optional<RecordedRegistration>* last,
-                  const UserRegistration& call, const std::string& kind, const std::string& shown,
-                  const diag::Location& where) {
-        const RecordedRegistration* recorded = last != nullptr && last->has_value() ? &**last : nullptr;
+    bool planCall(const Registration& wanted, const std::optional<Registration>* last, const UserRegistration& call,
+                  const std::string& kind, const std::string& shown, const diag::Location& where) {
+        const Registration* recorded = last != nullptr && last->has_value() ? &**last : nullptr;
         const Registered names{kind + " '" + shown + "'", shown, where, chosen(input_.choices.manifest, shown)};
         return planRegistration(wanted, recorded, call, names, input_, into_, sink_);
     }
 
     void registerField(const WantedMember& member, const std::string& field) {
-        const WantedRegistration& how = member.registration;
+        const Registration& how = member.registration;
         fresh_.registerBy(member.kind, member.path, how.how + "(\"" + member.name + "\", " + field + ")", how.texts);
     }
 
@@ -233,8 +232,7 @@ private:
         const auto last = recorded_.methods.find(method.name);
         const auto keep = [&] {
             const auto kept = into_.record[wanted_.name].methods.find(method.name);
-            if (kept != into_.record[wanted_.name].methods.end())
-                kept->second.registration = recordOf(method.registration);
+            if (kept != into_.record[wanted_.name].methods.end()) kept->second.registration = method.registration;
         };
         if (chosen(input_.choices.code, method.shown)) return keep();
         if (const UserRegistration* call = callFor("operation", method.operation, method.shown)) {

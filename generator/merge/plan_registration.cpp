@@ -42,7 +42,7 @@ std::string namesIn(const Texts& texts) {
 
 class Planner {
 public:
-    Planner(const WantedRegistration& wanted, const RecordedRegistration* last, const model::UserRegistration& call,
+    Planner(const Registration& wanted, const Registration* last, const model::UserRegistration& call,
             const Registered& names, const Input& input, Plan& into, diag::Sink& sink)
         : wanted_(wanted),
           last_(last),
@@ -55,7 +55,7 @@ public:
     bool run() {
         planHow();
         if (!call_.textsKnown) {
-            if (last_ != nullptr && recordOf(wanted_).texts != last_->texts)
+            if (last_ != nullptr && wanted_.texts != last_->texts)
                 refuse("what is described behind it is not written plainly");
             return fine_;
         }
@@ -107,7 +107,7 @@ private:
     }
 
     /// True if the words of a doc() or arg() must be replaced.
-    bool changes(const UserText& code, const WantedText& wanted) {
+    bool changes(const UserText& code, const DocText& wanted) {
         const auto* last = last_ == nullptr ? nullptr : textOf(last_->texts, wanted.argument);
         const std::string part =
             wanted.argument.empty() ? "the text" : "the text of argument '" + wanted.argument + "'";
@@ -119,12 +119,12 @@ private:
         return !code.literal.empty();
     }
 
-    void planWords(const UserText& code, const WantedText& wanted) {
+    void planWords(const UserText& code, const DocText& wanted) {
         if (changes(code, wanted)) replace(code.literal, model::stringLiteral(wanted.words));
     }
 
     void planDoc() {
-        const WantedText* wanted = textOf(wanted_.texts, "");
+        const DocText* wanted = textOf(wanted_.texts, "");
         if (wanted == nullptr) return;
         if (const UserText* code = textOf(call_.texts, "")) return planWords(*code, *wanted);
         // A text that was recorded but is missing was removed by the user.
@@ -143,7 +143,7 @@ private:
     void planArguments() {
         const std::string code = namesIn(call_.texts), wanted = namesIn(wanted_.texts);
         if (code == wanted) {
-            for (const WantedText& one : wanted_.texts)
+            for (const DocText& one : wanted_.texts)
                 if (!one.argument.empty()) planWords(*textOf(call_.texts, one.argument), one);
             return;
         }
@@ -170,7 +170,7 @@ private:
                               "', which the manifest no longer has");
         }
         std::string result;
-        for (const WantedText& one : wanted_.texts) {
+        for (const DocText& one : wanted_.texts) {
             if (one.argument.empty()) continue;
             const auto piece = pieces.find(one.argument);
             if (piece == pieces.end()) {
@@ -186,8 +186,8 @@ private:
         replace(all, result);
     }
 
-    const WantedRegistration& wanted_;
-    const RecordedRegistration* last_;
+    const Registration& wanted_;
+    const Registration* last_;
     const model::UserRegistration& call_;
     const Registered& names_;
     const std::string& text_;
@@ -199,16 +199,9 @@ private:
 
 }  // namespace
 
-bool planRegistration(const WantedRegistration& wanted, const RecordedRegistration* last,
-                      const model::UserRegistration& call, const Registered& names, const Input& input, Plan& into,
-                      diag::Sink& sink) {
+bool planRegistration(const Registration& wanted, const Registration* last, const model::UserRegistration& call,
+                      const Registered& names, const Input& input, Plan& into, diag::Sink& sink) {
     return Planner(wanted, last, call, names, input, into, sink).run();
-}
-
-RecordedRegistration recordOf(const WantedRegistration& wanted) {
-    RecordedRegistration record{wanted.how, {}};
-    for (const WantedText& text : wanted.texts) record.texts.push_back({text.argument, text.words});
-    return record;
 }
 
 }  // namespace oroforge::merge

@@ -20,11 +20,8 @@ struct Registered {
 /// Lets a call such as addPort("level", level_).doc("The level") follow the manifest: name, thread, doc() and arg().
 /// Text that the user changed stays; if the manifest changed as well, that is an error. Missing parts are added only if
 /// they are new in the manifest. Returns false after an error.
-bool planRegistration(const WantedRegistration& wanted, const RecordedRegistration* last,
-                      const model::UserRegistration& call, const Registered& names, const Input& input, Plan& into,
-                      diag::Sink& sink);
-
-RecordedRegistration recordOf(const WantedRegistration& wanted);
+bool planRegistration(const Registration& wanted, const Registration* last, const model::UserRegistration& call,
+                      const Registered& names, const Input& input, Plan& into, diag::Sink& sink);
 
 }  // namespace oroforge::merge
 

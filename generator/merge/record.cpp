@@ -16,9 +16,9 @@ constexpr int kFormat = 1;
 const char* const kAbout =
     "what orocreate-pkg last wrote into the classes of this package; orocreate-pkg --update needs it";
 
-json toJson(const RecordedRegistration& registration) {
+json toJson(const Registration& registration) {
     json value{{"how", registration.how}};
-    for (const RecordedText& text : registration.texts) {
+    for (const DocText& text : registration.texts) {
         if (text.argument.empty()) {
             value["doc"] = text.words;
         } else {
@@ -46,10 +46,10 @@ json toJson(const RecordedMember& member) {
     return value;
 }
 
-std::optional<RecordedRegistration> registrationFrom(const json& owner) {
+std::optional<Registration> registrationFrom(const json& owner) {
     if (!owner.contains("registration")) return std::nullopt;
     const json& value = owner["registration"];
-    RecordedRegistration registration{value.at("how").get<std::string>(), {}};
+    Registration registration{value.at("how").get<std::string>(), {}};
     if (value.contains("doc")) registration.texts.push_back({"", value["doc"].get<std::string>()});
     for (const json& one : value.value("arguments", json::array()))
         registration.texts.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});

@@ -17,26 +17,25 @@ namespace oroforge::merge {
 /// The name of the record in a package; it belongs under version control.
 inline constexpr const char* kRecordFile = ".orocreate-pkg.json";
 
-struct RecordedText {
+/// .doc("The level") or .arg("hard", "All of it").
+struct DocText {
     std::string argument;  ///< empty for doc()
     std::string words;
 };
 
-inline bool operator==(const RecordedText& a, const RecordedText& b) {
-    return a.argument == b.argument && a.words == b.words;
-}
+inline bool operator==(const DocText& a, const DocText& b) { return a.argument == b.argument && a.words == b.words; }
 
-/// Only for classes without a generated base.
-struct RecordedRegistration {
+/// A registration in a class without a generated base.
+struct Registration {
     std::string how;  ///< "addEventPort"; "OwnThread" of an operation
-    std::vector<RecordedText> texts;
+    std::vector<DocText> texts;
 };
 
 struct RecordedMethod {
     model::Signature signature;
     bool isHook = false;
     bool kept = false;  ///< the user decided for the code, whatever this signature is
-    std::optional<RecordedRegistration> registration = std::nullopt;
+    std::optional<Registration> registration = std::nullopt;
 };
 
 struct RecordedMember {
@@ -45,7 +44,7 @@ struct RecordedMember {
     std::string type;
     bool kept = false;
     std::string portClass = {};  ///< "InputPort" or "OutputPort" of a port
-    std::optional<RecordedRegistration> registration = std::nullopt;
+    std::optional<Registration> registration = std::nullopt;
 };
 
 struct RecordedClass {

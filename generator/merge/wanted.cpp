@@ -11,7 +11,7 @@ namespace oroforge::merge {
 namespace {
 
 /// Returns the text of doc(), which is left out if it is empty.
-std::vector<WantedText> textsOf(const std::string& doc) {
+std::vector<DocText> textsOf(const std::string& doc) {
     if (doc.empty()) return {};
     return {{"", doc}};
 }

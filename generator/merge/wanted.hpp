@@ -9,22 +9,11 @@
 #include <vector>
 
 #include <diag/diagnostic.hpp>
+#include <merge/record.hpp>
 #include <model/package.hpp>
 #include <model/user_code.hpp>
 
 namespace oroforge::merge {
-
-/// .doc("The level") or .arg("hard", "All of it").
-struct WantedText {
-    std::string argument;  ///< empty for doc()
-    std::string words;
-};
-
-/// A registration in a class without a generated base.
-struct WantedRegistration {
-    std::string how;  ///< "addEventPort"; "OwnThread" of an operation
-    std::vector<WantedText> texts;
-};
 
 struct WantedMethod {
     std::string name;
@@ -35,7 +24,7 @@ struct WantedMethod {
     std::vector<std::string> body;     ///< lines of a first definition, not indented
     std::string path;                  ///< provides("gripper")-> if it belongs to a service
     std::string operation;             ///< its name in the interface
-    WantedRegistration registration;
+    Registration registration;
     std::string registrationText;  ///< addOperation("finish", …).doc("…")
     diag::Location where;
 };
@@ -52,7 +41,7 @@ struct WantedMember {
     std::string declared;     ///< the type in C++ with its qualifier: "const double"
     std::string initialiser;  ///< " = 1.5", "{}" or nothing
     std::string comment;      ///< in one line; may be empty
-    WantedRegistration registration;
+    Registration registration;
     diag::Location where;
 };
 
