@@ -65,7 +65,8 @@ model::Port readPort(const Element& element) {
     return port;
 }
 
-void readValue(const Element& element, model::Value& value) {
+model::Value readValue(const Element& element) {
+    model::Value value;
     value.name = text(element, "name");
     value.type = text(element, "type");
     value.defaultValue = text(element, "default");
@@ -74,19 +75,7 @@ void readValue(const Element& element, model::Value& value) {
     value.unit = element.attributeOr("unit", "");
     value.doc = docOf(element);
     value.where = element.where;
-}
-
-model::Property readProperty(const Element& element) {
-    model::Property property;
-    readValue(element, property);
-    return property;
-}
-
-model::Attribute readAttribute(const Element& element) {
-    model::Attribute attribute;
-    readValue(element, attribute);
-    attribute.constant = flag(element, "constant", false);
-    return attribute;
+    return value;
 }
 
 model::Operation readOperation(const Element& element) {
@@ -119,8 +108,9 @@ model::Service readService(const Element& element);
 void readInterface(const Element& element, model::Interface& interface) {
     for (const Element& child : element.children) {
         if (child.name == "port") interface.ports.push_back(readPort(child));
-        if (child.name == "property") interface.properties.push_back(readProperty(child));
-        if (child.name == "attribute") interface.attributes.push_back(readAttribute(child));
+        if (child.name == "property") interface.properties.push_back({readValue(child)});
+        if (child.name == "attribute")
+            interface.attributes.push_back({readValue(child), flag(child, "constant", false)});
         if (child.name == "operation") interface.operations.push_back(readOperation(child));
         if (child.name == "provides") interface.services.push_back(readService(child));
     }

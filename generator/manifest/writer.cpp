@@ -85,24 +85,11 @@ Node portNode(const model::Port& port) {
     return node;
 }
 
-void addValue(const model::Value& value, Node& node) {
-    node.setIf(value.defaultValue.given(), "default", value.defaultValue.value);
-    node.setIf(!value.unit.empty(), "unit", value.unit);
+Node valueNode(const char* kind, const model::Value& value, bool constant) {
+    Node node(kind);
+    node.set("name", value.name.value).set("type", value.type.value).setFlag("constant", constant, false);
+    node.setGiven("default", value.defaultValue).setIf(!value.unit.empty(), "unit", value.unit);
     node.setGiven("min", value.minimum).setGiven("max", value.maximum).doc(value.doc);
-}
-
-Node propertyNode(const model::Property& property) {
-    Node node("property");
-    node.set("name", property.name.value).set("type", property.type.value);
-    addValue(property, node);
-    return node;
-}
-
-Node attributeNode(const model::Attribute& attribute) {
-    Node node("attribute");
-    node.set("name", attribute.name.value).set("type", attribute.type.value);
-    node.setFlag("constant", attribute.constant, false);
-    addValue(attribute, node);
     return node;
 }
 
@@ -121,8 +108,8 @@ Node operationNode(const model::Operation& operation) {
 
 void addInterface(const model::Interface& interface, Node& node) {
     for (const auto& port : interface.ports) node.add(portNode(port));
-    for (const auto& property : interface.properties) node.add(propertyNode(property));
-    for (const auto& attribute : interface.attributes) node.add(attributeNode(attribute));
+    for (const auto& property : interface.properties) node.add(valueNode("property", property, false));
+    for (const auto& one : interface.attributes) node.add(valueNode("attribute", one, one.constant));
     for (const auto& operation : interface.operations) node.add(operationNode(operation));
     for (const auto& service : interface.services) {
         Node child("provides");

@@ -28,6 +28,7 @@ private:
     void read(const Scope& scope, model::Interface& into);
     void read(const Element& element, model::Interface& into);
     model::Operation operationOf(const Element& element) const;
+    model::Value valueOf(const Element& element, const std::string& what);
     void giveValue(const Element& element, model::Text& value, const std::string& what);
     std::optional<std::string> literal(const Value& value, clang::QualType type) const;
 
@@ -88,11 +89,10 @@ model::Operation InterfaceResult::operationOf(const Element& element) const {
 
 void InterfaceResult::read(const Element& element, model::Interface& into) {
     uses_.insert(uses_.end(), element.uses.begin(), element.uses.end());
-    const model::Text name = textAt(*element.name, element.where), type = textAt(element.type, element.where);
     if (element.kind == ElementKind::Port) {
         model::Port port;
-        port.name = name;
-        port.type = type;
+        port.name = textAt(*element.name, element.where);
+        port.type = textAt(element.type, element.where);
         port.direction = element.output ? model::Direction::Out : model::Direction::In;
         port.event = element.event;
         port.eventWhere = port.where = element.where;
@@ -100,24 +100,22 @@ void InterfaceResult::read(const Element& element, model::Interface& into) {
         port.doc = element.doc;
         into.ports.push_back(std::move(port));
     } else if (element.kind == ElementKind::Property) {
-        model::Property property;
-        property.name = name;
-        property.type = type;
-        property.doc = element.doc;
-        property.where = element.where;
-        giveValue(element, property.defaultValue, "property");
-        into.properties.push_back(std::move(property));
+        into.properties.push_back({valueOf(element, "property")});
+        into.properties.back().doc = element.doc;
     } else if (element.kind == ElementKind::Attribute) {
-        model::Attribute attribute;
-        attribute.name = name;
-        attribute.type = type;
-        attribute.constant = element.constant;
-        attribute.where = element.where;
-        giveValue(element, attribute.defaultValue, element.constant ? "constant" : "attribute");
-        into.attributes.push_back(std::move(attribute));
+        into.attributes.push_back({valueOf(element, element.constant ? "constant" : "attribute"), element.constant});
     } else if (element.kind == ElementKind::Operation) {
         into.operations.push_back(operationOf(element));
     }
+}
+
+model::Value InterfaceResult::valueOf(const Element& element, const std::string& what) {
+    model::Value value;
+    value.name = textAt(*element.name, element.where);
+    value.type = textAt(element.type, element.where);
+    value.where = element.where;
+    giveValue(element, value.defaultValue, what);
+    return value;
 }
 
 /// Sets the value that the variable has at the end of the constructor.
