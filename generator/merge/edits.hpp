@@ -17,7 +17,7 @@ namespace oroforge::merge {
 struct Edit {
     model::Span span;
     std::string text;
-    bool isLines = false;  ///< whole declarations, definitions or statements
+    bool isLines = false;  ///< whole declarations, definitions or statements; any other may hold words of the user
 };
 
 /// Returns the new text of each of `inserted`, which are bytes of `text` in `file`.
