@@ -70,8 +70,7 @@ def check_own(report, path, line, target):
             report.error(path, line, "LAY01", f"layer '{source_layer}' includes {target} of layer '{target_layer}', "
                          f"expected one of: {', '.join(sorted(allowed)) or 'none'}")
     home = private_home(target) if source_layer != target_layer else None
-    friends = [f for prefix, folders in layers.SHARED_DETAIL.items() if target.startswith(prefix) for f in folders]
-    if home and not path.startswith((home, "tests/", *friends)):
+    if home and not path.startswith((home, "tests/")):
         report.error(path, line, "LAY03", f"{target} is private to {home}")
     if is_installed_header(path) and ("/detail/" in target or target.startswith(tuple(layers.NOT_INSTALLED))):
         report.error(path, line, "LAY04", f"installed header includes {target}, which is not installed")

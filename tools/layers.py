@@ -155,12 +155,6 @@ NOT_INSTALLED = ["runtime/cpf/", "runtime/diag/", "runtime/files/", "runtime/rep
                  "deployer/console/", "deployer/lua/", "deployer/reporting/", "deployer/logging/",
                  "deployer/components/", "deployer/rt_check/", "deployer/bin/", "generator/", "typekit_gen/"]
 
-# Private headers (or folders of them) that a second part shares, because the two are one mechanism.
-SHARED_DETAIL = {
-    # The deployer reports the syntax errors of scripts before it creates the components that they are for.
-    "runtime/rtt/scripting/detail/service/script_syntax.hpp": ["deployer/deployment/"],
-}
-
 # "file that includes -> file included": known exceptions. Keep it short; each line says why.
 ALLOWED = {
 }

@@ -10,7 +10,7 @@
 #include <diag/nearest_match.hpp>
 #include <diag/type_match.hpp>
 #include <rtt/PropertyBag.hpp>
-#include <rtt/scripting/detail/service/script_syntax.hpp>
+#include <rtt/scripting/script_syntax.hpp>
 #include <rtt/types/GlobalsRepository.hpp>
 
 #include <algorithm>

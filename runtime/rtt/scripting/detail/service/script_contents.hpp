@@ -4,7 +4,7 @@
 #define ORO_SCRIPTING_DETAIL_SCRIPT_CONTENTS_HPP
 
 #include <rtt/scripting/detail/syntax/ast.hpp>
-#include <rtt/scripting/detail/service/script_syntax.hpp>
+#include <rtt/scripting/script_syntax.hpp>
 
 #include <string>
 

@@ -5,7 +5,7 @@
 #define ORO_SCRIPTING_DETAIL_SCRIPT_RUNNER_HPP
 
 #include <rtt/scripting/detail/service/script_reader.hpp>
-#include <rtt/scripting/detail/service/script_syntax.hpp>
+#include <rtt/scripting/script_syntax.hpp>
 
 #include <string>
 #include <vector>

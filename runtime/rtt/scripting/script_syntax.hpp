@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef ORO_SCRIPTING_DETAIL_SCRIPT_SYNTAX_HPP
-#define ORO_SCRIPTING_DETAIL_SCRIPT_SYNTAX_HPP
+#ifndef ORO_SCRIPTING_SCRIPT_SYNTAX_HPP
+#define ORO_SCRIPTING_SCRIPT_SYNTAX_HPP
 
 #include <rtt/rtt-config.h>
 
-#include <diag/sink.hpp>
-
 #include <string>
+
+namespace oroforge::diag {
+class Sink;
+}
 
 namespace RTT::scripting::detail {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/scripting/detail/service/script_syntax.hpp>
+#include <rtt/scripting/script_syntax.hpp>
 
 #include <rtt/TaskContext.hpp>
 #include <rtt/scripting/ScriptingService.hpp>
