@@ -9,6 +9,7 @@ WRD03  "that is none": a number that is none, blanks that are none
 WRD04  "can not"
 WRD05  a line of C++ that is longer than 120 columns
 WRD06  the text of an argument of an operation that ends with a period
+WRD07  the description of an operation, property, port or service that is no sentence: capital letter, period or "?"
 """
 import re
 import sys
@@ -21,6 +22,8 @@ PAGES = ("docs/", "examples/")
 EXEMPT = ("docs/design/style.md",)
 # Folders of C++ whose comments and literals are read. A folder is added when it has no finding.
 SOURCES = ("deployer/", "generator/", "runtime/", "typekit_gen/collect/", "typekit_gen/diff/", "typekit_gen/plan/")
+# Folders of components and services whose descriptions are read.
+DESCRIBED = ("deployer/", "examples/", "runtime/")
 CODE = (".cpp", ".hpp", ".h", ".inl")
 MAX_COLUMNS = 120
 
@@ -42,6 +45,14 @@ TOKEN = re.compile(
 LEADER = re.compile(r"^[ \t]*(?:/{2,3}<?|/\*{1,2}<?|\*(?!/))?[ \t]*|[ \t]*\*/", re.MULTILINE)
 JOINT = re.compile(r'"[ \t]*(\n?)\s*"')
 ARGUMENT = re.compile(rf'\.arg\(\s*{STRING}\s*,\s*(?:{STRING}\s*)*"(?:\\.|[^"\\\n])*\."\s*\)')
+# Where descriptions are: in doc("…"), behind the name in Property<T>("name", "…"), and behind name and function in rows
+# of a table or a helper: "name", &Class::function, "…". One that begins or ends with an expression is read in part.
+DESCRIPTION = re.compile(
+    rf"(?:\bdoc\(|\bProperty<[^;\"]*>\s*\w*\s*[({{]\s*{STRING}\s*,|{STRING}\s*,[^;\"]*&\w+::\w+\)*\s*,)"
+    rf"\s*(?P<text>{STRING}(?:\s*{STRING})*)(?=\s*(?P<next>.))", re.DOTALL)
+# A quotation may begin it. A unit may follow it, which the console shows behind the value.
+BEGIN = re.compile(r'(?:\\")?[A-Z]')
+END = re.compile(r"[.?](?: \[[^\]]+\])?$")
 
 
 def is_prose(path):
@@ -77,19 +88,36 @@ def check_source(report, path, text):
                      "the text of an argument ends with a period; leave it out")
 
 
+def without_comments(text):
+    """The same with blank comments; lines stay where they are."""
+    return TOKEN.sub(lambda m: re.sub(r"[^\n]", " ", m.group()) if m["comment"] else m.group(), text)
+
+
+def check_descriptions(report, path, text):
+    text = without_comments(text)
+    for match in DESCRIPTION.finditer(text):
+        description = JOINT.sub("", match["text"])[1:-1]
+        if description and not (BEGIN.match(description) and (match["next"] == "+" or END.search(description))):
+            report.error(path, text.count("\n", 0, match.end("text")) + 1, "WRD07",
+                         f"the description '{description}' is no sentence; begin with a capital letter, end with a period")
+
+
 def main():
     tree = open_tree(__doc__.splitlines()[0])
     report = Report()
     checked = 0
     for path in tree.files:
         is_source = path.startswith(SOURCES) and path.endswith(CODE)
-        if not is_source and not is_prose(path):
+        is_described = path.startswith(DESCRIBED) and path.endswith(CODE)
+        if not is_source and not is_described and not is_prose(path):
             continue
         checked += 1
         text = tree.text(path) or ""
+        if is_described:
+            check_descriptions(report, path, text)
         if is_source:
             check_source(report, path, text)
-        else:
+        elif is_prose(path):
             check_prose(report, path, 1, text)
     return report.finish("check_words", checked)
 

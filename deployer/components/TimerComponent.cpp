@@ -118,19 +118,19 @@ TimerComponent::TimerComponent(std::string name)
         .arg(id, number)
         .arg("period", "In seconds");
     addOperation("killTimer", &PortTimer::kill, timer).doc("Stops a timer.").arg(id, number);
-    addOperation("isArmed", &Timer::isArmed, timer).doc("Whether a timer is going to expire.").arg(id, number);
+    addOperation("isArmed", &Timer::isArmed, timer).doc("Is a timer going to expire?").arg(id, number);
     addOperation("setMaxTimers", &PortTimer::setMax, timer)
         .doc("Changes the number of timers. Those from 32 on have no port of their own.")
         .arg("timers", "How many; at first there are 32");
     addOperation("waitFor", &PortTimer::waitUntilExpired, timer)
         .doc(
-            "Blocks until a timer expires or is killed, or would have expired if the component ran; false if it is not "
+            "Blocks until a timer expires or is killed, or would have expired if the component ran. False if it is not "
             "armed, or stop() came first.")
         .arg(id, number);
     addOperation("wait", &TimerComponent::wait, this)
         .doc(
-            "Lets a timer expire once and blocks until then; as long if the component does not run, when nothing "
-            "expires.")
+            "Lets a timer expire once and blocks until then. If the component does not run, it blocks as long, but "
+            "nothing expires.")
         .arg(id, number)
         .arg("delay", "In seconds");
 }

@@ -20,7 +20,7 @@ public:
         addOperation("getenv", &OSService::getenv, this)
             .doc("The value of an environment variable; empty if it is not set.")
             .arg("name", name);
-        addOperation("isenv", &OSService::isenv, this).doc("Whether an environment variable is set.").arg("name", name);
+        addOperation("isenv", &OSService::isenv, this).doc("Is an environment variable set?").arg("name", name);
         addOperation("setenv", &OSService::setenv, this)
             .doc("Sets an environment variable of this process.")
             .arg("name", name)
@@ -40,8 +40,8 @@ public:
             .arg("nanoseconds", "And how much longer");
         addOperation("execute", &OSService::execute, this)
             .doc(
-                "Executes a command of the shell and waits for its end; its exit status, -1 if it did not end by "
-                "itself.")
+                "Executes a command of the shell and waits for its end. Returns its exit status; -1 if it did not end "
+                "by itself.")
             .arg("command", "The command");
     }
 

@@ -183,7 +183,7 @@ bool ReportingComponent::Impl::connect(const std::string& component, const std::
         log(RTT::Error) << "could not report '" << name << "': its port takes no connection" << endlog();
         return false;
     }
-    input->doc("Reports " + name);
+    input->doc("Reports " + name + ".");
     put(std::make_shared<Source>(component, path, std::move(input), sample));
     return true;
 }

@@ -49,8 +49,8 @@ class Sum : public TaskContext {
 public:
     explicit Sum(const std::string& name) : TaskContext(name) {
         setActivity(new extras::SequentialActivity());
-        addEventPort("in", in).doc("what is added");
-        addPort("out", out).doc("the sum so far");
+        addEventPort("in", in).doc("What is added.");
+        addPort("out", out).doc("The sum so far.");
     }
     ~Sum() override { stopForGood(); }
 

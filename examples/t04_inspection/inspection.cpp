@@ -20,8 +20,8 @@ class Sum : public TaskContext {
 public:
     explicit Sum(const std::string& name) : TaskContext(name, PreOperational) {
         setActivity(new extras::SequentialActivity());
-        addProperty("inputs", inputs_).doc("how many ports to make");
-        addPort("sum", sum_).doc("of the newest sample of each input");
+        addProperty("inputs", inputs_).doc("How many ports to make.");
+        addPort("sum", sum_).doc("The sum of the newest sample of each input.");
     }
     ~Sum() override { stopForGood(); }
 

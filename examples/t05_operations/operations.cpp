@@ -19,14 +19,14 @@ const char* yesOrNo(bool answer) { return answer ? "yes" : "no"; }
 class Axis : public TaskContext {
 public:
     explicit Axis(const std::string& name) : TaskContext(name), arrived("arrived") {
-        addEventOperation(arrived.signals().doc("called after each move").arg("position", "in m"));
-        addOperation("move", &Axis::move, this, OwnThread).doc("to a position").arg("position", "in m, 0 to 1");
-        addOperation("where", &Axis::where, this, OwnThread).doc("where it is").arg("position", "in m");
+        addEventOperation(arrived.signals().doc("Called after each move.").arg("position", "in m"));
+        addOperation("move", &Axis::move, this, OwnThread).doc("Moves to a position.").arg("position", "in m, 0 to 1");
+        addOperation("where", &Axis::where, this, OwnThread).doc("Where it is.").arg("position", "in m");
         addOperation(
             "inOwnThread", [this] { return engine()->isSelf(); }, OwnThread);
         addOperation(
             "inCallersThread", [this] { return !engine()->isSelf(); }, ClientThread);
-        provides("limits")->addOperation("maximum", [] { return 1.0; }).doc("in m");
+        provides("limits")->addOperation("maximum", [] { return 1.0; }).doc("The largest position, in m.");
         arrive_ = getOperation("arrived");
     }
     ~Axis() override { stopForGood(); }

@@ -20,8 +20,8 @@ namespace {
 class Controller : public TaskContext {
 public:
     explicit Controller(const std::string& name) : TaskContext(name) {
-        addProperty("gains", gains).doc("of the loop");
-        addProperty("rate", rate).doc("in Hz");
+        addProperty("gains", gains).doc("The gains of the loop.");
+        addProperty("rate", rate).doc("How often it runs, in Hz.");
     }
 
     control::Gains gains;

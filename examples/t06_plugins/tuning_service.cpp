@@ -12,7 +12,7 @@ public:
     explicit Tuning(RTT::TaskContext* owner) : RTT::Service("tuning", owner) {
         doc("Scales properties of its component.");
         addOperation("scale", &Tuning::scale, this)
-            .doc("multiplies a property")
+            .doc("Multiplies a property.")
             .arg("property", "name")
             .arg("factor", "what to multiply it by");
     }

@@ -12,13 +12,17 @@ namespace filling {
 class Tank : public RTT::TaskContext {
 public:
     explicit Tank(const std::string& name) : RTT::TaskContext(name, PreOperational) {
-        addProperty("capacity", capacity).doc("in m3");
-        addProperty("flow", flow).doc("through a valve, in m3 per cycle");
+        addProperty("capacity", capacity).doc("What it holds, in m3.");
+        addProperty("flow", flow).doc("What goes through a valve, in m3 per cycle.");
         addAttribute("level", level);
-        addPort("emergency", emergency).doc("why all has to stop");
-        addOperation("inlet", [this](bool open) { inletOpen = open; }).doc("the upper valve").arg("open", "");
-        addOperation("outlet", [this](bool open) { outletOpen = open; }).doc("the lower valve").arg("open", "");
-        addOperation("say", &Tank::say, this).doc("prints a line").arg("what", "");
+        addPort("emergency", emergency).doc("Why everything has to stop.");
+        addOperation("inlet", [this](bool open) { inletOpen = open; })
+            .doc("Opens or closes the upper valve.")
+            .arg("open", "");
+        addOperation("outlet", [this](bool open) { outletOpen = open; })
+            .doc("Opens or closes the lower valve.")
+            .arg("open", "");
+        addOperation("say", &Tank::say, this).doc("Prints a line.").arg("what", "");
     }
     ~Tank() override { stopForGood(); }
 

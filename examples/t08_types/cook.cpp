@@ -10,7 +10,7 @@
 class Cook : public RTT::TaskContext {
 public:
     explicit Cook(const std::string& name) : TaskContext(name) {
-        addProperty("recipe", recipe).doc("what is cooked");
+        addProperty("recipe", recipe).doc("What is cooked.");
         addOperation("show", &Cook::show, this);
     }
 

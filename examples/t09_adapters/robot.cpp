@@ -10,7 +10,7 @@
 class Robot : public RTT::TaskContext {
 public:
     explicit Robot(const std::string& name) : TaskContext(name) {
-        addProperty("arm", arm).doc("where it is, and where it goes");
+        addProperty("arm", arm).doc("Where it is, and where it goes.");
         addOperation("show", &Robot::show, this);
     }
 

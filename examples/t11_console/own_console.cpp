@@ -12,8 +12,8 @@ namespace {
 class Lamp : public RTT::TaskContext {
 public:
     Lamp() : TaskContext("lamp") {
-        addProperty("brightness", brightness_).doc("while it is on [cd]");
-        addOperation("light", &Lamp::light, this).doc("Switches it on or off").arg("on", "");
+        addProperty("brightness", brightness_).doc("How bright it is while it is on. [cd]");
+        addOperation("light", &Lamp::light, this).doc("Switches it on or off.").arg("on", "");
     }
 
 private:

@@ -11,15 +11,15 @@ namespace filling {
 class Tank : public RTT::TaskContext {
 public:
     explicit Tank(const std::string& name) : TaskContext(name, PreOperational) {
-        addProperty("capacity", capacity_).doc("what it holds [m3]");
-        addProperty("label", label_).doc("written on its side");
+        addProperty("capacity", capacity_).doc("What it holds. [m3]");
+        addProperty("label", label_).doc("What is written on its side.");
         addAttribute("fillings", fillings_);
-        addPort("flow", flow_).doc("what comes in [m3/s]");
-        addPort("level", level_).doc("what is in it [m3]");
+        addPort("flow", flow_).doc("What comes in. [m3/s]");
+        addPort("level", level_).doc("What is in it. [m3]");
         addOperation("fill", &Tank::fill, this, RTT::OwnThread)
-            .doc("Fills it up to a level; false if that is more than it holds")
+            .doc("Fills it up to a level. False if that is more than it holds.")
             .arg("level", "in m3");
-        addOperation("empty", &Tank::empty, this).doc("Lets all out");
+        addOperation("empty", &Tank::empty, this).doc("Empties it.");
         level_.keepLastWrittenValue(true);
     }
     ~Tank() override { stopForGood(); }
@@ -48,7 +48,7 @@ private:
 
 class Pump : public RTT::TaskContext {
 public:
-    explicit Pump(const std::string& name) : TaskContext(name) { addPort("flow", flow_).doc("what it moves [m3/s]"); }
+    explicit Pump(const std::string& name) : TaskContext(name) { addPort("flow", flow_).doc("What it moves. [m3/s]"); }
     ~Pump() override { stopForGood(); }
 
 private:

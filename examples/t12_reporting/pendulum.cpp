@@ -13,9 +13,9 @@ namespace swing {
 class Pendulum : public RTT::TaskContext {
 public:
     explicit Pendulum(const std::string& name) : RTT::TaskContext(name), angle("angle"), energies("energies") {
-        addProperty("length", length).doc("In metres");
-        addPort(angle).doc("In radians");
-        addPort(energies).doc("Potential and kinetic energy, in joules per kilogram");
+        addProperty("length", length).doc("Its length, in metres.");
+        addPort(angle).doc("Its angle, in radians.");
+        addPort(energies).doc("Its potential and kinetic energy, in joules per kilogram.");
         energies.setDataSample({0, 0});  // two elements: a report gives each a column from the beginning
         addOperation("swing", &Pendulum::swing, this, RTT::OwnThread)
             .doc("Swings for a while.")

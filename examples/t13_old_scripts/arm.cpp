@@ -13,10 +13,10 @@ namespace arm {
 class Arm : public RTT::TaskContext {
 public:
     explicit Arm(const std::string& name) : RTT::TaskContext(name, PreOperational) {
-        addProperty("goal", goal).doc("of the shoulder, in rad");
+        addProperty("goal", goal).doc("The goal of the shoulder, in rad.");
         addAttribute("broken", broken);
-        addPort("pose", pose).doc("where the arm is");
-        addOperation("say", &Arm::say, this).doc("prints a line").arg("what", "");
+        addPort("pose", pose).doc("Where the arm is.");
+        addOperation("say", &Arm::say, this).doc("Prints a line.").arg("what", "");
     }
     ~Arm() override { stopForGood(); }
 

@@ -37,7 +37,7 @@ void TaskContext::addStandardOperations() {
     addOperation("update", &TaskContext::update, this)
         .doc("Executes one step now, if the activity leaves that to others.");
     addOperation("trigger", &TaskContext::trigger, this)
-        .doc("Has one step executed soon, if the activity is not periodic.");
+        .doc("Executes one step soon, if the activity is not periodic.");
     addOperation("loadService", &TaskContext::loadService, this)
         .doc("Loads a service into this component.")
         .arg("service_name", "The name of the service");

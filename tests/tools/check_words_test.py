@@ -39,6 +39,26 @@ class CheckWords(unittest.TestCase):
         check_one(self, SCRIPT, {"deployer/a.cpp": 'x.doc("Opens it.").arg("force", "in "\n "newton.");\n'},
                   "deployer/a.cpp:2: error: [WRD06]")
 
+    def test_descriptions(self):
+        check_none(self, SCRIPT, {"deployer/a.cpp": """
+            doc("Moves it.");  // as in x.doc("moves it")
+            x.doc("Is it there?").arg("force", "in newton");
+            y.doc("The speed. [m/s]").doc("Timer " + number + " ends.").doc(text).doc("\\"Hello\\", in each cycle.");
+            Property<int> p("p", "", 1);
+            offer(self, "open", of(&Self::open), "Opens it.").arg("Name", "of the door");
+            call("open", &Self::open);
+        """, "generator/a.cpp": 'x.doc("moves it");\n'})
+        check_one(self, SCRIPT, {"deployer/a.cpp": 'x.doc("Moves "\n "it");\n'}, "deployer/a.cpp:2: error: [WRD07]")
+        check_one(self, SCRIPT, {"runtime/rtt/a.cpp": 'doc("moves it.");\n'}, "runtime/rtt/a.cpp:1: error: [WRD07]")
+        check_one(self, SCRIPT, {"examples/t01/a.cpp": 'x.doc("of timer " + number);\n'},
+                  "examples/t01/a.cpp:1: error: [WRD07]")
+        check_one(self, SCRIPT, {"runtime/rtt/a.hpp": 'Property<int> p{\n"p", "How many; 0: all",\n0};\n'},
+                  "runtime/rtt/a.hpp:2: error: [WRD07]")
+        check_one(self, SCRIPT, {"deployer/a.cpp": 'offer(self, "open", of(&Self::open),\n"Opens it");\n'},
+                  "deployer/a.cpp:2: error: [WRD07]")
+        check_one(self, SCRIPT, {"runtime/rtt/a.cpp": 'Row r[] = {{"open", &Self::open, "Opens it"}};\n'},
+                  "runtime/rtt/a.cpp:1: error: [WRD07]")
+
     def test_who_as_a_subject(self):
         check_one(self, SCRIPT, {"docs/a.md": "One line.\nIt waits. Whoever reads now, waits.\n"}, "docs/a.md:2: error: [WRD01]")
 

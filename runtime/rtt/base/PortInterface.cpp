@@ -106,7 +106,7 @@ Service* PortInterface::createPortObject() {
     object->doc(description_.empty() ? "No description set for this Port. Use .doc() to document it." : description_);
     object->addSynchronousOperation("name", [this] { return getName(); }).doc("Returns the port name.");
     object->addSynchronousOperation("connected", &PortInterface::connected, this)
-        .doc("Tells if the port has a connection or stream.");
+        .doc("Does the port have a connection or stream?");
     typedef void (PortInterface::*Disconnect)();
     object->addSynchronousOperation("disconnect", static_cast<Disconnect>(&PortInterface::disconnect), this)
         .doc("Removes all connections and streams of the port.");

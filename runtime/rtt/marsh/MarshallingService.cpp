@@ -10,7 +10,7 @@
 namespace RTT::marsh {
 
 MarshallingService::MarshallingService(TaskContext* parent) : Service("marshalling", parent) {
-    doc("Reads and writes property files");
+    doc("Reads and writes property files.");
     addWholeOperations();
     addServiceOperations();
     internal::FailureReport::add(*this);
@@ -21,29 +21,29 @@ MarshallingService::~MarshallingService() { internal::FailureReport::remove(*thi
 void MarshallingService::addWholeOperations() {
     using S = MarshallingService;
     addOperation("loadProperties", &S::loadProperties, this)
-        .doc("Takes over what the file has, creating missing properties")
+        .doc("Reads all that the file has, and creates missing properties.")
         .arg("Filename", "path of the property file");
     addOperation("storeProperties", &S::storeProperties, this)
-        .doc("Writes all properties to a new file")
+        .doc("Writes all properties to a new file.")
         .arg("Filename", "path of the property file");
     addOperation("readProperties", &S::readProperties, this)
-        .doc("Takes over the file, which must have every property")
+        .doc("Reads the file, which must have every property.")
         .arg("Filename", "path of the property file");
     addOperation("updateProperties", &S::updateProperties, this)
-        .doc("Takes over what file and component both have")
+        .doc("Reads what file and component both have.")
         .arg("Filename", "path of the property file");
     addOperation("writeProperties", &S::writeProperties, this)
-        .doc("Adds and updates all properties in the file")
+        .doc("Adds and updates all properties in the file.")
         .arg("Filename", "path of the property file");
     addOperation("updateFile", &S::updateFile, this)
-        .doc("Updates what the file has already")
+        .doc("Updates what the file has already.")
         .arg("Filename", "path of the property file");
     addOperation("readProperty", &S::readProperty, this)
-        .doc("Takes over one property")
+        .doc("Reads one property.")
         .arg("Name", "path of the property, as in a.b.c")
         .arg("Filename", "path of the property file");
     addOperation("writeProperty", &S::writeProperty, this)
-        .doc("Adds or updates one property in the file")
+        .doc("Adds or updates one property in the file.")
         .arg("Name", "path of the property, as in a.b.c")
         .arg("Filename", "path of the property file");
 }
@@ -51,36 +51,36 @@ void MarshallingService::addWholeOperations() {
 void MarshallingService::addServiceOperations() {
     using S = MarshallingService;
     addOperation("loadServiceProperties", &S::loadServiceProperties, this)
-        .doc("Takes over what the file has, creating missing properties; for a service")
+        .doc("Reads all that the file has into a service, and creates missing properties.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("storeServiceProperties", &S::storeServiceProperties, this)
-        .doc("Writes all properties to a new file; for a service")
+        .doc("Writes all properties of a service to a new file.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("readServiceProperties", &S::readServiceProperties, this)
-        .doc("Takes over the file, which must have every property; for a service")
+        .doc("Reads the file, which must have every property, into a service.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("updateServiceProperties", &S::updateServiceProperties, this)
-        .doc("Takes over what file and component both have; for a service")
+        .doc("Reads what file and service both have.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("writeServiceProperties", &S::writeServiceProperties, this)
-        .doc("Adds and updates all properties in the file; for a service")
+        .doc("Adds and updates all properties of a service in the file.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("updateServiceFile", &S::updateServiceFile, this)
-        .doc("Updates what the file has already; for a service")
+        .doc("Updates what the file has already of a service.")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("readServiceProperty", &S::readServiceProperty, this)
-        .doc("Takes over one property; for a service")
+        .doc("Reads one property of a service.")
         .arg("Name", "path of the property, as in a.b.c")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");
     addOperation("writeServiceProperty", &S::writeServiceProperty, this)
-        .doc("Adds or updates one property in the file; for a service")
+        .doc("Adds or updates one property of a service in the file.")
         .arg("Name", "path of the property, as in a.b.c")
         .arg("Filename", "path of the property file")
         .arg("Servicename", "name of a service of this component");

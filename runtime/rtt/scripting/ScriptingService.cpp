@@ -82,9 +82,9 @@ ScriptingService::shared_ptr ScriptingService::Create(TaskContext* parent) {
 ScriptingService::ScriptingService(TaskContext* parent)
     : Service("scripting", parent),
       loaded_(std::make_unique<Loaded>(parent ? parent->provides() : Service::shared_ptr())) {
-    doc("Runs scripts in this component, and keeps the programs and state machines they define");
+    doc("Runs scripts in this component, and keeps the programs and state machines they define.");
     addProperty("ZeroPeriodWarning", zero_period_warning_)
-        .doc("Warn of programs and state machines that are loaded into a component without a period");
+        .doc("Warn of programs and state machines that are loaded into a component without a period.");
     addProperty(loaded_->stepBudget);
     addScriptOperations();
     addProgramOperations();

@@ -20,11 +20,11 @@ TEST_F(Commands, LsShowsAComponentInAlignedTables) {
     EXPECT_THAT(text, testing::StartsWith("Component tank [R]\n"
                                           "\n"
                                           "  Properties\n"
-                                          "    capacity  double  = 1.5      m3  what it holds\n"
-                                          "    label     string  = \"water\"      written on its side\n"));
+                                          "    capacity  double  = 1.5      m3  What it holds.\n"
+                                          "    label     string  = \"water\"      What is written on its side.\n"));
     EXPECT_THAT(text, HasSubstr("\n  Ports\n"
-                                "    in   flow   double       not connected  what comes in [m3/s]\n"
-                                "    out  level  double  = 0  not connected  what is in it [m3]\n"));
+                                "    in   flow   double       not connected  What comes in. [m3/s]\n"
+                                "    out  level  double  = 0  not connected  What is in it. [m3]\n"));
     EXPECT_THAT(text, HasSubstr("    fillings        int   = 0\n"));
 }
 
@@ -207,14 +207,14 @@ TEST_F(Commands, HelpExplainsACommand) {
 TEST_F(Commands, HelpExplainsAnOperation) {
     EXPECT_EQ(
         "bool fill(double level)\n"
-        "  Fills it up to a level; false if that is more than it holds\n"
+        "  Fills it up to a level. False if that is more than it holds.\n"
         "  level  in m3\n",
         answer("help tank.fill"));
-    EXPECT_EQ("void empty()\n  Lets all out\n", answer("cd tank\nhelp empty"));
+    EXPECT_EQ("void empty()\n  Empties it.\n", answer("cd tank\nhelp empty"));
 }
 
 TEST_F(Commands, HelpExplainsAProperty) {
-    EXPECT_EQ("Property capacity  double  = 0 m3\n  what it holds\n", answer("help tank.capacity"));
+    EXPECT_EQ("Property capacity  double  = 0 m3\n  What it holds.\n", answer("help tank.capacity"));
 }
 
 TEST_F(Commands, HelpShowsTheMembersOfAStruct) {

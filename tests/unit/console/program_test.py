@@ -52,7 +52,7 @@ class WithoutTerminal(DeployerCase):
                                  "tank.configure()\ntank.start()\ntank.fill(1.5)\nls tank\n")
         self.assertEqual("", err)
         self.assertIn(" = 2\n = true\n = true\n = true\nComponent tank [R]\n", out)
-        self.assertIn("    out  level  double  = 1.5  not connected  what is in it [m3]\n", out)
+        self.assertIn("    out  level  double  = 1.5  not connected  What is in it. [m3]\n", out)
 
     def test_no_history_is_written(self):
         self.run_with("1 + 1\n")

@@ -180,14 +180,14 @@ TEST_F(ScriptInput, TheNameOfAComponentShowsItsInterface) {
     const std::string text = answer("tank");
     EXPECT_THAT(text, HasSubstr("Component tank\n"));
     EXPECT_THAT(text, HasSubstr("    bool fill(double level)\n"
-                                "      Fills it up to a level; false if that is more than it holds\n"
+                                "      Fills it up to a level. False if that is more than it holds.\n"
                                 "      level  in m3\n"));
 }
 
 TEST_F(ScriptInput, TheNameOfAPortShowsIt) {
     EXPECT_EQ(
         "Input port flow  double\n"
-        "  what comes in [m3/s]\n"
+        "  What comes in. [m3/s]\n"
         "    tank.flow.read(x)\n",
         answer("tank.flow"));
 }

@@ -127,7 +127,7 @@ public:
             new internal::ValueDataSource<PropertyBag>());
         PropertyBag& bag = result->set();
         bag.setType(source->getTypeName());
-        bag.ownProperty(new Property<std::string>("alternative", "Name of the value's type",
+        bag.ownProperty(new Property<std::string>("alternative", "Name of the value's type.",
                                                   choice_.nameAt(choice_.ops.index(variant))));
         if (const SourcePtr value = valueOf(source))
             bag.ownProperty(value->getTypeInfo()->buildProperty("value", "Part", value));

@@ -230,15 +230,16 @@ Service::shared_ptr makeProgramService(const ProgramInterfacePtr& program, TaskC
         return operation;
     };
     add("start", &ProgramInterface::start)
-        .doc("Has it run from its first statement, or go on if it is paused. False if it runs or failed.");
+        .doc(
+            "Runs it from its first statement, or resumes it if it is paused. False if it runs already or has failed.");
     add("pause", &ProgramInterface::pause)
-        .doc("Has it wait before its next statement; if it is stopped, before its first.");
+        .doc("Pauses it before its next statement; if it is stopped, before its first.");
     add("step", &ProgramInterface::step)
-        .doc("Has it execute one statement. False if it is not paused, or has not done the last one yet.");
-    add("stop", &ProgramInterface::stop).doc("Ends it.");
-    add("isRunning", &ProgramInterface::isRunning).doc("It executes statements.");
-    add("isPaused", &ProgramInterface::isPaused).doc("It waits for start() or step().");
-    add("inError", &ProgramInterface::inError).doc("It failed, and was not stopped since.");
+        .doc("Executes one statement. False if it is not paused, or has not done the last one yet.");
+    add("stop", &ProgramInterface::stop).doc("Stops it.");
+    add("isRunning", &ProgramInterface::isRunning).doc("Does it execute statements?");
+    add("isPaused", &ProgramInterface::isPaused).doc("Does it wait for start() or step()?");
+    add("inError", &ProgramInterface::inError).doc("Has it failed, and not been stopped since?");
     return service;
 }
 

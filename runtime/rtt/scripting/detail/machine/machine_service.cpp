@@ -59,27 +59,28 @@ struct Question {
 
 const Command kCommands[] = {
     {"activate", &StateMachine::activate,
-     "Enters the initial state, unless it is active or a precondition does not hold"},
-    {"deactivate", &StateMachine::deactivate, "Leaves the present state, whatever it is, and all activity"},
+     "Enters the initial state, unless it is active or a precondition does not hold."},
+    {"deactivate", &StateMachine::deactivate, "Leaves the present state, whatever it is, and becomes inactive."},
     {"start", &StateMachine::start,
-     "Executes run programs and looks at transitions in each cycle; goes on after pause()"},
-    {"automatic", &StateMachine::automatic, "The same as start()"},
-    {"reactive", &StateMachine::reactive, "Changes its state by events and requestState() only"},
-    {"pause", &StateMachine::pause, "Stands still from the next cycle on"},
-    {"step", &StateMachine::step, "If paused, one statement or transition; if reactive, looks at the transitions once"},
-    {"stop", &StateMachine::stop, "Goes to the final state"},
-    {"reset", &StateMachine::reset, "Once stopped, goes to the initial state"},
+     "Executes run programs and checks the transitions in each cycle; goes on after pause()."},
+    {"automatic", &StateMachine::automatic, "The same as start()."},
+    {"reactive", &StateMachine::reactive, "From now on, only events and requestState() change its state."},
+    {"pause", &StateMachine::pause, "Pauses from the next cycle on."},
+    {"step", &StateMachine::step,
+     "If paused, executes one statement or transition; if reactive, checks the transitions once."},
+    {"stop", &StateMachine::stop, "Goes to the final state."},
+    {"reset", &StateMachine::reset, "Once stopped, goes to the initial state."},
 };
 
 const Question kQuestions[] = {
-    {"inError", &StateMachine::inError, "A program or condition failed"},
-    {"isActive", &StateMachine::isActive, "It is in some state"},
-    {"isRunning", &StateMachine::isRunning, "It looks at the transitions in each cycle"},
-    {"isReactive", &StateMachine::isReactive, "Only events and requestState() change its state"},
-    {"isPaused", &StateMachine::isPaused, "It pauses until start() or step()"},
-    {"inInitialState", &StateMachine::inInitialState, "It is in its initial state"},
-    {"inFinalState", &StateMachine::inFinalState, "It is in its final state"},
-    {"inTransition", &StateMachine::inTransition, "It is on its way from one state to another"},
+    {"inError", &StateMachine::inError, "Has a program or condition failed?"},
+    {"isActive", &StateMachine::isActive, "Is it in any state?"},
+    {"isRunning", &StateMachine::isRunning, "Does it check the transitions in each cycle?"},
+    {"isReactive", &StateMachine::isReactive, "Do only events and requestState() change its state?"},
+    {"isPaused", &StateMachine::isPaused, "Does it wait for start() or step()?"},
+    {"inInitialState", &StateMachine::inInitialState, "Is it in its initial state?"},
+    {"inFinalState", &StateMachine::inFinalState, "Is it in its final state?"},
+    {"inTransition", &StateMachine::inTransition, "Is it on its way from one state to another?"},
 };
 
 }  // namespace
@@ -95,13 +96,13 @@ void addMachineOperations(Service& service, const MachineSlot& slot) {
         service.addMemberOverloads<StateMachine>(question.name, question.function);
     }
     service.addOperation("requestState", CallWith<bool, const std::string&>{slot, &StateMachine::requestState})
-        .doc("Goes to a state if a transition to it may be taken now, or if it is the final one")
+        .doc("Goes to a state if a transition to it may be taken now, or if it is the final one.")
         .arg("StateName", "Where to go");
-    service.addOperation("inState", InState{slot}).doc("It is in that state").arg("StateName", "The state");
+    service.addOperation("inState", InState{slot}).doc("Is it in this state?").arg("StateName", "The state");
     service.addOperation("getState", Query<std::string>{slot, &StateMachine::getCurrentStateName})
-        .doc("The state it is in; empty if it is not active");
+        .doc("The state it is in; empty if it is not active.");
     service.addOperation("trace", CallWith<void, bool>{slot, &StateMachine::trace})
-        .doc("Tells in the log, at level Info, what it does")
+        .doc("Logs what it does, at level Info.")
         .arg("Trace", "On or off");
     service.addMemberOverloads<StateMachine>("requestState", &StateMachine::requestState);
     service.addMemberOverloads<StateMachine>("inState", &StateMachine::inState);

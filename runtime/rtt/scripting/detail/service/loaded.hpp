@@ -109,7 +109,7 @@ struct ScriptingService::Loaded {
     detail::Registry<StateMachine> machines;  ///< the root machines, and machines below them as "root.sub"
     detail::Definitions definitions;
     Property<unsigned int> stepBudget{
-        "StepBudget", "How often loops of a program, function or state machine may go round in one step; 0: no limit",
+        "StepBudget", "How often loops of a program, function or state machine may go round in one step; 0: no limit.",
         0u};
 
     boost::intrusive_ptr<internal::DataSource<unsigned int>> roundLimit() const {
