@@ -105,7 +105,7 @@ private:
         } else {
             record.epoch.exchange(0);
         }
-        if (__builtin_expect(!record.deferred.empty() | (record.awaited != 0), 0)) afterwards(record);
+        if (__builtin_expect(!record.deferred.empty() || record.awaited != 0, 0)) afterwards(record);
     }
     [[gnu::cold, gnu::noinline]] static void afterwards(Record& record) noexcept;
     static Record* attach() noexcept;
