@@ -188,7 +188,7 @@ bool DeploymentComponent::connectServices(const string& one, const string& two) 
     return impl_->wiring.connectServices(one, two);
 }
 bool DeploymentComponent::connectOperations(const string& requested, const string& provided) {
-    return deploy::connectOperations(impl_->session, requested, provided);
+    return impl_->wiring.connectOperations(requested, provided);
 }
 
 // --- activities -----------------------------------------------------------------------------------------------------

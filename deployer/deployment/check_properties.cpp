@@ -153,7 +153,7 @@ void checkStruct(const xml::Element& properties, const ComponentRecord& record, 
             check.checkItem(*item, *target, item->getName());
 }
 
-/** True if a component, for which a property file may be as well, has the property. */
+/** True if any component has the property: a property file may be for several. */
 bool isOfAny(const Session& session, const std::string& name) {
     return std::any_of(session.records.all.begin(), session.records.all.end(), [&](const ComponentRecord& record) {
         return record.instance->properties()->find(name) != nullptr;

@@ -47,10 +47,10 @@ RTT::base::OperationCallerBaseInvoker* findCaller(RTT::TaskContext& component, c
 
 }  // namespace
 
-bool connectOperations(const Session& session, const std::string& requested, const std::string& provided) {
+bool Wiring::connectOperations(const std::string& requested, const std::string& provided) {
     const OperationPath from(requested), to(provided);
-    RTT::TaskContext* const client = findComponent(session, from.component, "connect operations");
-    RTT::TaskContext* const server = findComponent(session, to.component, "connect operations");
+    RTT::TaskContext* const client = findComponent(session_, from.component, "connect operations");
+    RTT::TaskContext* const server = findComponent(session_, to.component, "connect operations");
     if (!client || !server) return false;
     std::string error;
     RTT::base::OperationCallerBaseInvoker* const caller = findCaller(*client, from, error);

@@ -5,6 +5,7 @@
 #include "failure.hpp"
 
 #include <diag/type_match.hpp>
+#include <rtt/Logger.hpp>
 #include <rtt/deployment/ComponentLoader.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 

@@ -70,7 +70,7 @@ bool loadService(RTT::TaskContext& component, const std::string& service);
 void checkComponents(const Session& session, int group, bool configured, diag::Sink& sink);
 
 // check_script.cpp
-/** Checks a script that runs afterwards, or one that does not, see DeploymentComponent::checkScript(). */
+/** Checks a script, as DeploymentComponent::checkScript() does. `runs`: it is executed afterwards. */
 bool checkScript(Session& session, const std::string& file, bool runs);
 
 // connect.cpp

@@ -20,13 +20,12 @@ public:
     bool connect(const std::string& portOne, const std::string& portTwo, const RTT::ConnPolicy& policy);
     bool stream(const std::string& port, const RTT::ConnPolicy& policy);
     bool connectServices(const std::string& one, const std::string& two);
+    /** An operation that a component requires to one that another provides. In connect_operations.cpp. */
+    bool connectOperations(const std::string& requested, const std::string& provided);
 
 private:
     Session& session_;
 };
-
-// connect_operations.cpp
-bool connectOperations(const Session& session, const std::string& requested, const std::string& provided);
 
 }  // namespace OCL::deploy
 
