@@ -4,6 +4,8 @@
 
 namespace RTT::scripting::detail {
 
+Braces::Braces(Grammar& grammar) : Rules(grammar), nesting_(grammar.nesting) {}
+
 /** Accepts '{' and stores it in `open`, unless it is missing. False if failed. */
 bool Braces::openBraces(Token& open) {
     open = tokens_.token();

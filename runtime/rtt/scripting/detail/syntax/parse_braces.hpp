@@ -11,14 +11,14 @@ namespace RTT::scripting::detail {
 /** Matches braces, and finds out where one is missing. */
 class Braces : private Rules {
 public:
-    explicit Braces(Grammar& grammar) : Rules(grammar) {}
+    explicit Braces(Grammar& grammar);
 
     /** Parses the contents of braces, with `item` for each piece, up to '}' or to `endsHere`, where the '}' is missing.
         Returns the place of the '}'. */
     template <class Item>
-    ast::Place contents(Nesting& nesting, bool (Lookahead::*endsHere)() const, Item item) {
+    ast::Place contents(bool (Lookahead::*endsHere)() const, Item item) {
         Token open;
-        Nesting::Level level(nesting);
+        const Nesting::Level level(nesting_);
         if (!level || !openBraces(open)) return tokens_.place();
         while (!tokens_.failed() && !tokens_.at(TokenKind::CloseBrace) && !tokens_.at(TokenKind::End) &&
                !(ahead_.*endsHere)()) {
@@ -39,6 +39,7 @@ private:
     bool openBraces(Token& open);
     void closeBraces(const Token& open);
 
+    Nesting& nesting_;
     static constexpr std::size_t kNowhere = ~std::size_t{0};
     unsigned assumed_closed_ = 0;        // blocks whose '}' is missing, though it may come later
     std::size_t assumed_at_ = kNowhere;  // the token before which they end

@@ -27,7 +27,7 @@ ast::StateMachine MachineParser::parse() {
     result.type = tokens_.name("the name of a type of state machine");
     ahead_.setInMachine(true);
     tokens_.recoverAtBrace();
-    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::machineEndsHere, [&] { machineItem(result); });
+    result.end = grammar_.braces.contents(&Lookahead::machineEndsHere, [&] { machineItem(result); });
     ahead_.setInMachine(false);
     return result;
 }
@@ -62,7 +62,7 @@ ast::State MachineParser::state() {
     tokens_.expectWord("state");
     result.name = tokens_.name("the name of a state");
     tokens_.recoverAtBrace();
-    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, [&] { stateItem(result); });
+    result.end = grammar_.braces.contents(&Lookahead::stateEndsHere, [&] { stateItem(result); });
     return result;
 }
 
@@ -110,7 +110,7 @@ void MachineParser::preconditions(ast::State& state) {
     const bool list = tokens_.atWord("preconditions");
     tokens_.advance();
     if (list) {
-        grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, [&] {
+        grammar_.braces.contents(&Lookahead::stateEndsHere, [&] {
             precondition(state);
             tokens_.endStatement();
         });

@@ -210,7 +210,7 @@ ast::Block StatementParser::loopBody() {
 ast::Block StatementParser::body() {
     ast::Block result;
     result.at = tokens_.place();
-    result.end = grammar_.braces.contents(grammar_.nesting, &Lookahead::blockEndsHere, [&] {
+    result.end = grammar_.braces.contents(&Lookahead::blockEndsHere, [&] {
         ast::StatementPtr next = parse();
         endAfter(next);
         if (!tokens_.failed()) result.statements.push_back(std::move(next));

@@ -12,7 +12,7 @@ void TransitionParser::parse(std::vector<ast::Transition>& to) {
         tokens_.endStatement();
     };
     if (list) {
-        grammar_.braces.contents(grammar_.nesting, &Lookahead::stateEndsHere, one);
+        grammar_.braces.contents(&Lookahead::stateEndsHere, one);
     } else {
         one();
     }
