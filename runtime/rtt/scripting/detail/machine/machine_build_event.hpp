@@ -14,7 +14,8 @@
 
 namespace RTT::scripting::detail {
 
-/** Builds transitions of one machine that wait for a call of an operation or for new data on a port. */
+/** Adds the transitions of one machine. Builds those that wait for a call of an operation or for new data on a port; a
+    TransitionBuilder builds the others. */
 class EventBuilder {
 public:
     EventBuilder(const CompileContext& where, MachineModel& model, const TransitionBuilder& transitions)
