@@ -6,9 +6,9 @@
 #include <rtt/base/DisposableInterface.hpp>
 #include <rtt/base/ExecutableInterface.hpp>
 #include <rtt/base/RunnableInterface.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/due_ports.hpp>
 #include <rtt/internal/engine/engine_functions.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/mailbox.hpp>
 
 #include <boost/function.hpp>

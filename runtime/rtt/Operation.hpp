@@ -5,8 +5,8 @@
 
 #include <rtt/base/OperationBase.hpp>
 #include <rtt/internal/LocalOperationCaller.hpp>
-#include <rtt/internal/calls/operation_table.hpp>
 #include <rtt/internal/Signal.hpp>
+#include <rtt/internal/calls/operation_table.hpp>
 #include <rtt/internal/calls/signature.hpp>
 
 namespace RTT {

@@ -5,10 +5,10 @@
 #include <rtt/Activity.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
-#include <rtt/internal/engine/deferred_activity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
-#include <rtt/internal/service_loader.hpp>
 #include <rtt/internal/calls/failed.hpp>
+#include <rtt/internal/engine/deferred_activity.hpp>
+#include <rtt/internal/service_loader.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/TimeService.hpp>
 

@@ -4,8 +4,8 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/engine/detail/function_removal.hpp>
 #include <rtt/internal/engine/detail/engine_sleep.hpp>
+#include <rtt/internal/engine/detail/function_removal.hpp>
 #include <rtt/os/MutexLock.hpp>
 #include <rtt/os/fosi.h>
 

@@ -3,12 +3,12 @@
 // Any bytes are read as a property file: errors have places; what is read is written, read and edited without loss.
 #include "fuzzing.hpp"
 
-#include <rtt/Property.hpp>
-#include <rtt/PropertyBag.hpp>
-#include <rtt/internal/values/property_update.hpp>
 #include <cpf/cpf_edit.hpp>
 #include <cpf/cpf_reader.hpp>
 #include <cpf/cpf_writer.hpp>
+#include <rtt/Property.hpp>
+#include <rtt/PropertyBag.hpp>
+#include <rtt/internal/values/property_update.hpp>
 #include <rtt/types/PropertyDecomposition.hpp>
 
 #include <cstddef>

@@ -7,9 +7,9 @@
 #include <rtt/Service.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
-#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/flow/storage_core.hpp>

@@ -5,9 +5,9 @@
 #include <rtt/Logger.hpp>
 #include <rtt/base/DataSourceBase.hpp>
 #include <rtt/base/InputPortInterface.hpp>
-#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnFactory.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/flow/sample_box.hpp>

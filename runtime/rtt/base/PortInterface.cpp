@@ -6,8 +6,8 @@
 #include <rtt/Logger.hpp>
 #include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/types/TypeInfo.hpp>

@@ -13,9 +13,9 @@
 
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/Logger.hpp>
+#include <rtt/internal/flow/detail/waiting.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
-#include <rtt/internal/flow/detail/waiting.hpp>
 
 #include <exception>
 

@@ -4,10 +4,10 @@
 
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/internal/flow/channel_array.hpp>
+#include <rtt/internal/flow/detail/graph_lock.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/flow/storage_core.hpp>
-#include <rtt/internal/flow/detail/graph_lock.hpp>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/GlobalService.hpp>
 
-#include <rtt/internal/service_loader.hpp>
 #include <rtt/internal/calls/failed.hpp>
+#include <rtt/internal/service_loader.hpp>
 
 #include <mutex>
 

@@ -3,8 +3,8 @@
 #ifndef ORO_PART_DATA_SOURCE_HPP
 #define ORO_PART_DATA_SOURCE_HPP
 
-#include <rtt/types/carray.hpp>
 #include <rtt/internal/values/placed_data_source.hpp>
+#include <rtt/types/carray.hpp>
 
 namespace RTT {
 namespace internal {

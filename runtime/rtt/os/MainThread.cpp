@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/os/MainThread.hpp>
 
-#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/threads.hpp>
 
 #include <cerrno>

@@ -2,10 +2,10 @@
 // Copyright Oroforge contributors
 #include <rtt/os/Thread.hpp>
 
-#include <rtt/os/futex.hpp>
-#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_state.hpp>
+#include <rtt/os/futex.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/real_time_thread.hpp>
 #include <rtt/os/real_time_wanted.hpp>
 

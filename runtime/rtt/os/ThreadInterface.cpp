@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/os/ThreadInterface.hpp>
 
-#include <rtt/os/futex.hpp>
 #include <rtt/os/detail/thread_list.hpp>
+#include <rtt/os/futex.hpp>
 
 namespace RTT::os {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/thread_state.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <cxxabi.h>
 #include <exception>

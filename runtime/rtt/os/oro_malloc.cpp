@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/os/oro_malloc.h>
 
-#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/pool_registry.hpp>
+#include <rtt/os/os_log.hpp>
 #include <rtt/os/tlsf/tlsf.h>
 
 #include <atomic>

@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/os/threads.hpp>
 
-#include <rtt/os/os_log.hpp>
 #include <rtt/os/detail/scheduling.hpp>
 #include <rtt/os/detail/thread_list.hpp>
+#include <rtt/os/os_log.hpp>
 
 #include <atomic>
 #include <linux/capability.h>

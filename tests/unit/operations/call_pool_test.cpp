@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include "probe.hpp"
 
-#include <rtt/internal/calls/call_pool.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/internal/calls/call_pool.hpp>
 
 #include <cstring>
 #include <memory>

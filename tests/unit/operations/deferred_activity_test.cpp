@@ -7,8 +7,8 @@
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/extras/SequentialActivity.hpp>
-#include <rtt/internal/engine/deferred_activity.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/internal/engine/deferred_activity.hpp>
 
 #include <filesystem>
 #include <fstream>

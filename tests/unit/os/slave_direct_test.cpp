@@ -6,8 +6,8 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <memory>
 #include <thread>

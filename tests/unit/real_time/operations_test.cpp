@@ -7,10 +7,10 @@
 #include <rtt/OperationCaller.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/calls/call_pool.hpp>
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/OperationCallerC.hpp>
+#include <rtt/internal/calls/call_pool.hpp>
 
 #include <atomic>
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 // How property files are replaced.
 #include "cpf_fixture.hpp"
 
-#include <rtt/marsh/PropertyMarshaller.hpp>
 #include <cpf/property_file.hpp>
 #include <cpf/replace_file.hpp>
+#include <rtt/marsh/PropertyMarshaller.hpp>
 
 #include <grp.h>
 #include <sched.h>

@@ -3,8 +3,8 @@
 // The simpler forms of values for property files, of types whose generators say little about them, and old files.
 #include "cpf_fixture.hpp"
 
-#include <rtt/internal/FusedFunctorDataSource.hpp>
 #include <cpf/property_file.hpp>
+#include <rtt/internal/FusedFunctorDataSource.hpp>
 #include <rtt/types/ContainerTable.hpp>
 #include <rtt/types/EnumTypeInfo.hpp>
 #include <rtt/types/MemberFactory.hpp>

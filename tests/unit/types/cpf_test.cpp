@@ -3,11 +3,11 @@
 // Property files: reading, writing, and the ways between a file and a component's properties (spec 6.3, 6.4).
 #include "cpf_fixture.hpp"
 
-#include <rtt/marsh/PropertyDemarshaller.hpp>
-#include <rtt/marsh/PropertyMarshaller.hpp>
 #include <cpf/cpf_reader.hpp>
 #include <cpf/cpf_writer.hpp>
 #include <cpf/property_file.hpp>
+#include <rtt/marsh/PropertyDemarshaller.hpp>
+#include <rtt/marsh/PropertyMarshaller.hpp>
 
 using namespace RTT;
 using namespace RTT::marsh;

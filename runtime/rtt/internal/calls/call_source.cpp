@@ -4,8 +4,8 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/base/OperationBase.hpp>
-#include <rtt/internal/engine/interruption.hpp>
 #include <rtt/internal/calls/operation_table.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 
 #include <stdexcept>
 

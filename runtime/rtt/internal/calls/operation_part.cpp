@@ -5,9 +5,9 @@
 #include <rtt/FactoryExceptions.hpp>
 #include <rtt/Handle.hpp>
 #include <rtt/internal/DataSources.hpp>
-#include <rtt/internal/calls/operation_table.hpp>
 #include <rtt/internal/calls/detail/action_slot.hpp>
 #include <rtt/internal/calls/detail/call_handles.hpp>
+#include <rtt/internal/calls/operation_table.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
 namespace RTT::internal {

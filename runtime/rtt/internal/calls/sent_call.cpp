@@ -7,14 +7,14 @@
 #include <rtt/base/ActivityInterface.hpp>
 #include <rtt/base/OperationCallerInterface.hpp>
 #include <rtt/base/TaskCore.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
-#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/internal/GlobalEngine.hpp>
-#include <rtt/internal/engine/interruption.hpp>
+#include <rtt/internal/calls/failure_report.hpp>
 #include <rtt/internal/calls/sending.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
+#include <rtt/internal/engine/interruption.hpp>
 #include <rtt/os/MainThread.hpp>
-#include <rtt/os/futex.hpp>
 #include <rtt/os/fosi.h>
+#include <rtt/os/futex.hpp>
 
 #include <unistd.h>
 

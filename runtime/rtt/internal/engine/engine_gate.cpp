@@ -5,8 +5,8 @@
 #include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/ActivityInterface.hpp>
-#include <rtt/os/futex.hpp>
 #include <rtt/os/fosi.h>
+#include <rtt/os/futex.hpp>
 
 #include <algorithm>
 #include <new>

@@ -8,8 +8,8 @@
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
-#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/internal/flow/sample_type_name.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/TypeOps.hpp>
 
 #include <cstring>

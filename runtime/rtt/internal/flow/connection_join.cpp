@@ -4,9 +4,9 @@
 #include <rtt/internal/ConnectionManager.hpp>
 
 #include <rtt/base/InputPortInterface.hpp>
+#include <rtt/internal/flow/detail/graph_lock.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
-#include <rtt/internal/flow/detail/graph_lock.hpp>
 
 namespace RTT::internal {
 

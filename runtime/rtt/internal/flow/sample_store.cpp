@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/flow/sample_store.hpp>
 
-#include <rtt/internal/flow/sample_box.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
+#include <rtt/internal/flow/sample_box.hpp>
 
 namespace RTT::internal {
 

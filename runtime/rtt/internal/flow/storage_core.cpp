@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/flow/storage_core.hpp>
 
-#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/ConnFactory.hpp>
+#include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 
 #include <mutex>

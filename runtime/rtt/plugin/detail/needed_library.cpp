@@ -4,9 +4,9 @@
 
 #include <rtt/Logger.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
-#include <rtt/rtt-config.h>
 #include <rtt/plugin/search_path.hpp>
 #include <rtt/plugin/shared_library.hpp>
+#include <rtt/rtt-config.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -5,8 +5,8 @@
 
 #include <rtt/base/ActionInterface.hpp>
 #include <rtt/base/DataSourceBase.hpp>
-#include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/SignalBase.hpp>
+#include <rtt/internal/engine/engine_gate.hpp>
 
 #include <memory>
 #include <vector>

@@ -5,8 +5,8 @@
 #ifndef RTT_INTERNAL_DETAIL_CALL_HANDLES_HPP
 #define RTT_INTERNAL_DETAIL_CALL_HANDLES_HPP
 
-#include <rtt/internal/calls/call_source.hpp>
 #include <rtt/internal/DataSources.hpp>
+#include <rtt/internal/calls/call_source.hpp>
 
 namespace RTT {
 namespace internal {

@@ -21,8 +21,8 @@
 // The slot read last stays out of the pool as `last_`, for readers of an empty buffer (OldData). Slots are counted:
 // owner 1, `last_` 1 (taken over from the reader), and each reader of an old sample 1. That reader counts first, then
 // looks whether `last_` (which has a serial number) is unchanged; only then was the slot not free when it counted.
-#include <rtt/internal/flow/sample_box.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
+#include <rtt/internal/flow/sample_box.hpp>
 
 #include <algorithm>
 #include <atomic>

@@ -19,8 +19,8 @@
 // so the system makes progress.
 // Each thread has at most one slot, and one is current: with max_threads + 2 slots, max_threads + 1 threads never fail.
 // A sample is new for the one reader that clears Unread: by its R4, or before it copies if it wants only new samples.
-#include <rtt/internal/flow/sample_box.hpp>
 #include <rtt/internal/flow/detail/stores.hpp>
+#include <rtt/internal/flow/sample_box.hpp>
 
 #include <algorithm>
 #include <atomic>

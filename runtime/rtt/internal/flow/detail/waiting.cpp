@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/flow/detail/waiting.hpp>
 
-#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/engine/detail/message_pause.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/os/futex.hpp>
 
 #include <algorithm>
