@@ -18,7 +18,7 @@ faulty_value(reclaimer_relaxed_enter ${header}
   [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), ]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_return ${header} [=[), @{std::memory_order_release}@);
         if (__builtin_expect(asymmetric_, 1))]=] [=[std::memory_order_relaxed]=])
-faulty_statement(reclaimer_end_unheard ${header} [=[@{if (__builtin_expect(!record.deferred.empty() || record.awaited != 0, 0)) afterwards(record);}@]=]
+faulty_statement(reclaimer_end_unheard ${header} [=[@{if (__builtin_expect(static_cast<unsigned>(!record.deferred.empty()) | record.awaited, 0)) afterwards(record);}@]=]
   [=[]=])
 faulty_statement(reclaimer_no_barrier_before_sleep ${file} [=[awaited.fetch_add(1);
         @{barrier();}@]=] [=[]=])

@@ -49,7 +49,7 @@ struct ReclaimerState {
 
     /** Makes what other threads did before visible here, and what we did before visible to what they do from now on. */
     static void barrier() {
-        if (!Reclaimer::asymmetric_) return;  // then the previous addition to epoch_ does it, see enter()
+        if (!Reclaimer::asymmetric_) return;  // additions to epoch_ and `awaited` do it, see enter() and leave()
         detail::processBarrier();
     }
 

@@ -8,9 +8,9 @@
 //
 // The reader's announcement (a store) must not be overtaken by its following loads. That costs a full barrier, so it is
 // asymmetric: readers make a plain store, and the rare unlinking side runs membarrier(2), which puts a barrier into
-// every running thread of the process. Without that system call readers do a read-modify-write of the epoch instead.
-// Either way all orders that ThreadSanitizer must see are on the atomics themselves: leaving is a release store, and
-// the unlinking side reads the records with acquire.
+// every running thread of the process. Without that system call a reader does a read-modify-write as it enters, and
+// another one as it leaves. Either way all orders that ThreadSanitizer must see are on the atomics themselves: leaving
+// releases, and the unlinking side reads the records with acquire.
 #ifndef ORO_INTERNAL_RECLAIMER_HPP
 #define ORO_INTERNAL_RECLAIMER_HPP
 
@@ -105,7 +105,7 @@ private:
         } else {
             record.epoch.exchange(0);
         }
-        if (__builtin_expect(!record.deferred.empty() || record.awaited != 0, 0)) afterwards(record);
+        if (__builtin_expect(static_cast<unsigned>(!record.deferred.empty()) | record.awaited, 0)) afterwards(record);
     }
     [[gnu::cold, gnu::noinline]] static void afterwards(Record& record) noexcept;
     static Record* attach() noexcept;
