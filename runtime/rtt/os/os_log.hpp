@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef RTT_OS_DETAIL_OS_LOG_HPP
-#define RTT_OS_DETAIL_OS_LOG_HPP
+#ifndef ORO_OS_OS_LOG_HPP
+#define ORO_OS_OS_LOG_HPP
 
 #include <string>  // for callers, which compose text
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef RTT_OS_DETAIL_OWN_FILE_HPP
-#define RTT_OS_DETAIL_OWN_FILE_HPP
+#ifndef ORO_OS_OWN_FILE_HPP
+#define ORO_OS_OWN_FILE_HPP
 
 #include <cerrno>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef RTT_OS_DETAIL_PRIORITY_LOCK_HPP
-#define RTT_OS_DETAIL_PRIORITY_LOCK_HPP
+#ifndef ORO_OS_PRIORITY_LOCK_HPP
+#define ORO_OS_PRIORITY_LOCK_HPP
 
 #include <rtt/os/futex.hpp>
 

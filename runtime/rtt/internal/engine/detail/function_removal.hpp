@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef ORO_INTERNAL_FUNCTION_REMOVAL_HPP
-#define ORO_INTERNAL_FUNCTION_REMOVAL_HPP
+#ifndef ORO_INTERNAL_DETAIL_FUNCTION_REMOVAL_HPP
+#define ORO_INTERNAL_DETAIL_FUNCTION_REMOVAL_HPP
 
 #include <rtt/internal/engine/engine_gate.hpp>
 

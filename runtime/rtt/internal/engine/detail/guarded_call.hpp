@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
-#ifndef ORO_INTERNAL_GUARDED_CALL_HPP
-#define ORO_INTERNAL_GUARDED_CALL_HPP
+#ifndef ORO_INTERNAL_DETAIL_GUARDED_CALL_HPP
+#define ORO_INTERNAL_DETAIL_GUARDED_CALL_HPP
 
 #include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/internal/engine/hook_in_progress.hpp>
