@@ -38,6 +38,11 @@ bool removeEnd(std::string& text, const std::string& end) {
     text.erase(text.find_last_not_of(' ') + 1);
     return true;
 }
+
+bool holds(const base::DataSourceBase& source, const std::type_info& wanted) {
+    const std::type_info* const id = source.getTypeId();
+    return id && *id == wanted;
+}
 }  // namespace
 
 std::string OperationSignature::Value::text() const {
@@ -58,13 +63,6 @@ OperationSignature::Value OperationSignature::Value::parsed(const std::string& t
     }
     return value;
 }
-
-namespace {
-bool holds(const base::DataSourceBase& source, const std::type_info& wanted) {
-    const std::type_info* const id = source.getTypeId();
-    return id && *id == wanted;
-}
-}  // namespace
 
 void OperationSignature::Value::throwWrongType(const base::DataSourceBase::shared_ptr& found, std::size_t index) const {
     throw wrong_types_of_args_exception(static_cast<int>(index), text(), found ? found->getType() : "nothing");
