@@ -14,7 +14,7 @@ NamedObject objectOf(TaskContext& component, const std::string& name) {
     return {&component, component.provides(), name};
 }
 
-/** Follows the parts from the one that begins at `at`. */
+/** Follows the parts from `here`. `from` is the component that a path begins in; null for a path through services. */
 ResolvedName follow(NamedObject here, const std::vector<std::string>& parts, TaskContext* from) {
     ResolvedName result;
     for (const std::string& part : parts) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright Oroforge contributors
 // What the contract of a storage is run on: lock policies and types of samples that between them reach every
-// implementation (see SampleStore.hpp).
+// implementation (see sample_store.hpp).
 #ifndef OROFORGE_TESTS_FLOW_STORE_CASES_HPP
 #define OROFORGE_TESTS_FLOW_STORE_CASES_HPP
 

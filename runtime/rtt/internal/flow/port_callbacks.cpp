@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/flow/port_callbacks.hpp>
 
-#include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/internal/flow/detail/waiting.hpp>
+#include <rtt/internal/flow/reclaimer.hpp>
 
 namespace RTT::internal {
 
@@ -103,7 +103,8 @@ PortCallbacks::Execution::Execution(const PortCallbacks& callbacks, base::PortIn
     entry_->executing.fetch_add(1, std::memory_order_seq_cst);
 }
 
-// Everything the callback did happens before what follows waitFor().
+// Everything the callback did happens before what follows waitFor(). seq_cst: either waitFor() finds that we have left,
+// or mayBeOver() finds its thread.
 PortCallbacks::Execution::~Execution() {
     if (!entry_) return;
     entry_->executing.fetch_sub(1, std::memory_order_seq_cst);

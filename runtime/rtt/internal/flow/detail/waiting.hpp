@@ -33,7 +33,8 @@ public:
     /** Sleeps until now() differs from `seen`. With `executesMessages` the components that this thread is executing
         execute their messages meanwhile, unless it is inside a Guard. */
     void sleep(std::uint32_t seen, bool executesMessages) const;
-    /** Call it after what others may be waiting for. Real-time safe; makes a system call only if a thread waits. */
+    /** Call it after a change that others may be waiting for. Real-time safe; makes a system call only if a thread
+        waits. */
     static void mayBeOver() noexcept {
         if (__builtin_expect(number_ != 0, 0)) wakeAll();
     }
