@@ -38,11 +38,6 @@ bool removeEnd(std::string& text, const std::string& end) {
     text.erase(text.find_last_not_of(' ') + 1);
     return true;
 }
-
-bool holds(const base::DataSourceBase& source, const std::type_info& wanted) {
-    const std::type_info* const id = source.getTypeId();
-    return id && *id == wanted;
-}
 }  // namespace
 
 std::string OperationSignature::Value::text() const {
@@ -68,8 +63,13 @@ void OperationSignature::Value::throwWrongType(const base::DataSourceBase::share
     throw wrong_types_of_args_exception(static_cast<int>(index), text(), found ? found->getType() : "nothing");
 }
 
+bool OperationSignature::Value::isTypeOf(const base::DataSourceBase& source) const {
+    const std::type_info* const found = source.getTypeId();
+    return id ? found && *found == *id : type && source.getTypeInfo() == type;
+}
+
 void OperationSignature::Value::checkAssigned(const base::DataSourceBase::shared_ptr& to, std::size_t index) const {
-    if (!to || !holds(*to, *id)) throwWrongType(to, index);
+    if (!to || !isTypeOf(*to)) throwWrongType(to, index);
     if (!to->isAssignable()) throw non_lvalue_args_exception(static_cast<int>(index), to->getType());
 }
 
@@ -78,8 +78,8 @@ base::DataSourceBase::shared_ptr OperationSignature::Value::sourceFor(base::Data
     if (!source) throwWrongType(source, index);
     if (isOutput() && !source->isAssignable())
         throw non_lvalue_args_exception(static_cast<int>(index), source->getType());
-    if (!holds(*source, *id) && !isOutput()) source = type->convert(source);
-    if (!source || !holds(*source, *id)) throwWrongType(source, index);
+    if (type && !isTypeOf(*source) && !isOutput()) source = type->convert(source);
+    if (!source || !isTypeOf(*source)) throwWrongType(source, index);
     return source;
 }
 

@@ -30,12 +30,12 @@ struct RTT_API OperationSignature {
         std::string text() const;
         /** The same without reference and const. */
         std::string plainText() const { return typeName + (isPointer ? "*" : ""); }
-        // For the argument that has that index, counted from 1, if `type` and `id` are known. They throw one of the
-        // FactoryExceptions.
+        // For the argument that has that index, counted from 1. They throw one of the FactoryExceptions.
         /** `source` itself, or a source that converts its value to this type. */
         base::DataSourceBase::shared_ptr sourceFor(base::DataSourceBase::shared_ptr source, std::size_t index) const;
         /** Checks that values of this type can be assigned to `to`. */
         void checkAssigned(const base::DataSourceBase::shared_ptr& to, std::size_t index) const;
+        bool isTypeOf(const base::DataSourceBase& source) const;
         [[noreturn]] void throwWrongType(const base::DataSourceBase::shared_ptr& found, std::size_t index) const;
         /** From such a text, or from "const double&"; the type is not looked up. */
         static Value parsed(const std::string& text);
