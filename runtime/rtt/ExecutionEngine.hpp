@@ -86,10 +86,6 @@ public:
     void waitForMessages(const boost::function<bool()>& done);
     /** The same, at most until the monotonic time `deadline` in ns; returns done(). */
     bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline);
-    /** The same, only within a step of this engine, for a condition that may also become true when the futex `also`
-        changes. */
-    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
-                         const internal::Presence::Word* also);
     /** For users that may outlive this engine. */
     const boost::intrusive_ptr<const internal::EngineGate>& gate() const { return gate_; }
     /** Queues a message for the engine of `gate`, if that still exists, like process(). */
@@ -106,8 +102,6 @@ public:
 
     /** For messages that threw in this engine: logs that and puts the component into Exception. */
     void setExceptionTask();
-    /** Puts the component, if there is one, into Exception. In a step of this engine. */
-    void enterException();
     /** Called by the component in FatalError: stops the activity for good and disposes of queued items. */
     void setFatalTask();
     /** Stops and starts the activity, so that no step is executing afterwards. False if it does not stop, or within a
@@ -138,6 +132,9 @@ private:
     typedef internal::EngineGate::Step Step;
 
     bool accepts() const;
+    void enterException();
+    bool waitForMessages(const boost::function<bool()>& done, std::int64_t deadline,
+                         const internal::Presence::Word* also);
     bool enqueue(internal::Mailbox::Item item, base::ActivityInterface* activity);
     bool enqueue(internal::Mailbox::Item item);
     void disposeQueued();

@@ -25,6 +25,20 @@ EngineGate::Step::~Step() {
     if (place_) Presence::leave(*place_);
 }
 
+void EngineGate::Step::fail() const {
+    if (!gone()) failed(*engine());
+}
+
+void EngineGate::failed(ExecutionEngine& engine) { engine.enterException(); }
+
+void EngineGate::sleepOn(const Presence::Word& word, std::uint32_t seen) {
+    const EngineGate* const gate = ofThisThread();
+    if (gate && gate->engine())
+        gate->engine()->waitForMessages([&] { return word != seen; }, os::detail::kForever, &word);
+    else
+        os::detail::futexWait(word, seen, os::detail::kForever);
+}
+
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {
     if (gate.isStepping()) return true;
     // A retired engine executes nothing more.

@@ -60,6 +60,8 @@ public:
         const Step* outer() const { return outer_; }
         /** False within another step of the same engine. */
         bool first() const { return place_ != nullptr; }
+        /** Puts the component, if there is one that is not gone, into Exception. */
+        void fail() const;
         /** Of this thread; null outside a step. */
         static const Step* innermost() noexcept { return innermost_; }
 
@@ -105,6 +107,9 @@ public:
 
     /** The gate of the engine that this thread is executing; null if there is none. */
     static const EngineGate* ofThisThread() noexcept;
+    /** Sleeps while the futex `word` holds `seen`, and executes the messages of the components that this thread is
+        executing. May return early. */
+    static void sleepOn(const Presence::Word& word, std::uint32_t seen);
 
     /** The engine was destroyed, or retired by another thread. This and the following functions may be called by any
         thread and are real-time safe, unless they say otherwise. */
@@ -143,6 +148,7 @@ public:
     void deref() const;
 
 private:
+    static void failed(ExecutionEngine& engine);
     /** The address that a thread within a step uses, see Presence. */
     const void* step() const noexcept { return &references_; }
     bool waitFor(const void* use, const char* what, std::int64_t deadline = INT64_MAX) const;

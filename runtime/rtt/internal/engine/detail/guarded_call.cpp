@@ -2,7 +2,6 @@
 // Copyright Oroforge contributors
 #include <rtt/internal/engine/detail/guarded_call.hpp>
 
-#include <rtt/ExecutionEngine.hpp>
 #include <rtt/Logger.hpp>
 #include <rtt/base/TaskCore.hpp>
 
@@ -13,7 +12,7 @@ std::string nameOf(const base::TaskCore* task) { return task ? task->base::TaskC
 void threw(const EngineGate::Step& here, const base::TaskCore* task, const char* what, const char* why) {
     log(Error) << "in " << (here.gone() ? "a component that is no more" : nameOf(task)) << ": " << what
                << " threw: " << why << endlog();
-    if (!here.gone()) here.engine()->enterException();
+    here.fail();
 }
 
 }  // namespace RTT::internal::detail
