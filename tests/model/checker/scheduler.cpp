@@ -241,14 +241,13 @@ Result explore(const Options& options, const std::function<void(Trial&)>& scenar
     state = &s;
     s.scenario = &scenario;
     Result result;
-    // The first run in a process makes what is static. Its objects would have other numbers than those of the next runs,
-    // and the explorer would not see which of their steps depend on each other.
+    // The first run of a scenario in a process makes what is static. Its objects have other numbers than those of the next
+    // runs, and the explorer would not see which of their steps depend on each other. So it does not count.
     oneRun();
-    s.explorer = Explorer(options.reduction);
-    s.failure.clear();
+    if (s.failure.empty()) s.explorer = Explorer(options.reduction);
     do {
         if (result.executions == options.maxExecutions) break;
-        oneRun();
+        if (s.failure.empty()) oneRun();
         ++result.executions;
         if (!s.failure.empty()) {
             result.failure = s.failure;
