@@ -3,7 +3,6 @@
 #include <rtt/scripting/detail/machine/machine_build_event.hpp>
 
 #include <rtt/TaskContext.hpp>
-#include <rtt/internal/GlobalService.hpp>
 #include <rtt/scripting/detail/compile/call_words.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
@@ -32,7 +31,7 @@ void EventBuilder::add(const ast::Transition& tree, const Scope& scope, std::vec
         to.push_back(transitions_.build(tree, scope));
         return;
     }
-    const Source source = sourceOf(tree);
+    const internal::NamedObject source = sourceOf(tree);
     if (!source.service) return;
     const std::string& name = tree.event.back().text;
     if (auto* const port = source.service->getPortType<base::InputPortInterface>(name)) {
@@ -47,8 +46,8 @@ void EventBuilder::add(const ast::Transition& tree, const Scope& scope, std::vec
 }
 
 /** What the path before the name of an operation or port leads to. */
-EventBuilder::Source EventBuilder::sourceOf(const ast::Transition& tree) const {
-    Source here{where_.component, where_.component->provides()};
+internal::NamedObject EventBuilder::sourceOf(const ast::Transition& tree) const {
+    internal::NamedObject here{where_.component, where_.component->provides(), {}};
     const std::size_t own = tree.event[0].text == "this" || tree.event[0].text == "task" ||
                             tree.event[0].text == where_.component->getName();
     if (where_.toCome && own + 1 < tree.event.size() && !model_.service->hasService(tree.event[0].text) &&
@@ -56,19 +55,10 @@ EventBuilder::Source EventBuilder::sourceOf(const ast::Transition& tree) const {
         return {};
     for (std::size_t i = 0; i + 1 != tree.event.size(); ++i) {
         const std::string& part = tree.event[i].text;
-        Source next;
-        if (i == 0 && part != "this" && model_.service->hasService(part)) {
-            next.service = model_.service->getService(part);
-        } else if (here.component && here.component->hasPeer(part)) {
-            next.component = here.component->getPeer(part);
-            next.service = next.component->provides();
-        } else if (i == 0 && (part == "this" || part == "task" || part == where_.component->getName())) {
-            next = here;
-        } else if (here.service->hasService(part)) {
-            next.service = here.service->getService(part);
-        } else if (i == 0 && internal::GlobalService::Instance()->hasService(part)) {
-            next.service = internal::GlobalService::Instance()->getService(part);
-        } else {
+        internal::NamedObject next;
+        if (i == 0 && part != "this" && part != "task") next.service = model_.service->getService(part);
+        if (!next.service) next = i == 0 ? internal::firstOf(*where_.component, part) : internal::childOf(here, part);
+        if (!next.service) {
             if (where_.toCome && where_.toCome->mayHave(here.service->getOwner(), part, i == 0)) return {};
             std::vector<std::string> names = here.service->getProviderNames();
             if (here.component)
@@ -78,12 +68,12 @@ EventBuilder::Source EventBuilder::sourceOf(const ast::Transition& tree) const {
                       oroforge::diag::didYouMean(part, names));
             return {};
         }
-        here = next;
+        here = std::move(next);
     }
     return here;
 }
 
-void EventBuilder::unknownEvent(const ast::Transition& tree, const Source& source) const {
+void EventBuilder::unknownEvent(const ast::Transition& tree, const internal::NamedObject& source) const {
     const ast::Identifier& name = tree.event.back();
     if (where_.toCome && where_.toCome->mayHave(source.service->getOwner(), name.text, false)) return;
     std::vector<std::string> names = source.service->getNames();

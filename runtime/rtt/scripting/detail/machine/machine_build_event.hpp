@@ -3,7 +3,7 @@
 #ifndef ORO_SCRIPTING_DETAIL_MACHINE_BUILD_EVENT_HPP
 #define ORO_SCRIPTING_DETAIL_MACHINE_BUILD_EVENT_HPP
 
-#include <rtt/Service.hpp>
+#include <rtt/internal/dotted_name.hpp>
 #include <rtt/scripting/detail/machine/machine_build_transition.hpp>
 #include <rtt/scripting/detail/machine/machine_event.hpp>
 
@@ -30,10 +30,6 @@ public:
     void listen(const std::shared_ptr<EventQueue>& queue) const;
 
 private:
-    struct Source {
-        TaskContext* component = nullptr;
-        Service::shared_ptr service;
-    };
     struct Listening {
         OperationEvent* event;
         std::shared_ptr<internal::SignalBase> signal;
@@ -42,8 +38,8 @@ private:
     void error(ast::Place place, const char* code, const std::string& message) const {
         where_.sink->error(at(place), code, message);
     }
-    Source sourceOf(const ast::Transition& tree) const;
-    void unknownEvent(const ast::Transition& tree, const Source& source) const;
+    internal::NamedObject sourceOf(const ast::Transition& tree) const;
+    void unknownEvent(const ast::Transition& tree, const internal::NamedObject& source) const;
     GuardPtr portGuard(const ast::Transition& tree, base::InputPortInterface& port, const Scope& scope);
     void refuseOperation(const ast::Transition& tree) const;
     void addOperationEvent(const ast::Transition& tree, OperationInterfacePart& operation, const Scope& scope,
