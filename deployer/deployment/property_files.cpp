@@ -3,6 +3,7 @@
 #include "property_files.hpp"
 
 #include <ctime>
+#include <utility>
 
 #include <sys/stat.h>
 
@@ -24,7 +25,7 @@ bool isSettled(const timespec& changed) {
 
 }  // namespace
 
-const PropertyFile& PropertyFiles::current(const std::string& path, bool wantsErrors, diag::Sink& sink) {
+PropertyFiles::Entry& PropertyFiles::current(const std::string& path, bool wantsErrors) {
     struct stat status {};
     (void)stat(path.c_str(), &status);  // before reading, so that a change meanwhile is noticed
     // Not the time of modification, which programs that copy files set back.
@@ -32,19 +33,22 @@ const PropertyFile& PropertyFiles::current(const std::string& path, bool wantsEr
     const Stamp stamp{status.st_dev, status.st_ino, status.st_size, changed.tv_sec, changed.tv_nsec};
     Entry& entry = entries_[path];
     const bool isKnown = entry.file && entry.isSettled && entry.stamp == stamp && (entry.file->isGood || !wantsErrors);
-    if (!isKnown) entry = {stamp, isSettled(changed), std::make_unique<const PropertyFile>(path, sink)};
-    return *entry.file;
+    if (isKnown) return entry;
+    diag::Sink found;
+    auto file = std::make_unique<const PropertyFile>(path, found);
+    return entry = {stamp, isSettled(changed), std::move(file), std::move(found)};
 }
 
 const PropertyFile* PropertyFiles::read(const std::string& path, diag::Sink& sink) {
-    const PropertyFile& file = current(path, /*wantsErrors=*/true, sink);
-    return file.isGood ? &file : nullptr;
+    Entry& entry = current(path, /*wantsErrors=*/true);
+    for (const diag::Diagnostic& one : entry.unreported.all()) sink.add(one);
+    entry.unreported = {};
+    return entry.file->isGood ? entry.file.get() : nullptr;
 }
 
 const PropertyFile* PropertyFiles::readAgain(const std::string& path) {
-    diag::Sink reported;
-    const PropertyFile& file = current(path, /*wantsErrors=*/false, reported);
-    return file.isGood ? &file : nullptr;
+    const Entry& entry = current(path, /*wantsErrors=*/false);
+    return entry.file->isGood ? entry.file.get() : nullptr;
 }
 
 }  // namespace OCL::deploy

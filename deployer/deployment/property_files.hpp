@@ -26,7 +26,7 @@ public:
     /** The file, valid until its next use; null if it has errors. Reports warnings when the file is read, errors each
         time. */
     const RTT::marsh::PropertyFile* read(const std::string& path, diag::Sink& sink);
-    /** As read(), but reports nothing, because that was done before. */
+    /** As read(), but reports nothing: that was done before, or the next read() does it. */
     const RTT::marsh::PropertyFile* readAgain(const std::string& path);
     /** Frees all files. */
     void clear() { entries_.clear(); }
@@ -38,9 +38,10 @@ private:
         Stamp stamp;
         bool isSettled = false;  // a later change has another stamp
         std::unique_ptr<const RTT::marsh::PropertyFile> file;
+        diag::Sink unreported;  // warnings
     };
 
-    const RTT::marsh::PropertyFile& current(const std::string& path, bool wantsErrors, diag::Sink& sink);
+    Entry& current(const std::string& path, bool wantsErrors);
 
     std::map<std::string, Entry> entries_;  // by path
 };
