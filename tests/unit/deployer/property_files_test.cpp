@@ -91,4 +91,15 @@ TEST_F(PropertyFilesTest, ErrorsAreToldEachTimeAndWarningsOnce) {
     EXPECT_EQ(before + 1, sink_.warningCount());
 }
 
+TEST_F(PropertyFilesTest, AWarningThatReadAgainFindsIsReportedByTheNextRead) {
+    writeAndWait(number("1"));
+    EXPECT_EQ("1", value());
+    writeAndWait("<properties><other/><simple name='x' type='long'><value>2</value></simple></properties>\n");
+    EXPECT_NE(nullptr, files_.readAgain(path_));
+    EXPECT_EQ(0u, sink_.warningCount());
+    EXPECT_EQ("2", value());
+    EXPECT_EQ("2", value());
+    EXPECT_EQ(1u, sink_.warningCount());
+}
+
 }  // namespace

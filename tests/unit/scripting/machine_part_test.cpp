@@ -334,6 +334,13 @@ protected:
     }
 };
 
+TEST_F(EventMessage, OwnNamesComeBeforePeers) {
+    TaskContext task("task");
+    ASSERT_TRUE(station.addPeer(&task));
+    EXPECT_THAT(messages("task.presed(i) select Z"), HasSubstr("'station' has no operation or input port 'presed'"));
+    station.removePeer("task");
+}
+
 TEST_F(EventMessage, UnknownName) {
     EXPECT_EQ(
         messages("presed(i) select Z"),
