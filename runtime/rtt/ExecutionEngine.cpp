@@ -193,11 +193,13 @@ void ExecutionEngine::processHooks(const Step& here) {
     if (!task_) return;
     // No virtual calls: a stopped component's subclass may be under destruction.
     using Core = base::TaskCore;
-    if (task_->Core::getTaskState() == Core::Running && task_->Core::getTargetState() == Core::Running)
+    Core::States now = task_->Core::states();
+    if (now.state == Core::Running && now.target == Core::Running)
         callHook(here, "updateHook()", [this] { task_->updateHook(); });
     if (here.gone()) return;
     // error() in updateHook() takes effect in the same step.
-    if (task_->Core::getTaskState() == Core::RunTimeError && task_->Core::getTargetState() >= Core::Running)
+    now = task_->Core::states();
+    if (now.state == Core::RunTimeError && now.target >= Core::Running)
         callHook(here, "errorHook()", [this] { task_->errorHook(); });
 }
 

@@ -178,18 +178,9 @@ bool SlaveActivity::setCpuAffinity(unsigned) { return false; }
 
 bool SlaveActivity::isExecutor() const { return executor_ == os::detail::currentTid(); }
 
-// For a step; null if this thread may not make one now.
-internal::Presence::Place* SlaveActivity::enter() {
-    internal::Presence::Place* place = nullptr;
-    if (claim(place) != Direct::Entered) return nullptr;
-    const int self = os::detail::currentTid();
-    if (updater_ != self) updater_ = self;
-    return place;
-}
-
 // The owner enters and then checks that it still is the owner. A thread that takes over first removes the owner and
 // then looks for others inside. So the owner, nearly always the thread that executes, needs no locked instruction.
-base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*& place) {
+[[gnu::always_inline]] inline base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*& place) {
     const int self = os::detail::currentTid();
     if (executor_ == self) return Direct::Granted;
     place = owner_ == self ? &internal::Presence::enter(this) : nullptr;
@@ -201,6 +192,15 @@ base::ActivityInterface::Direct SlaveActivity::claim(internal::Presence::Place*&
     if (!place) return Direct::Refused;
     executor_.store(self, std::memory_order_release);
     return Direct::Entered;
+}
+
+// For a step; null if this thread may not make one now.
+[[gnu::always_inline]] inline internal::Presence::Place* SlaveActivity::enter() {
+    internal::Presence::Place* place = nullptr;
+    if (claim(place) != Direct::Entered) return nullptr;
+    const int self = os::detail::currentTid();
+    if (updater_ != self) updater_ = self;
+    return place;
 }
 
 // Null if another thread executes.
@@ -237,7 +237,7 @@ bool SlaveActivity::execute() {
         active = open_;
         if (active) executeOnce();
     }
-    servePending();
+    if (pending_) servePending();
     return active;
 }
 

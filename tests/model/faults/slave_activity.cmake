@@ -15,7 +15,7 @@ faulty_statement(slave_unqueued_late ${file}
   [=[const Owner atEnd{*this}; os::MutexLock lock(mutex_); if (slave_) slave_->executeTrigger(); queued_.exchange(false);]=])
 faulty_statement(slave_trigger_not_served ${file} [=[        if (active) executeOnce();
     }
-    @{servePending();}@]=] [=[static_cast<void>(0);]=])
+    @{if (pending_) servePending();}@]=] [=[static_cast<void>(0);]=])
 faulty_value(slave_two_execute ${file} [=[if (@{internal::Presence::Waiter(this).others()}@) {]=] [=[false]=])
 faulty_value(slave_owner_not_asked_again ${file} [=[if (place && @{owner_ != self}@) {]=] [=[false]=])
 faulty_value(slave_owner_stays ${file} [=[const int last = @{owner_.exchange(0)}@;]=] [=[owner_.load()]=])

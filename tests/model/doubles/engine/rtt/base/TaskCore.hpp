@@ -20,6 +20,10 @@ public:
     const std::string& getName() const { return name; }
     TaskState getTaskState() const { return Running; }
     TaskState getTargetState() const { return Running; }
+    struct States {
+        TaskState state, target;
+    };
+    States states() const { return {Running, Running}; }
     void exception() {}
     void updateHook() {}
     void errorHook() {}
