@@ -335,7 +335,7 @@ protected:
 };
 
 TEST_F(EventMessage, OwnNamesComeBeforePeers) {
-    TaskContext task("task");
+    RTT::TaskContext task("task");
     ASSERT_TRUE(station.addPeer(&task));
     EXPECT_THAT(messages("task.presed(i) select Z"), HasSubstr("'station' has no operation or input port 'presed'"));
     station.removePeer("task");
