@@ -26,10 +26,8 @@ EngineGate::Step::~Step() {
 }
 
 void EngineGate::Step::fail() const {
-    if (!gone()) failed(*engine());
+    if (!gone()) engine()->enterException();
 }
-
-void EngineGate::failed(ExecutionEngine& engine) { engine.enterException(); }
 
 void EngineGate::sleepOn(const Presence::Word& word, std::uint32_t seen) {
     const EngineGate* const gate = ofThisThread();

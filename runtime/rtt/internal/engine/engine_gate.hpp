@@ -148,7 +148,6 @@ public:
     void deref() const;
 
 private:
-    static void failed(ExecutionEngine& engine);
     /** The address that a thread within a step uses, see Presence. */
     const void* step() const noexcept { return &references_; }
     bool waitFor(const void* use, const char* what, std::int64_t deadline = INT64_MAX) const;
