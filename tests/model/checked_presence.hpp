@@ -26,10 +26,14 @@ void linkAll(Records& records) {
 namespace model {
 
 /** As at the start of a program: what a run leaves behind must not reach the next one. */
-inline void preparePresence() {
+inline void preparePresence(bool asymmetric = true) {
     using RTT::internal::Presence;
+    typedef Presence::State State;
     threadLocal(&Presence::record_, sizeof Presence::record_);
-    new (&Presence::State::instance()) Presence::State;
+    threadLocal(&State::current, sizeof State::current);
+    new (&State::instance()) State;
+    State::asymmetric = asymmetric;
+    Presence::attention_ = asymmetric ? 0 : 1;
 }
 
 }  // namespace model

@@ -13,10 +13,12 @@
 namespace model {
 
 /** As at the start of a program: what a run leaves behind must not reach the next one. */
-inline void prepareReclaimer() {
+inline void prepareReclaimer(bool asymmetric = true) {
     using namespace RTT::internal;
     threadLocal(&Reclaimer::record_, sizeof Reclaimer::record_);
+    threadLocal(&ReclaimerState::own, sizeof ReclaimerState::own);
     new (&ReclaimerState::instance()) ReclaimerState;
+    ReclaimerState::asymmetric = asymmetric;
 }
 
 }  // namespace model

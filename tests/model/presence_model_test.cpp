@@ -19,10 +19,7 @@ struct Object {
     const char* const key =
         &Presence::bellOf(reinterpret_cast<std::uintptr_t>(keys)) == &Presence::bellOf(0) ? keys + 16 : keys;
 
-    explicit Object(bool asymmetric = true) {
-        model::preparePresence();
-        Presence::asymmetric_ = asymmetric;
-    }
+    explicit Object(bool asymmetric = true) { model::preparePresence(asymmetric); }
     void use() {
         Presence::Place& place = Presence::enter(key);
         if (!gone) require(value == 1, "used after it was taken away");
@@ -131,9 +128,12 @@ TEST(Presence, within_something_forgotten) { EXPECT_TRUE(model::holds(withinSome
 TEST(Presence, planted_faults_are_found) {
     EXPECT_TRUE(model::catches("presence_no_barrier", taking<true>));
     EXPECT_TRUE(model::catches("presence_relaxed_without_membarrier", taking<false>));
+    EXPECT_TRUE(model::catches("presence_end_relaxed_without_membarrier", taking<false>));
     EXPECT_TRUE(model::catches("presence_relaxed_leave", taking<true>));
     EXPECT_TRUE(model::catches("presence_relaxed_enter", usingTwice));
     EXPECT_TRUE(model::catches("presence_end_not_told", taking<true>));
+    EXPECT_TRUE(model::catches("presence_no_ring", taking<true>));
+    EXPECT_TRUE(model::catches("presence_waits_without_attention", taking<true>));
     EXPECT_TRUE(model::catches("presence_waits_unseen", taking<true>));
     EXPECT_TRUE(model::catches("presence_one_woken", twoWait));
     EXPECT_TRUE(model::catches("presence_one_record_looked_at", nesting));

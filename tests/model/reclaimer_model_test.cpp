@@ -21,8 +21,7 @@ struct Shared {
     std::atomic<int> destroyed{0};
 
     explicit Shared(bool asymmetric) {
-        model::prepareReclaimer();
-        Reclaimer::asymmetric_ = asymmetric;
+        model::prepareReclaimer(asymmetric);
         instance = this;
     }
     void look() {

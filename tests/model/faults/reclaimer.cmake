@@ -4,7 +4,7 @@ set(file rtt/internal/flow/reclaimer.cpp)
 set(header rtt/internal/flow/reclaimer.hpp)
 under_test(${file} ${header})
 adapt(${file} [=[kPool = 64;]=] [=[kPool = 4;]=])
-faulty_value(reclaimer_no_barrier ${file} [=[if (@{!Reclaimer::asymmetric_}@) return;]=] [=[true]=])
+faulty_value(reclaimer_no_barrier ${file} [=[if (@{!asymmetric}@) return;]=] [=[true]=])
 faulty_value(reclaimer_too_early ${file} [=[if (@{one.epoch < oldest}@)]=] [=[one.epoch <= oldest]=])
 faulty_value(reclaimer_relaxed_look ${file}
   [=[r->epoch.load(@{std::memory_order_seq_cst}@);
@@ -17,10 +17,11 @@ faulty_value(reclaimer_relaxed_leave ${header}
 faulty_value(reclaimer_relaxed_enter ${header}
   [=[record.epoch.store(epoch_.load(@{std::memory_order_acquire}@), ]=] [=[std::memory_order_relaxed]=])
 faulty_value(reclaimer_relaxed_return ${header} [=[), @{std::memory_order_release}@);
-        if (__builtin_expect(asymmetric_, 1))]=] [=[std::memory_order_relaxed]=])
+    }
+    static void leave]=] [=[std::memory_order_relaxed]=])
 faulty_statement(reclaimer_end_unheard ${header} [=[@{if (__builtin_expect(static_cast<unsigned>(!record.deferred.empty()) | record.awaited, 0)) afterwards(record);}@]=]
   [=[]=])
 faulty_statement(reclaimer_no_barrier_before_sleep ${file} [=[awaited.fetch_add(1);
         @{barrier();}@]=] [=[]=])
-faulty_value(reclaimer_relaxed_fence ${header} [=[epoch_.fetch_add(0, @{std::memory_order_acq_rel}@);]=]
+faulty_value(reclaimer_relaxed_fence ${file} [=[epoch_.fetch_add(0, @{std::memory_order_acq_rel}@);]=]
   [=[std::memory_order_relaxed]=])

@@ -7,7 +7,7 @@ set(presence rtt/internal/engine/presence.cpp)
 set(presence_header rtt/internal/engine/presence.hpp)
 under_test(${presence} ${presence_header})
 adapt(${presence} [=[ThreadRecords<Record, 64>]=] "ThreadRecords<Record, ${threads}>")
-adapt(${presence} [=[asymmetric_ = detail::offersProcessBarrier();]=]
-  [=[asymmetric_ = detail::offersProcessBarrier(); model::linkAll(records);]=])
+adapt(${presence} [=[asymmetric = detail::offersProcessBarrier();]=]
+  [=[asymmetric = detail::offersProcessBarrier(); model::linkAll(records);]=])
 adapt(${presence} [=[state.records.take();]=] [=[&state.records.pool_[model::self()];]=])
-adapt(${presence_header} [=[kDepth = 12;]=] "kDepth = ${depth};")
+adapt(${presence_header} [=[kDepth = 11;]=] "kDepth = ${depth};")

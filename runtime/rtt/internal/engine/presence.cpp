@@ -21,14 +21,15 @@ constexpr std::uintptr_t kForgotten = 2;
 }  // namespace
 
 Presence::Bell Presence::bells_[kBells];
-bool Presence::asymmetric_ = false;
+Presence::Word Presence::attention_{0};
 __thread Presence::Record* Presence::record_ = nullptr;
 
-struct Presence::State {
+struct RTT_HIDE Presence::State {
     State() {
         pthread_key_create(&key, &State::threadEnds);
-        // Safe only here: no thread has entered anything before its first deeper(), which comes through here.
-        asymmetric_ = detail::offersProcessBarrier();
+        // Safe only here: no thread has entered anything before its first takeRecord(), which comes through here.
+        asymmetric = detail::offersProcessBarrier();
+        if (!asymmetric) attention_.fetch_add(1);
     }
 
     /** Never destroyed: threads may still run while the process exits. */
@@ -40,7 +41,7 @@ struct Presence::State {
 
     static void threadEnds(void* first) {
         // Another key's destructor may still enter an object: it then takes a new record, and this is called again.
-        record_ = nullptr;
+        select(nullptr);
         for (auto* record = static_cast<Record*>(first); record;) {
             Record* const inner = record->inner;
             record->outer = record->inner = nullptr;
@@ -49,10 +50,16 @@ struct Presence::State {
         }
     }
 
+    /** The next use of this thread gets a place of `record`. */
+    static void select(Record* record) noexcept {
+        current = record;
+        record_ = asymmetric ? record : nullptr;
+    }
+
     template <class Visit>
     static void forOwn(const void* what, Visit visit) {
         const auto word = reinterpret_cast<std::uintptr_t>(what);
-        for (Record* record = record_; record; record = record->outer)
+        for (Record* record = current; record; record = record->outer)
             for (Place& place : record->places)
                 if (place.load(std::memory_order_relaxed) == word) visit(place);
     }
@@ -60,25 +67,56 @@ struct Presence::State {
     typedef detail::ThreadRecords<Record, 64> Records;
     Records records;
     pthread_key_t key;
+    /** False if the kernel has no membarrier(2): then each use is a read-modify-write. */
+    static bool asymmetric;
+    static __thread Record* current;
 };
 
+bool Presence::State::asymmetric = false;
+__thread Presence::Record* Presence::State::current = nullptr;
+
 // The first record of a thread, or another one if all places of the last are taken.
-Presence::Record* Presence::deeper() noexcept {
-    Record* const outer = record_;
-    if (outer && outer->inner) return record_ = outer->inner;
+Presence::Record* Presence::takeRecord() noexcept {
     State& state = State::instance();
-    Record* const record = state.records.take();
-    record->outer = outer;
-    if (outer)
-        outer->inner = record;
+    Record* const outer = State::current;
+    if (outer && !outer->isFull()) return outer;
+    Record* record = outer ? outer->inner : nullptr;
+    if (!record) {
+        record = state.records.take();
+        record->outer = outer;
+        if (outer)
+            outer->inner = record;
+        else
+            pthread_setspecific(state.key, record);
+    }
+    if (outer) attention_.fetch_add(1);  // until left() goes back to `outer`
+    State::select(record);
+    return record;
+}
+
+Presence::Place& Presence::enterSlowly(const void* what) noexcept {
+    Place& place = *takeRecord()->free++;
+    const auto word = reinterpret_cast<std::uintptr_t>(what);
+    if (State::asymmetric)
+        place.store(word, std::memory_order_release);
     else
-        pthread_setspecific(state.key, record);
-    return record_ = record;
+        place.exchange(word);
+    return place;
+}
+
+void Presence::left(Place& place, std::uintptr_t word) noexcept {
+    if (!State::asymmetric) place.exchange(0);
+    Bell& bell = bellOf(word & ~kKept);
+    if (bell.waiters != 0) ring(bell);
+    const Record& record = recordOf(place);
+    if (&place != record.places || !record.outer) return;
+    State::select(record.outer);
+    attention_.fetch_sub(1);
 }
 
 void Presence::leaveDownTo(const void* what) noexcept {
     for (;;) {
-        Place& last = record_->places[record_->depth - 1];
+        Place& last = State::current->free[-1];
         if ((last.load(std::memory_order_relaxed) & ~kKept) == reinterpret_cast<std::uintptr_t>(what)) return;
         leave(last);
     }
@@ -106,16 +144,20 @@ void Presence::ring(Bell& bell) noexcept {
 // A user that leaves frees its place and then reads the number of waiters. Either it finds this waiter, or this waiter
 // finds the free place.
 Presence::Waiter::Waiter(const void* what) noexcept : what_(reinterpret_cast<std::uintptr_t>(what)) {
-    bellOf(what_).waiters.fetch_add(1);
     State::instance();
-    if (asymmetric_) detail::processBarrier();
+    bellOf(what_).waiters.fetch_add(1);
+    attention_.fetch_add(1);
+    if (State::asymmetric) detail::processBarrier();
 }
 
-Presence::Waiter::~Waiter() { bellOf(what_).waiters.fetch_sub(1); }
+Presence::Waiter::~Waiter() {
+    attention_.fetch_sub(1);
+    bellOf(what_).waiters.fetch_sub(1);
+}
 
 bool Presence::Waiter::others() const noexcept {
     const auto isOwn = [](const Record* record) {
-        const Record* own = record_;
+        const Record* own = State::current;
         while (own && own != record) own = own->outer;
         return own != nullptr;
     };

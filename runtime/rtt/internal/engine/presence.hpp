@@ -7,10 +7,19 @@
 #include <rtt/rtt-config.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 namespace RTT {
 namespace internal {
+namespace detail {
+/** The smallest power of two that is not below `least`. */
+constexpr std::size_t powerOfTwo(std::size_t least) {
+    std::size_t size = 1;
+    while (size < least) size *= 2;
+    return size;
+}
+}  // namespace detail
 
 /**
  * Which objects each thread is using, so that a thread that takes one away can wait for the others.
@@ -30,39 +39,26 @@ public:
 
     /** Takes a record for this thread, which may allocate; otherwise its first use would do that. */
     static void prepare() noexcept {
-        if (!record_) deeper();
+        if (!record_) takeRecord();
     }
     /** This thread uses `what`, an even address, until it calls leave() with the result. Uses nest. Never blocks;
         real-time safe, except that nesting deeper than before may allocate. */
     static Place& enter(const void* what) noexcept {
-        Record* record = record_;
-        if (__builtin_expect(!record || record->depth == kDepth, 0)) record = deeper();
-        Place& place = record->places[record->depth++];
+        Record* const record = record_;
+        if (__builtin_expect(!record || record->isFull(), 0)) return enterSlowly(what);
+        Place& place = *record->free++;
         // Release: a waiter that finds this use, and missed the end of the previous one, must see what that one did.
-        const auto word = reinterpret_cast<std::uintptr_t>(what);
-        if (__builtin_expect(asymmetric_, 1)) {
-            place.store(word, std::memory_order_release);
-            asm volatile("" ::: "memory");  // orders the compiler; the waiter orders the CPU
-        } else {
-            place.exchange(word);
-        }
+        place.store(reinterpret_cast<std::uintptr_t>(what), std::memory_order_release);
+        asm volatile("" ::: "memory");  // orders the compiler; the waiter orders the CPU
         return place;
     }
     /** Ends the last use that this thread began. True if it was marked with keep(). */
     static bool leave(Place& place) noexcept {
-        Record* const record = record_;
-        // Computed, not decremented: the next use would have to wait for the old value.
-        record->depth = static_cast<unsigned>(&place - record->places);
+        recordOf(place).free = &place;  // computed, not decremented: the next use would have to wait for the old value
         const std::uintptr_t word = place.load(std::memory_order_relaxed);
-        if (__builtin_expect(asymmetric_, 1)) {
-            place.store(0, std::memory_order_release);
-            asm volatile("" ::: "memory");
-        } else {
-            place.exchange(0);
-        }
-        Bell& bell = bellOf(word & ~kKept);
-        if (__builtin_expect(bell.waiters != 0, 0)) ring(bell);
-        if (__builtin_expect(&place == record->places && record->outer, 0)) record_ = record->outer;
+        place.store(0, std::memory_order_release);
+        asm volatile("" ::: "memory");
+        if (__builtin_expect(attention_ != 0, 0)) left(place, word);
         return (word & kKept) != 0;
     }
 
@@ -92,20 +88,26 @@ public:
     };
 
 private:
-    static constexpr unsigned kDepth = 12;  // as many as fit into two cache lines
+    static constexpr unsigned kDepth = 11;  // as many as fit into two cache lines
     static constexpr std::uintptr_t kKept = 1;
 
-    /** One per thread; a thread with more than kDepth uses at once has several. */
-    struct alignas(64) Record {
+    struct Record;
+    struct Uses {
         Place places[kDepth] = {};  // 0: free
         // Only the owning thread touches the rest except `used`; it sets `next` before it publishes the record.
-        unsigned depth = 0;
-        std::atomic<bool> used{false};
+        Place* free = places;
         Record* outer = nullptr;
         Record* inner = nullptr;  // kept for reuse
         Record* next = nullptr;
+        std::atomic<bool> used{false};
+        bool isFull() const noexcept { return free == places + kDepth; }
     };
-    /** Where threads wait; leave() is expensive meanwhile. Shared by objects whose addresses collide. */
+    /** One per thread; a thread with more than kDepth uses at once has several. Aligned for recordOf(). */
+    struct alignas(detail::powerOfTwo(sizeof(Uses))) Record : Uses {};
+    static Record& recordOf(Place& place) noexcept {
+        return *reinterpret_cast<Record*>(reinterpret_cast<std::uintptr_t>(&place) & ~(sizeof(Record) - 1));
+    }
+    /** Where threads wait. Shared by objects whose addresses collide. */
     struct Bell {
         Word waiters{0};
         Word rings{0};
@@ -114,11 +116,14 @@ private:
 
     static constexpr unsigned kBells = 64;
     static Bell& bellOf(std::uintptr_t what) noexcept { return bells_[(what >> 4 ^ what >> 10) % kBells]; }
-    [[gnu::cold, gnu::noinline]] static Record* deeper() noexcept;
-    [[gnu::cold, gnu::noinline]] static void ring(Bell& bell) noexcept;
+    [[gnu::cold, gnu::noinline]] static Record* takeRecord() noexcept;
+    [[gnu::cold, gnu::noinline]] static Place& enterSlowly(const void* what) noexcept;
+    [[gnu::cold, gnu::noinline]] static void left(Place& place, std::uintptr_t word) noexcept;
+    static void ring(Bell& bell) noexcept;
 
     static Bell bells_[kBells];
-    static bool asymmetric_;
+    static Word attention_;  // not 0: leave() calls left()
+    // Of this thread. Null before its first use, and in all threads if the kernel has no membarrier.
     static __thread Record* record_ __attribute__((tls_model("initial-exec")));
 };
 

@@ -14,10 +14,9 @@
 namespace RTT::internal {
 
 std::atomic<std::uint64_t> Reclaimer::epoch_{1};
-bool Reclaimer::asymmetric_ = false;
 __thread Reclaimer::Record* Reclaimer::record_ = nullptr;
 
-struct ReclaimerState {
+struct RTT_HIDE ReclaimerState {
     typedef Reclaimer::Record Record;
     struct Retired {
         void* object;
@@ -28,7 +27,7 @@ struct ReclaimerState {
     ReclaimerState() {
         pthread_key_create(&key_, &ReclaimerState::threadEnds);
         // Safe only here: no thread can be inside before the first attach(), which comes through instance().
-        Reclaimer::asymmetric_ = detail::offersProcessBarrier();
+        asymmetric = detail::offersProcessBarrier();
     }
 
     /** Never destroyed: threads may still run, and ports be destroyed, while the process exits. */
@@ -39,17 +38,21 @@ struct ReclaimerState {
     }
 
     Record* attach() {
+        if (own) return own;
         // A thread that retires an object after this sees the record; one that did before has unlinked it before we
         // look.
-        Record* const record = records_.take();
-        Reclaimer::record_ = record;
-        pthread_setspecific(key_, record);
-        return record;
+        own = records_.take();
+        pthread_setspecific(key_, own);
+        if (asymmetric)
+            Reclaimer::record_ = own;
+        else
+            own->awaited.fetch_add(1);
+        return own;
     }
 
     /** Makes what other threads did before visible here, and what we did before visible to what they do from now on. */
     static void barrier() {
-        if (!Reclaimer::asymmetric_) return;  // additions to epoch_ and `awaited` do it, see enter() and leave()
+        if (!asymmetric) return;  // additions to epoch_ and `awaited` do it, see enterSlowly() and afterwards()
         detail::processBarrier();
     }
 
@@ -102,14 +105,15 @@ struct ReclaimerState {
     }
 
     static void wakeThoseWaitingFor(Record& record) {
-        if (record.awaited == 0) return;
+        if (record.awaited == (asymmetric ? 0u : 1u)) return;
         record.rings.fetch_add(1, std::memory_order_release);
         os::detail::futexWakeAll(record.rings);
     }
 
     static void threadEnds(void* record) {
         // Another key's destructor may still use a port: it then attaches anew, and this is called again.
-        Reclaimer::record_ = nullptr;
+        Reclaimer::record_ = own = nullptr;
+        if (!asymmetric) static_cast<Record*>(record)->awaited.fetch_sub(1);
         Records::giveBack(static_cast<Record*>(record));
     }
 
@@ -119,11 +123,28 @@ struct ReclaimerState {
     Records records_;
     std::mutex mutex_;
     std::vector<Retired> retired_;
+    /** False if the kernel has no membarrier(2). */
+    static bool asymmetric;
+    static __thread Record* own;
 };
+
+bool ReclaimerState::asymmetric = false;
+__thread Reclaimer::Record* ReclaimerState::own = nullptr;
 
 Reclaimer::Record* Reclaimer::attach() noexcept { return ReclaimerState::instance().attach(); }
 
+Reclaimer::Record* Reclaimer::enterSlowly() noexcept {
+    Record& record = *attach();
+    if (record.epoch.load(std::memory_order_relaxed) != 0) return nullptr;
+    announce(record);
+    // Without membarrier: either this comes after the unlinking side's own addition and sees what it unlinked, or it
+    // comes before, and then that side sees our announcement.
+    if (!ReclaimerState::asymmetric) epoch_.fetch_add(0, std::memory_order_acq_rel);
+    return &record;
+}
+
 void Reclaimer::afterwards(Record& record) noexcept {
+    if (!ReclaimerState::asymmetric) record.epoch.exchange(0);
     ReclaimerState::wakeThoseWaitingFor(record);
     record.deferred.run();
 }

@@ -30,9 +30,10 @@ public:
         std::atomic<std::uint64_t> epoch{0};  // 0: outside
         std::atomic<bool> waiting{false};     // the owner is inside and in synchronize()
         std::atomic<bool> used{false};
-        std::atomic<std::uint32_t> awaited{0};  // the number of threads that wait until the owner has left
-        std::atomic<std::uint32_t> rings{0};    // where they sleep
-        Record* next = nullptr;                 // set before the record is published
+        // The number of threads that wait until the owner has left; one more if the kernel has no membarrier.
+        std::atomic<std::uint32_t> awaited{0};
+        std::atomic<std::uint32_t> rings{0};  // where they sleep
+        Record* next = nullptr;               // set before the record is published
         DeferredCalls deferred;
     };
 
@@ -83,35 +84,31 @@ private:
     // Only the outermost Guard announces. The announcement itself shows whether there is one: with a count of nested
     // ones each Guard of a thread would wait for the previous one.
     static Record* enter() noexcept {
-        Record& record = *mine();
-        if (__builtin_expect(record.epoch.load(std::memory_order_relaxed) != 0, 0)) return nullptr;
+        Record* const record = record_;
+        if (__builtin_expect(!record, 0)) return enterSlowly();
+        if (__builtin_expect(record->epoch.load(std::memory_order_relaxed) != 0, 0)) return nullptr;
+        announce(*record);
+        asm volatile("" ::: "memory");  // orders the compiler; membarrier orders the CPU
+        return record;
+    }
+    static void announce(Record& record) noexcept {
         // Acquire: with the number that retire() left behind we also see that its object was unlinked. Release: a
         // thread that finds us inside again, and missed that we had left, must see what we did before.
         record.epoch.store(epoch_.load(std::memory_order_acquire), std::memory_order_release);
-        if (__builtin_expect(asymmetric_, 1))
-            asm volatile("" ::: "memory");  // orders the compiler; membarrier orders the CPU
-        else
-            // Either this comes after the unlinking side's own addition and sees what it unlinked, or it comes before,
-            // and then that side sees our announcement.
-            epoch_.fetch_add(0, std::memory_order_acq_rel);
-        return &record;
     }
     static void leave(Record& record) noexcept {
         // Pairs with the acquire loads of collect() and synchronize(): our use inside happens before the destruction.
         // A thread that waits for us adds itself to `awaited` first: either we find it, or it finds that we have left.
-        if (__builtin_expect(asymmetric_, 1)) {
-            record.epoch.store(0, std::memory_order_release);
-            asm volatile("" ::: "memory");
-        } else {
-            record.epoch.exchange(0);
-        }
+        record.epoch.store(0, std::memory_order_release);
+        asm volatile("" ::: "memory");
         if (__builtin_expect(static_cast<unsigned>(!record.deferred.empty()) | record.awaited, 0)) afterwards(record);
     }
+    [[gnu::cold, gnu::noinline]] static Record* enterSlowly() noexcept;
     [[gnu::cold, gnu::noinline]] static void afterwards(Record& record) noexcept;
     static Record* attach() noexcept;
 
     static std::atomic<std::uint64_t> epoch_;
-    static bool asymmetric_;
+    // Of this thread. Null before its first use, and in all threads if the kernel has no membarrier.
     static __thread Record* record_ __attribute__((tls_model("initial-exec")));
     friend struct ReclaimerState;
 };
