@@ -133,7 +133,7 @@ private:
 }  // namespace
 
 StorePtr makePlainBuffer(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
-    if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainBuffer<os::Mutex>(ops, spec, first));
+    if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainBuffer<StoreMutex>(ops, spec, first));
     return StorePtr(new PlainBuffer<NoMutex>(ops, spec, first));
 }
 

@@ -50,7 +50,7 @@ private:
 }  // namespace
 
 StorePtr makePlainData(const types::TypeOps& ops, const StoreSpec& spec, const void* first) {
-    if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainData<os::Mutex>(ops, first));
+    if (spec.lock == StoreSpec::Locked) return StorePtr(new PlainData<StoreMutex>(ops, first));
     return StorePtr(new PlainData<NoMutex>(ops, first));
 }
 
