@@ -32,10 +32,8 @@ bool applyScheduling(pthread_t, int, int, const std::string&) { return true; }
 bool applyAffinity(pid_t, unsigned, const std::string&) { return true; }
 unsigned affinityOf(pid_t) noexcept { return 0; }
 std::string shortThreadName(const std::string& name) { return name; }
-int createThread(pthread_t&, int&, int&, unsigned, void* (*)(void*), void* thread, const std::string&) {
-    static_cast<Thread*>(thread)->state_->born.signal();
-    return 0;
-}
+int createThread(pthread_t&, int&, int&, unsigned, void* (*)(void*), void*, const std::string&) { return 0; }
+pid_t idOf(pthread_t) noexcept { return 0; }
 }  // namespace detail
 }  // namespace os
 }  // namespace RTT

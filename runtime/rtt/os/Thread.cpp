@@ -116,7 +116,9 @@ Thread::Thread(int scheduler, int priority, unsigned cpuAffinity, const std::str
     state_->joinable = true;
     state_->scheduler = scheduler;
     state_->priority = priority;
-    state_->born.wait();  // from here on its id is known
+    state_->task.pid = detail::idOf(state_->task.thread);
+    // The thread does that as well, for systems without /proc, but perhaps later.
+    pthread_setname_np(state_->task.thread, detail::shortThreadName(state_->name).c_str());
     detail::applyAffinity(state_->task.pid, cpuAffinity, state_->name);
     enlist(state_->name.c_str(), getPid());
     detail::noteRealTimeWanted(*this, realTime);
@@ -135,10 +137,8 @@ Thread::~Thread() {
 void* Thread::entry(void* self) {
     const SignalStack forHandlers;
     Thread* const thread = static_cast<Thread*>(self);
-    thread->state_->task.pid = detail::currentTid();
     pthread_setname_np(pthread_self(), detail::shortThreadName(thread->state_->name).c_str());
     if (inRealTimeThread()) detail::beginRealTimeThread();
-    thread->state_->born.signal();
     thread->run();
     return nullptr;
 }

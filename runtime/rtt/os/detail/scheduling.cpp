@@ -69,6 +69,8 @@ bool applyAffinity(pid_t thread, unsigned mask, const std::string& name) {
         for (unsigned cpu = 0; cpu < 8 * sizeof mask; ++cpu)
             if (mask & (1u << cpu)) CPU_SET(cpu, &set);
     }
+    cpu_set_t present;
+    if (sched_getaffinity(thread, sizeof present, &present) == 0 && CPU_EQUAL(&present, &set)) return true;
     if (sched_setaffinity(thread, sizeof set, &set) == 0) return true;
     warn(name, "cannot use the CPU mask " + std::to_string(mask), errno);
     return false;
@@ -86,6 +88,13 @@ unsigned affinityOf(pid_t thread) noexcept {
 
 std::string shortThreadName(const std::string& name) {
     return name.size() <= 15 ? name : name.substr(0, 7) + "~" + name.substr(name.size() - 7);
+}
+
+// The C library has no function for it. A thread is known to the kernel before its maker continues, and Linux composes
+// the id of a thread's CPU clock of its id and three bits.
+pid_t idOf(pthread_t thread) noexcept {
+    clockid_t clock = 0;
+    return pthread_getcpuclockid(thread, &clock) == 0 ? ~(clock >> 3) : 0;
 }
 
 int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stackSize, void* (*entry)(void*),

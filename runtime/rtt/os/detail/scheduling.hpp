@@ -39,6 +39,8 @@ std::string shortThreadName(const std::string& name);
  */
 int createThread(pthread_t& thread, int& scheduler, int& priority, unsigned stackSize, void* (*entry)(void*),
                  void* argument, const std::string& name);
+/** The Linux id of a thread that was created and not yet joined. Does not wait until it runs. */
+pid_t idOf(pthread_t thread) noexcept;
 
 }  // namespace detail
 }  // namespace os

@@ -3,7 +3,6 @@
 #ifndef RTT_OS_DETAIL_THREAD_STATE_HPP
 #define RTT_OS_DETAIL_THREAD_STATE_HPP
 
-#include <rtt/os/Semaphore.hpp>
 #include <rtt/os/Thread.hpp>
 #include <rtt/os/detail/wake_word.hpp>
 
@@ -47,7 +46,6 @@ struct Thread::State {
 
     std::string name;
     RTOS_TASK task{};
-    Semaphore born{0};
     std::atomic<bool> joinable{false};  // false again once terminate() was called
 
     bool change(Life from, Life to) {
