@@ -57,7 +57,7 @@ public:
     [[gnu::cold]] base::PortInterface* antiClone() const override;
     /** A new data source of T that reads this port at each evaluation. */
     [[gnu::cold]] base::DataSourceBase* getDataSource() override;
-    [[gnu::cold]] Service* createPortObject() override;
+    [[gnu::cold]] void addOperationsTo(Service& object) override;
     [[gnu::cold]] base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
 };
 

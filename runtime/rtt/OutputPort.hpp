@@ -56,7 +56,7 @@ public:
     [[gnu::cold]] base::PortInterface* antiClone() const override;
     /** A new data source of T that gives the last written value. */
     [[gnu::cold]] base::DataSourceBase* getDataSource() const override;
-    [[gnu::cold]] Service* createPortObject() override;
+    [[gnu::cold]] void addOperationsTo(Service& object) override;
     [[gnu::cold]] base::ChannelElementBase::shared_ptr buildStorage(ConnPolicy const& policy) const override;
 };
 

@@ -16,6 +16,7 @@ foreach(source
     internal/ConnID.cpp
     internal/ConnectionManager.cpp
     internal/flow/port_endpoint.cpp
+    internal/flow/port_object.cpp
     internal/flow/port_operations.cpp
     internal/flow/port_sources.cpp
     internal/flow/deferred_calls.cpp

@@ -137,10 +137,9 @@ bool InputPortInterface::createConnection(internal::SharedConnectionBase::shared
     return internal::ConnFactory::createSharedConnection(nullptr, this, shared_connection, policy);
 }
 
-Service* InputPortInterface::createPortObject() {
-    Service* object = PortInterface::createPortObject();
-    object->addSynchronousOperation("clear", &InputPortInterface::clear, this).doc("Forgets all samples in the port.");
-    return object;
+void InputPortInterface::addOperationsTo(Service& object) {
+    PortInterface::addOperationsTo(object);
+    object.addSynchronousOperation("clear", &InputPortInterface::clear, this).doc("Forgets all samples in the port.");
 }
 
 bool InputPortInterface::channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,

@@ -41,7 +41,7 @@ public:
                           ConnPolicy const& policy) override;
     using PortInterface::createConnection;
 
-    Service* createPortObject() override;
+    void addOperationsTo(Service& object) override;
 
     /** Called last when a connection is made; false refuses it. */
     virtual bool channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,

@@ -4,11 +4,11 @@
 
 #include <rtt/DataFlowInterface.hpp>
 #include <rtt/Logger.hpp>
-#include <rtt/Service.hpp>
 #include <rtt/TaskContext.hpp>
 #include <rtt/internal/ConnectionManager.hpp>
 #include <rtt/internal/flow/channel_array.hpp>
 #include <rtt/internal/flow/port_endpoint.hpp>
+#include <rtt/internal/flow/port_object.hpp>
 #include <rtt/internal/flow/reclaimer.hpp>
 #include <rtt/types/TypeInfo.hpp>
 
@@ -102,15 +102,18 @@ ChannelElementBase* PortInterface::getEndpoint() const { return endpoint_.get();
 internal::ConnID* PortInterface::getPortID() const { return new internal::LocalConnID(this); }
 
 Service* PortInterface::createPortObject() {
-    Service* object = new Service(name_);
+    auto* const object = new internal::PortObject(*this);
     object->doc(description_.empty() ? "No description set for this Port. Use .doc() to document it." : description_);
-    object->addSynchronousOperation("name", [this] { return getName(); }).doc("Returns the port name.");
-    object->addSynchronousOperation("connected", &PortInterface::connected, this)
+    return object;
+}
+
+void PortInterface::addOperationsTo(Service& object) {
+    object.addSynchronousOperation("name", [this] { return getName(); }).doc("Returns the port name.");
+    object.addSynchronousOperation("connected", &PortInterface::connected, this)
         .doc("Does the port have a connection or stream?");
     typedef void (PortInterface::*Disconnect)();
-    object->addSynchronousOperation("disconnect", static_cast<Disconnect>(&PortInterface::disconnect), this)
+    object.addSynchronousOperation("disconnect", static_cast<Disconnect>(&PortInterface::disconnect), this)
         .doc("Removes all connections and streams of the port.");
-    return object;
 }
 
 ChannelElementBase::shared_ptr PortInterface::buildStorage(ConnPolicy const&) const {

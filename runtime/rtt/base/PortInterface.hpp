@@ -107,6 +107,8 @@ public:
 
     /** A new service with the port's operations for scripts; not yet part of any component. */
     virtual Service* createPortObject();
+    /** Adds these operations to `object`. It calls this when its operations are first looked up. */
+    virtual void addOperationsTo(Service& object);
 
     /** Null for a proxy. */
     const types::TypeOps* sampleOps() const { return ops_; }

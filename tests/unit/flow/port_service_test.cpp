@@ -87,6 +87,37 @@ TEST(ComponentPorts, HaveAServiceWithOperations) {
     EXPECT_FALSE(c.out.connected());
 }
 
+TEST(ComponentPorts, ServicesThatOutliveThePortHaveNoOperations) {
+    Service::shared_ptr looked, late;
+    {
+        Component c;
+        looked = c.provides("in");
+        late = c.provides("out");
+        EXPECT_EQ(looked->getOperationNames(),
+                  (std::vector<std::string>{"clear", "connected", "disconnect", "name", "read"}));
+    }
+    EXPECT_TRUE(looked->hasOperation("read"));
+    OperationCaller<FlowStatus(int&)> read = looked->getOperation("read");
+    int sample = 0;
+    EXPECT_EQ(read(sample), NoData);
+    EXPECT_EQ(late->getOperationNames(), std::vector<std::string>());
+    EXPECT_EQ(late->getOperation("write"), nullptr);
+}
+
+TEST(ComponentPorts, ServicesTakeOperationsOfTheComponent) {
+    Component c;
+    c.provides("in")->addOperation("twice", [](int x) { return 2 * x; });
+    OperationCaller<int(int)> twice = c.provides("in")->getOperation("twice");
+    EXPECT_EQ(twice(4), 8);
+    EXPECT_TRUE(c.provides("in")->hasOperation("read"));
+    c.provides("in")->addOperation("connected", [] { return true; });
+    OperationCaller<bool()> connected = c.provides("in")->getOperation("connected");
+    EXPECT_TRUE(connected());
+    c.provides("in")->removeOperation("name");
+    EXPECT_FALSE(c.provides("in")->hasOperation("name"));
+    EXPECT_TRUE(c.provides("in")->hasOperation("clear"));
+}
+
 TEST(ComponentPorts, DescribeTheirServiceWhenTheyAreDescribedLater) {
     Component c;
     c.in.doc("what goes in");

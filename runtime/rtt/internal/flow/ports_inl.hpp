@@ -35,11 +35,10 @@ base::ChannelElementBase::shared_ptr InputPort<T>::buildStorage(ConnPolicy const
 }
 
 template <typename T>
-Service* InputPort<T>::createPortObject() {
-    Service* object = base::InputPortInterface::createPortObject();
-    internal::PortOperation::addRead(*object, *this, new internal::PortCaller<FlowStatus(T&)>(),
+void InputPort<T>::addOperationsTo(Service& object) {
+    base::InputPortInterface::addOperationsTo(object);
+    internal::PortOperation::addRead(object, *this, new internal::PortCaller<FlowStatus(T&)>(),
                                      internal::PortTables<T>::read);
-    return object;
 }
 
 template <typename T>
@@ -70,12 +69,11 @@ base::ChannelElementBase::shared_ptr OutputPort<T>::buildStorage(ConnPolicy cons
 }
 
 template <typename T>
-Service* OutputPort<T>::createPortObject() {
-    Service* object = base::OutputPortInterface::createPortObject();
-    internal::PortOperation::addWrite(*object, *this, new internal::PortCaller<WriteStatus(const T&)>(),
+void OutputPort<T>::addOperationsTo(Service& object) {
+    base::OutputPortInterface::addOperationsTo(object);
+    internal::PortOperation::addWrite(object, *this, new internal::PortCaller<WriteStatus(const T&)>(),
                                       internal::PortTables<T>::write);
-    internal::PortOperation::addLast(*object, *this, new internal::PortCaller<T()>(), internal::PortTables<T>::last);
-    return object;
+    internal::PortOperation::addLast(object, *this, new internal::PortCaller<T()>(), internal::PortTables<T>::last);
 }
 
 }  // namespace RTT
