@@ -82,9 +82,9 @@ void deployChain(benchmark::State& state, const std::string& activity, double ta
 
 const char* const kSequential = "<struct name=\"Activity\" type=\"SequentialActivity\"/>\n";
 
-void sequential(benchmark::State& state) { deployChain(state, kSequential, 60); }
+void sequential(benchmark::State& state) { deployChain(state, kSequential, 45); }
 
-void ownThreads(benchmark::State& state) { deployChain(state, "", 120); }
+void ownThreads(benchmark::State& state) { deployChain(state, "", 100); }
 
 BENCHMARK(sequential)->Name("deployment/sequential")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(ownThreads)->Name("deployment/own_threads")->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
@@ -104,7 +104,7 @@ void memory(benchmark::State& state) {
     }
     deployer.kickOutAll();
     std::remove(kFile);
-    state.counters["target_bytes"] = 25e3;
+    state.counters["target_bytes"] = 15e3;
 }
 BENCHMARK(memory)->Name("deployment/memory of a sequential component")->Iterations(1)->Unit(benchmark::kMillisecond);
 

@@ -19,15 +19,16 @@ using RTT::ComponentLoader;
 using RTT::plugin::PluginLoader;
 
 std::string componentTypeOf(const std::string& word, std::string& error) {
+    const bool isElsewhere = word == "CORBA" || word == "IOR" || word == "IORFile";
+    if (!isElsewhere && word.find(".so") == std::string::npos) return word;
     const ComponentLoader::shared_ptr loader = ComponentLoader::Instance();
     const std::vector<std::string> known = loader->listComponentTypes();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
-    if (word == "CORBA" || word == "IOR" || word == "IORFile") {
+    if (isElsewhere) {
         error = "type '" + word + "' means a component of another process, and this deployer has no CORBA";
         return word;
     }
     std::error_code none;
-    if (word.find(".so") == std::string::npos) return word;
     if (!std::filesystem::is_regular_file(word, none)) {
         // No component type has such a name.
         if (word.find('/') != std::string::npos || word.substr(word.size() - 3) == ".so")

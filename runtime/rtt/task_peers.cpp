@@ -54,7 +54,11 @@ void TaskContext::forgetPeer(const std::string& name) {
 }
 
 void TaskContext::forgetPeer(TaskContext* peer) {
-    for (auto entry = peers_.begin(); entry != peers_.end();) {
+    if (!peer) return;
+    const auto named = peers_.find(peer->getName());
+    if (named != peers_.end() && named->second == peer) forgetPeer(std::string(named->first));
+    if (std::find(peer->users_.begin(), peer->users_.end(), this) == peer->users_.end()) return;
+    for (auto entry = peers_.begin(); entry != peers_.end();) {  // it has other names here
         const auto next = std::next(entry);
         if (entry->second == peer) forgetPeer(std::string(entry->first));
         entry = next;

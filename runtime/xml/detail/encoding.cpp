@@ -31,6 +31,11 @@ bool isControl(char c) {
     return (u < 0x20U && c != '\t' && c != '\n' && c != '\r') || u == 0x7FU;
 }
 
+bool isPlainAscii(char c) {
+    const auto u = static_cast<unsigned char>(c);
+    return u < 0x80U && !isControl(c);
+}
+
 /// The encoding that the XML declaration names, and its place.
 struct Declared {
     std::string name;
@@ -92,6 +97,10 @@ bool checkEncoding(const std::string& text, const std::string& name, diag::Sink&
     const bool isOther = declared.at != kNone && !isUtf8(declared.name);
     bool isAscii = true;
     for (std::size_t at = 0; at < text.size();) {
+        if (isPlainAscii(text[at])) {
+            ++at;
+            continue;
+        }
         if (text[at] == '\0') {
             sink.error(placeOf(text, at, name), "XML001", "found a zero byte; expected XML text in UTF-8");
             return false;

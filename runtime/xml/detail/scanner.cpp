@@ -37,6 +37,13 @@ std::string withPlainLineEnds(std::string_view raw) {
     return text;
 }
 
+/// The value of an attribute from its source text.
+std::string attributeValue(std::string_view raw) {
+    const auto isSpecial = [](char c) { return c == '&' || c == '\r'; };
+    if (std::none_of(raw.begin(), raw.end(), isSpecial)) return std::string(raw);
+    return resolved(withPlainLineEnds(raw).c_str());
+}
+
 class Scanner {
 public:
     Scanner(const std::string& text, const std::string& file, diag::Sink& sink, const Building& building)
@@ -277,8 +284,9 @@ private:
         attribute.valueWhere = here();
         attribute.valueBegin = offset();
         attribute.valueEnd = static_cast<Offset>(end);
-        attribute.value = resolved(withPlainLineEnds(value).c_str());
+        attribute.value = attributeValue(value);
         advanceTo(end + 1);
+        if (tag.attributes.empty()) tag.attributes.reserve(2);  // name and type, in most files
         tag.attributes.push_back(std::move(attribute));
         return true;
     }

@@ -161,9 +161,9 @@ bool ComponentTable::isImported(const std::string& name) const {
 ComponentType ComponentTable::findType(const std::string& type) const {
     const auto own = types_.find(type);
     if (own != types_.end()) return own->second;
-    const ComponentTypes all = allTypes();
-    const auto known = all.find(type);
-    return known == all.end() ? ComponentType{nullptr, std::string()} : known->second;
+    for (const auto& [name, registered] : registeredTypes())
+        if (name == type && busy_.count(registered.library) == 0) return registered;
+    return {nullptr, std::string()};
 }
 
 ComponentTypes ComponentTable::allTypes() const {
