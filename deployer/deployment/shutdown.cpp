@@ -38,8 +38,8 @@ T valueOr(const RTT::PropertyBag& properties, const char* name, const T& usual, 
     return usual;
 }
 
-/** Begins the shutdown of an application, by its operation or its program. The result tells whether that is still
-    running. */
+/** Begins the shutdown of an application, by its operation or its program. Returns a function that tells whether that
+    is still running; an empty one if the application has neither, or it did not start. */
 boost::function<bool()> beginShutdown(RTT::TaskContext& application, RTT::ExecutionEngine* caller) {
     const std::string name = "shutdownDeployment";
     if (application.provides()->hasOperation(name)) {

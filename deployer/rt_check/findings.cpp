@@ -49,7 +49,7 @@ void Finding::fill(const Call& call, std::size_t itsHash, unsigned itsGeneration
 }
 
 bool Finding::isAllowed() const noexcept {
-    return fault == OROFORGE_RT_LOCK && depth != 0 && texts[0] && isInRealTimeMemory(texts[0]);
+    return fault == OROFORGE_RT_LOCK && depth != 0 && texts[0] && isMemoryPoolFunction(texts[0]);
 }
 
 bool count(const Call& whole) noexcept {

@@ -32,7 +32,7 @@ char* describeFrame(void* returnAddress) {
     return strdup(text.str().c_str());
 }
 
-bool isInRealTimeMemory(const char* frame) noexcept {
+bool isMemoryPoolFunction(const char* frame) noexcept {
     return std::strncmp(frame, "'RTT::os::detail::MemoryPool::", 30) == 0;
 }
 

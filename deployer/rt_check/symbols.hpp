@@ -12,7 +12,7 @@ namespace oroforge::rt_check {
 char* describeFrame(void* returnAddress);
 
 /** True if `frame`, a text of describeFrame(), is a function of the pool of real-time memory. */
-bool isInRealTimeMemory(const char* frame) noexcept;
+bool isMemoryPoolFunction(const char* frame) noexcept;
 
 }  // namespace oroforge::rt_check
 

@@ -108,11 +108,11 @@ bool loadOneFromFile(PropertyBag& bag, const std::string& file, const std::strin
     if (!from) sink.error({file, 0, 0}, "CPF021", "property '" + path + "' is not in the file");
     if (!to) sink.error({}, "CPF022", "there is no property '" + path + "' to read");
     if (!from || !to) return false;
-    PropertyBag saved, both;
-    both.add(to);
-    copyDeep(both, saved);
+    PropertyBag target, saved;
+    target.add(to);
+    copyDeep(target, saved);
     if (internal::detail::updateOne(*to, *from, reporting(file, read.places, sink))) return true;
-    restore(both, saved);
+    restore(target, saved);
     return false;
 }
 

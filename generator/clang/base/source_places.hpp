@@ -32,7 +32,7 @@ public:
     /// For text from a macro: where the macro is used.
     diag::Location locate(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
-    /// True if the place is in one of the listed headers.
+    /// True if the place, for text from a macro that of its use, is in one of the listed headers.
     bool isListed(const clang::SourceManager& sources, clang::SourceLocation at) const;
 
     /// Returns the listed header through which this place was included, the first in the chain; empty if there is none.

@@ -70,6 +70,10 @@ private:
 
     static bool isInput(const base::PortInterface& port);
 
+    /** Takes the lock. */
+    template <class Which>
+    bool removeIf(Which which);
+
     // With the lock held:
     bool leadsTo(const Connection& connection, const base::PortInterface& port) const;
     static void linkTo(base::ChannelElementBase& storage, const base::PortInterface& port, bool input);
@@ -79,8 +83,6 @@ private:
     base::ChannelElementBase* findShared(const ConnPolicy& policy, ConnPolicy* existing) const;
     void publish();
     void unlink(const Connection& connection);
-    template <class Which>
-    bool removeIf(Which which);
 
     List connections_;
     base::PortInterface* port_;

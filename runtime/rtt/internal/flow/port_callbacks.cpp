@@ -71,7 +71,8 @@ void PortCallbacks::remove(base::PortInterface* port, bool executesMessages) {
 }
 
 // A round is odd from the first announcement to the beginning of the callback. A thread that finds it odd relies on
-// another one only if that has queued the port in this round: a thread stopped before that may have a lower priority.
+// another one only if that one has queued the port in this round: a thread that was preempted before it could do so may
+// have a lower priority.
 std::uint64_t PortCallbacks::announce(base::PortInterface* port, bool running) {
     Reclaimer::Guard guard;
     Entry* entry = find(port);

@@ -45,8 +45,9 @@ std::string fileOfLibrary(const std::string& library, const std::string& pathLis
     return {};
 }
 
-/** The package that has the library: typekits and plugins are named after theirs, other libraries need not be. */
-std::string packageWith(const std::string& library) {
+/** What follows "install the package" for a library. Typekits and plugins are named after their package; others need
+    not be. */
+std::string packageToInstall(const std::string& library) {
     const std::string name = shortName(library);
     for (const std::string end : {"-typekit", "-plugin"})
         if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
@@ -76,7 +77,7 @@ bool loadNeeded(const std::string& library, std::string& error) {
     const std::string path = PluginLoader::Instance()->getPluginPath();
     const std::string file = fileOfLibrary(library, path);
     if (file.empty()) {
-        error = "it needs " + library + ", which is not found; install the package " + packageWith(library) +
+        error = "it needs " + library + ", which is not found; install the package " + packageToInstall(library) +
                 ", or add the folder lib/orocos of its prefix to the search path (RTT_COMPONENT_PATH), which is " +
                 path;
         return false;
