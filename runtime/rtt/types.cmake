@@ -25,6 +25,7 @@ target_sources(orocos-rtt PRIVATE
   rtt/types/TypeInfoRepository.cpp
   rtt/types/TypekitRepository.cpp
   rtt/types/factories.cpp
+  rtt/types/shape.cpp
   rtt/types/fundamental_arrays.cpp
   rtt/types/type_values.cpp
   rtt/types/composition.cpp

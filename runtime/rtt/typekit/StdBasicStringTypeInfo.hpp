@@ -24,6 +24,13 @@ public:
         return false;
     }
 
+    Shape shape() const override {
+        if constexpr (std::is_same_v<typename T::value_type, char>)
+            return Shape::ofText(textOps<T>());
+        else
+            return SequenceTypeInfoBase<T>::shape();
+    }
+
 private:
     struct WholeText : TemplateStreamFactory<T> {
         bool fromString(const std::string& text, base::DataSourceBase::shared_ptr target) const override {

@@ -4,6 +4,7 @@
 #define ORO_ENUM_TYPE_INFO_HPP
 
 #include "CompositionFactory.hpp"
+#include "Shape.hpp"
 #include "StructTable.hpp"
 #include "TemplateConstructor.hpp"
 #include "TemplateTypeInfo.hpp"
@@ -26,7 +27,8 @@ template <class T>
 class EnumTypeInfo : public TemplateTypeInfo<T, false>,
                      public CompositionFactory,
                      public Enumeration,
-                     public StreamFactory {
+                     public StreamFactory,
+                     public HasShape {
 public:
     typedef std::map<T, std::string> MapType;
 
@@ -41,6 +43,15 @@ public:
         if (TypeInfo* number = Types()->getTypeInfo<int>())
             number->addConstructor(newConstructor(&EnumTypeInfo::toInt, true));
         return false;
+    }
+
+    Shape shape() const override {
+        Shape shape;
+        shape.kind = Shape::Kind::Enumeration;
+        shape.numbers = &enumOps<T>();
+        for (const auto& known : to_string)
+            shape.enumerators.push_back({known.second, shape.numbers->get(&known.first)});
+        return shape;
     }
 
     base::DataSourceBase::shared_ptr decomposeType(base::DataSourceBase::shared_ptr source) const override {

@@ -30,15 +30,19 @@ public:
 
     /** Members outside the object (temporaries of the serialization function) have no fixed place and are left out. */
     void add(const char* name, std::ptrdiff_t offset, TypeRef type, std::size_t count, TypeRef whole = nullptr) {
-        if (offset < 0 || static_cast<std::size_t>(offset) >= objectSize_) return;
+        if (offset < 0 || static_cast<std::size_t>(offset) >= objectSize_) return leaveOut();
         names_.emplace_back(name);
         members_.push_back({names_.back().c_str(), static_cast<std::size_t>(offset), type, count, "", "", whole});
     }
+    /** The serialization function has a value that is no member of the table. */
+    void leaveOut() { isComplete_ = false; }
+    bool isComplete() const { return isComplete_; }
     const Member* table() const { return members_.data(); }
     std::size_t size() const { return members_.size(); }
 
 private:
     std::size_t objectSize_;
+    bool isComplete_ = true;
     std::deque<std::string> names_;  // a deque never moves its strings
     std::vector<Member> members_;
 };
@@ -75,6 +79,8 @@ public:
     NotingArchive& operator&(const T& value) {
         if constexpr (std::is_base_of_v<T, Object> && !std::is_same_v<T, Object>)
             boost::serialization::serialize_adl(*this, const_cast<T&>(value), 0u);
+        else
+            found_.leaveOut();
         return *this;
     }
     template <class T>

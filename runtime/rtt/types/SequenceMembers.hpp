@@ -6,6 +6,7 @@
 #include "CompositionFactory.hpp"
 #include "MemberFactory.hpp"
 #include "SequenceOps.hpp"
+#include "Shape.hpp"
 #include "StreamFactory.hpp"
 #include <functional>
 
@@ -20,10 +21,11 @@ struct TypeThunks;
 class TypeConstructor;
 
 /** Members, property bags and text of containers whose elements are reached through SequenceOps. */
-class RTT_API SequenceMembers : public MemberFactory, public CompositionFactory, public StreamFactory {
+class RTT_API SequenceMembers : public MemberFactory, public CompositionFactory, public StreamFactory, public HasShape {
 public:
     explicit SequenceMembers(const SequenceOps& ops) : ops_(ops) {}
 
+    Shape shape() const override { return Shape::ofSequence(ops_); }
     bool resize(base::DataSourceBase::shared_ptr value, int size) const override;
     std::vector<std::string> getMemberNames() const override;
     using MemberFactory::getMember;

@@ -27,6 +27,8 @@ struct SequenceOps {
     bool (*insert)(void* container, const void* element) = nullptr;
     /** If set: faster than load() of one index after another. */
     void (*visit)(const void* container, void (*each)(void* context, const void* element), void* context) = nullptr;
+    /** If set: the elements lie one after another from this address. */
+    void* (*data)(void* container) = nullptr;
 };
 
 }  // namespace types

@@ -24,6 +24,12 @@ struct HasResize : std::false_type {};
 template <class C>
 struct HasResize<C, std::void_t<decltype(std::declval<C&>().resize(std::size_t(1)))>> : std::true_type {};
 
+template <class C, class = void>
+struct HasData : std::false_type {};
+template <class C>
+struct HasData<C, std::enable_if_t<std::is_same_v<decltype(std::declval<C&>().data()), typename C::value_type*>>>
+    : std::true_type {};
+
 /** The functions of SequenceOps for containers with size() and operator[]. */
 template <class C>
 struct Sequence {
@@ -59,6 +65,14 @@ struct Sequence {
         else
             return nullptr;
     }
+    static void* data(void* c) { return of(c).data(); }
+    using Data = void* (*)(void*);
+    static constexpr Data dataOrNull() {
+        if constexpr (HasData<C>::value)
+            return &data;
+        else
+            return nullptr;
+    }
     static constexpr At atOrNull() {
         if constexpr (addressable)
             return &at;
@@ -77,13 +91,9 @@ RTT_API TypeInfoGenerator* newArrayGenerator(const char* name, const SequenceOps
 template <class C>
 const SequenceOps& sequenceOps() {
     using S = detail::Sequence<C>;
-    static constexpr SequenceOps table = {&S::size,
-                                          &S::capacity,
-                                          S::resizeOrNull(),
-                                          S::atOrNull(),
-                                          &S::load,
-                                          &S::store,
-                                          &typeRef<typename C::value_type>};
+    static constexpr SequenceOps table = {
+        &S::size, &S::capacity, S::resizeOrNull(), S::atOrNull(), &S::load, &S::store, &typeRef<typename C::value_type>,
+        nullptr,  nullptr,      S::dataOrNull()};
     return table;
 }
 

@@ -5,6 +5,7 @@
 
 #include "CompositionFactory.hpp"
 #include "MemberFactory.hpp"
+#include "Shape.hpp"
 #include "StreamFactory.hpp"
 #include "StructTable.hpp"
 
@@ -15,12 +16,13 @@ namespace types {
  * Members, property bags and the text form "{a = 1, b = 2}" of a struct described by a table of its fields.
  * Members are live references into the value; of a value that cannot be changed they are read-only.
  */
-class RTT_API StructMembers : public MemberFactory, public CompositionFactory, public StreamFactory {
+class RTT_API StructMembers : public MemberFactory, public CompositionFactory, public StreamFactory, public HasShape {
 public:
     /** The table and what it points to must live as long as this. */
     StructMembers(const Member* members, std::size_t count, const TypeOps& ops, const TypeThunks& thunks)
         : members_(members), count_(count), ops_(ops), thunks_(thunks) {}
 
+    Shape shape() const override { return Shape::ofStruct(members_, count_); }
     std::vector<std::string> getMemberNames() const override;
     std::string describeMember(const std::string& name) const override;
     using MemberFactory::getMember;

@@ -16,7 +16,7 @@ namespace types {
  * The text form is that of operator<< if `has_ostream`, else "{name = value, …}".
  */
 template <typename T, bool has_ostream = false>
-class StructTypeInfo : public TemplateTypeInfo<T, has_ostream>, public MemberFactory {
+class StructTypeInfo : public TemplateTypeInfo<T, has_ostream>, public MemberFactory, public HasShape {
 public:
     explicit StructTypeInfo(std::string name)
         : TemplateTypeInfo<T, has_ostream>(std::move(name)),
@@ -30,6 +30,10 @@ public:
         return false;
     }
 
+    Shape shape() const override {
+        if (found_->isComplete()) return members_->shape();
+        return Shape::none("its serialization function has values without a name or without a place in the object");
+    }
     std::vector<std::string> getMemberNames() const override { return members_->getMemberNames(); }
     using MemberFactory::getMember;
     base::DataSourceBase::shared_ptr getMember(base::DataSourceBase::shared_ptr item,

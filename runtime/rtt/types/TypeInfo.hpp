@@ -28,6 +28,7 @@ class Reference;
 
 namespace types {
 
+struct Shape;
 struct TypeOps;
 struct TypeThunks;
 class TypeConstructor;
@@ -120,6 +121,9 @@ public:
     SourcePtr getMember(SourcePtr item, SourcePtr id) const;
     /** Makes `reference` refer to that member; false if there is none. */
     bool getMember(internal::Reference* reference, SourcePtr item, const std::string& name) const;
+
+    /** What its values consist of. A type without a shape has the reason in it. Allocates. */
+    Shape shape() const;
 
     // -- Decomposition --------------------------------------------------------------------------------------
     /** Sets `target`, of this type, from a value of this type, a bag of its members, or another form it knows. */

@@ -5,6 +5,7 @@
 
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/CompositionFactory.hpp>
+#include <rtt/types/Shape.hpp>
 #include <rtt/types/StreamFactory.hpp>
 #include <rtt/types/TypeOps.hpp>
 #include "enum_constructors.hpp"
@@ -18,7 +19,11 @@ using base::DataSourceBase;
 
 namespace {
 
-class EnumTable : public TableGenerator, public CompositionFactory, public Enumeration, public StreamFactory {
+class EnumTable : public TableGenerator,
+                  public CompositionFactory,
+                  public Enumeration,
+                  public StreamFactory,
+                  public HasShape {
 public:
     EnumTable(const char* name, const Enumerator* values, std::size_t count, const char* doc, const TypeOps& ops,
               const TypeThunks& thunks, const EnumOps& numbers, TypeRef type)
@@ -31,6 +36,15 @@ public:
         info->setStreamFactory(self);
         addEnumConstructors(*info, type_, names_);
         return false;
+    }
+
+    Shape shape() const override {
+        Shape shape;
+        shape.kind = Shape::Kind::Enumeration;
+        shape.numbers = &names_.ops;
+        for (std::size_t i = 0; i != names_.count; ++i)
+            shape.enumerators.push_back({names_.values[i].name, names_.values[i].value});
+        return shape;
     }
 
     /** Files store the enumerator's name; a value without one as its number, or as text if that does not fit into an

@@ -4,6 +4,7 @@
 #include <rtt/types/ShownTable.hpp>
 
 #include <rtt/types/CompositionFactory.hpp>
+#include <rtt/types/Shape.hpp>
 #include <rtt/types/StreamFactory.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
 #include <rtt/types/TypeOps.hpp>
@@ -42,7 +43,7 @@ TypeConstructor* newConversion(ComputeFunction call, const ShownAs& shown, TypeR
     return newErasedConstructor(function, true);
 }
 
-class ShownTable : public TableGenerator, public CompositionFactory, public StreamFactory {
+class ShownTable : public TableGenerator, public CompositionFactory, public StreamFactory, public HasShape {
 public:
     ShownTable(const char* name, const char* doc, TypeRef self, const TypeOps& ops, const TypeThunks& thunks,
                const ShownAs& shown)
@@ -61,6 +62,12 @@ public:
         return false;
     }
 
+    Shape shape() const override {
+        Shape shape;
+        shape.kind = Shape::Kind::Shown;
+        shape.shown = &shown_;
+        return shape;
+    }
     SourcePtr decomposeType(SourcePtr source) const override {
         const void* const value = valueOfType(source, *ops().id);
         const SourcePtr result = value ? newShown() : nullptr;

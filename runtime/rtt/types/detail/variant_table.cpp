@@ -8,6 +8,7 @@
 #include <rtt/internal/DataSources.hpp>
 #include <rtt/types/CompositionFactory.hpp>
 #include <rtt/types/MemberFactory.hpp>
+#include <rtt/types/Shape.hpp>
 #include <rtt/types/StreamFactory.hpp>
 #include <rtt/types/TypeOps.hpp>
 #include <rtt/types/TypeThunkTable.hpp>
@@ -96,7 +97,11 @@ private:
     mutable std::string name_;
 };
 
-class VariantTable : public TableGenerator, public MemberFactory, public CompositionFactory, public StreamFactory {
+class VariantTable : public TableGenerator,
+                     public MemberFactory,
+                     public CompositionFactory,
+                     public StreamFactory,
+                     public HasShape {
 public:
     VariantTable(const char* name, const char* const* names, const VariantOps& variant, const TypeOps& ops,
                  const TypeThunks& thunks)
@@ -111,6 +116,14 @@ public:
         return false;
     }
 
+    Shape shape() const override {
+        Shape shape;
+        shape.kind = Shape::Kind::Variant;
+        shape.variant = &choice_.ops;
+        for (std::size_t i = 0; i != choice_.ops.count; ++i)
+            shape.fields.push_back({choice_.names[i], 0, choice_.ops.types[i](), 0, nullptr});
+        return shape;
+    }
     std::vector<std::string> getMemberNames() const override { return {"alternative", "value"}; }
     using MemberFactory::getMember;
     /** Also finds alternatives by name; storing a value in one changes the variant to it. */
