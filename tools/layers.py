@@ -30,6 +30,7 @@ LAYER_OF = {
     "runtime/rtt/extras/SequentialActivity.": "core",
     "runtime/rtt/extras/SlaveActivity.": "core",
     "runtime/cpf/": "cpf",                  # property files; built into the library of marsh
+    "runtime/rtt/encoding/": "encoding",
     "runtime/rtt/marsh/": "marsh",
     "runtime/rtt/deployment/": "loader",
     "runtime/rtt/scripting/": "scripting",
@@ -92,6 +93,7 @@ MAY_INCLUDE = {
     "typekit": OUTER,
     "extras": LEAFS | {"os", "core"},
     "cpf": OUTER,
+    "encoding": LEAFS | {"os", "core"},
     "marsh": OUTER | {"cpf"},
     "loader": OUTER,
     "syntax": {"diag"},
@@ -143,7 +145,7 @@ FOREIGN = {
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],
     r"(ros|roscpp|tf2?|actionlib|dynamic_reconfigure)/": ["runtime/ros/"],
     # Of the runtime, what stays out of components and their libraries.
-    r"nlohmann/": ["runtime/report/", "generator/", "typekit_gen/", "tests/"],
+    r"nlohmann/": ["runtime/report/", "runtime/rtt/encoding/", "generator/", "typekit_gen/", "tests/"],
     r"kainjow/": ["generator/render/"],
     r"CLI/": ["generator/driver/", "typekit_gen/driver/", "deployer/"],
     r"(gtest|gmock)/": ["tests/", "templates/", "examples/"],    # packages bring a test
