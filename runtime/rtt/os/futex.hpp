@@ -10,7 +10,6 @@
 #include <climits>
 #include <cstdint>
 #include <linux/futex.h>
-#include <sched.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -94,28 +93,6 @@ inline pid_t currentTid() noexcept {
     static __thread pid_t tid __attribute__((tls_model("initial-exec")));
     if (__builtin_expect(tid == 0, 0)) tid = static_cast<pid_t>(syscall(SYS_gettid));
     return tid;
-}
-
-/**
- * Locks a word that holds the Linux id of the holder's thread, 0 if there is none, and in its highest bits the marks of
- * the kernel. Blocks; the holder inherits the priority of its waiters. For a thread that could not change it from 0
- * itself.
- */
-inline void futexLockPi(std::atomic<std::uint32_t>& word) noexcept {
-    while (syscall(SYS_futex, &word, FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr) == -1) {
-        // A kernel without FUTEX_LOCK_PI ends here.
-        std::uint32_t holder = 0;
-        const auto self = static_cast<std::uint32_t>(currentTid());
-        if (word.compare_exchange_strong(holder, self, std::memory_order_acquire, std::memory_order_relaxed)) return;
-        sched_yield();
-    }
-    (void)word.load(std::memory_order_acquire);  // pairs with the release below; the kernel has changed the word
-}
-
-/** Gives it to the waiter of highest priority. For the holder, if it could not change the word from its id to 0. */
-inline void futexUnlockPi(std::atomic<std::uint32_t>& word) noexcept {
-    word.fetch_or(0, std::memory_order_release);
-    syscall(SYS_futex, &word, FUTEX_UNLOCK_PI | FUTEX_PRIVATE_FLAG);
 }
 
 /** False if the thread of this process with this Linux id has ended; another one may have the id by now. A system

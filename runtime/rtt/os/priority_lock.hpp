@@ -25,7 +25,10 @@ public:
     explicit PriorityLock(std::atomic<std::uint32_t>& word) noexcept : word_(word) {
         std::uint32_t nobody = 0;
         while (!word_.compare_exchange_strong(nobody, self(), std::memory_order_acquire)) {
-            if (syscall(SYS_futex, &word_, FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0) == 0) return;
+            if (syscall(SYS_futex, &word_, FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0) == 0) {
+                (void)word_.load(std::memory_order_acquire);  // pairs with the release below
+                return;
+            }
             const TIME_SPEC moment{0, 20000};
             nanosleep(&moment, nullptr);  // the holder is ending, or this system has no such futexes
             nobody = 0;
@@ -34,8 +37,9 @@ public:
     ~PriorityLock() {
         std::uint32_t mine = self();
         // If that fails, the kernel has marked the word because a thread waits, and hands the lock over.
-        if (!word_.compare_exchange_strong(mine, 0, std::memory_order_release))
-            syscall(SYS_futex, &word_, FUTEX_UNLOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0);
+        if (word_.compare_exchange_strong(mine, 0, std::memory_order_release)) return;
+        word_.fetch_or(0, std::memory_order_release);
+        syscall(SYS_futex, &word_, FUTEX_UNLOCK_PI | FUTEX_PRIVATE_FLAG, 0, nullptr, nullptr, 0);
     }
     PriorityLock(const PriorityLock&) = delete;
     PriorityLock& operator=(const PriorityLock&) = delete;
