@@ -110,18 +110,16 @@ bool checkEncoding(const std::string& text, const std::string& name, diag::Sink&
                        "found the control character " + hexadecimal(text[at]) + ", expected text");
             return false;
         }
+        isAscii = false;
+        if (isOther) break;
         const std::size_t length = letterAt(text, at);
         if (length == 0) {
-            isAscii = false;
-            if (isOther) break;
             hintOfConversion(sink.error(placeOf(text, at, name), "XML009",
                                         "found the byte " + hexadecimal(text[at]) + ", expected text in UTF-8"),
                              "ISO-8859-1", name);
             return false;
         }
-        isAscii = isAscii && length == 1;
         at += length;
-        if (isOther && !isAscii) break;
     }
     if (!isOther || (isAscii && extendsAscii(declared.name))) return true;
     const bool isName = !declared.name.empty() && declared.name.find_first_not_of(
