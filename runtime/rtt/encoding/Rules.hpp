@@ -5,6 +5,7 @@
 
 #include <rtt/rtt-config.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace RTT {
@@ -30,6 +31,11 @@ struct Rules {
     bool enumsHaveFourBytes;
     /** A struct without fields has one byte. */
     bool emptyStructHasByte;
+
+    /** What the position of a number of `size` bytes is a multiple of. */
+    constexpr std::uint8_t alignmentOf(std::size_t size) const {
+        return size < mostAligned ? static_cast<std::uint8_t>(size) : mostAligned;
+    }
 };
 
 /** Common Data Representation as in DDS and ROS 2 (XCDR version 1), without the header of 4 bytes and without the

@@ -3,6 +3,7 @@
 #include <rtt/encoding/detail/decoder.hpp>
 
 #include <rtt/encoding/detail/temporary.hpp>
+#include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/VariantTable.hpp>
@@ -15,18 +16,6 @@ namespace RTT::encoding::detail {
 using types::Shape;
 
 namespace {
-
-class Deeper {
-public:
-    explicit Deeper(unsigned& depth) : depth_(depth) { ++depth_; }
-    ~Deeper() { --depth_; }
-    Deeper(const Deeper&) = delete;
-    Deeper& operator=(const Deeper&) = delete;
-    explicit operator bool() const { return depth_ <= Plan::kDeepest; }
-
-private:
-    unsigned& depth_;
-};
 
 constexpr const char* kTooDeep = "the value nests too deeply";
 constexpr const char* kTooShort = "the bytes end within the value";
@@ -52,7 +41,7 @@ bool Decoder::bytes(void* to, std::size_t count) {
 }
 
 bool Decoder::getNumbers(void* first, std::size_t count, std::size_t size, bool areBools) {
-    if (!align(alignmentOf(size))) return false;
+    if (!align(rules_.alignmentOf(size))) return false;
     if (count > left() / size) return fail(kTooShort);
     if (areBools && std::any_of(begin_ + position_, begin_ + position_ + count, [](unsigned char b) { return b > 1; }))
         return fail("a bool is neither 0 nor 1");
@@ -173,19 +162,8 @@ bool Decoder::getElements(const Form& form, void* value, std::size_t count) {
 
 /** For a container in which an element is found by counting. */
 bool Decoder::getLinked(const Form& form, void* value) {
-    struct Visit {
-        Decoder& decoder;
-        const Form& element;
-        bool isSet;
-    } visit{*this, *form.element, true};
-    form.shape.elements->visit(
-        value,
-        [](void* context, const void* element) {
-            Visit& one = *static_cast<Visit*>(context);
-            one.isSet = one.isSet && one.decoder.get(one.element, const_cast<void*>(element));
-        },
-        &visit);
-    return visit.isSet;
+    return visitWhile(*form.shape.elements, value,
+                      [&](const void* element) { return get(*form.element, const_cast<void*>(element)); });
 }
 
 /** A matrix gets its size only when the bytes for all of its rows are known to be there. */

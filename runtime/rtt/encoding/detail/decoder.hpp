@@ -49,7 +49,6 @@ private:
     bool getInserted(const Form& form, void* value, std::size_t count);
     bool getVariant(const Form& form, void* value);
     bool getShown(const Form& form, void* value);
-    std::size_t alignmentOf(std::size_t size) const { return size < rules_.mostAligned ? size : rules_.mostAligned; }
     /** The bytes here are those of memory, and any of them are values. */
     bool isCopy(bool hasBool, std::size_t alignment) const { return !swaps_ && !hasBool && position_ % alignment == 0; }
 

@@ -4,9 +4,10 @@
 #ifndef ORO_ENCODING_DETAIL_ENCODER_HPP
 #define ORO_ENCODING_DETAIL_ENCODER_HPP
 
-#include <rtt/encoding/Plan.hpp>
+#include <rtt/encoding/Rules.hpp>
 #include <rtt/encoding/detail/form.hpp>
 #include <rtt/encoding/detail/temporary.hpp>
+#include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/VariantTable.hpp>
@@ -86,20 +87,8 @@ public:
     }
 
 private:
-    /** The depth of the value that is being written; false if it nests too deeply. */
-    class Deeper {
-    public:
-        explicit Deeper(unsigned& depth) : depth_(depth) { ++depth_; }
-        ~Deeper() { --depth_; }
-        explicit operator bool() const { return depth_ <= Plan::kDeepest; }
-
-    private:
-        unsigned& depth_;
-    };
-
-    std::size_t alignmentOf(std::size_t size) const { return size < rules_.mostAligned ? size : rules_.mostAligned; }
     bool putNumbers(const void* first, std::size_t count, std::size_t size) {
-        return out_.align(alignmentOf(size)) && out_.bytes(first, count * size);
+        return out_.align(rules_.alignmentOf(size)) && out_.bytes(first, count * size);
     }
     bool putCount(std::size_t count) {
         const auto number = static_cast<std::uint32_t>(count);
@@ -157,28 +146,13 @@ private:
         if (!deeper || !(ops.resize ? putCount(count) : count == form.fixedCount)) return false;
         if (count == 0) return true;
         if (ops.data) return putMany(*form.element, ops.data(const_cast<void*>(value)), count);
-        if (ops.visit) return putVisited(form, value);
+        if (ops.visit) return visitWhile(ops, value, [&](const void* element) { return put(*form.element, element); });
         for (std::size_t i = 0; i != count; ++i) {
             const bool isPut = ops.at ? put(*form.element, ops.at(const_cast<void*>(value), i))
                                       : putPart(*form.element, ops, value, i);
             if (!isPut) return false;
         }
         return true;
-    }
-    bool putVisited(const Form& form, const void* value) {
-        struct Visit {
-            Encoder& encoder;
-            const Form& element;
-            bool isPut;
-        } visit{*this, *form.element, true};
-        form.shape.elements->visit(
-            value,
-            [](void* context, const void* element) {
-                Visit& one = *static_cast<Visit*>(context);
-                one.isPut = one.isPut && one.encoder.put(one.element, element);
-            },
-            &visit);
-        return visit.isPut;
     }
     bool putVariant(const Form& form, const void* value) {
         const Deeper deeper(depth_);

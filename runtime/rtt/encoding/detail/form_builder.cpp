@@ -98,14 +98,11 @@ private:
         }
     }
 
-    std::uint8_t alignmentOf(std::size_t size) const {
-        return static_cast<std::uint8_t>(size < rules_.mostAligned ? size : rules_.mostAligned);
-    }
     void makeNumber(Form& form, std::size_t size) {
         form.numberSize = static_cast<std::uint8_t>(size);
         form.isSolid = form.hasFixedSize = true;
         form.hasBool = form.shape.kind == Shape::Kind::Number && form.shape.number == Shape::Number::Bool;
-        form.align = alignmentOf(size);
+        form.align = rules_.alignmentOf(size);
         form.least = size;
     }
     void makeEnumeration(Form& form) {
@@ -115,7 +112,7 @@ private:
             return;
         }
         form.numberSize = 4;
-        form.align = alignmentOf(4);
+        form.align = rules_.alignmentOf(4);
         form.least = 4;
         form.hasFixedSize = true;
     }
@@ -133,14 +130,15 @@ private:
         std::size_t least = 0;
         bool hasFixedSize = true;
         for (const Shape::Field& field : form.shape.fields) {
-            if (readOnly_ == ReadOnly::LeftOut && field.access && !field.access->store && !field.access->at) continue;
-            const Form* const its = formOf(field.type, "." + field.name);
-            if (!its) return;
-            if (field.access && !hasTemporary(*its, "." + field.name)) return;
-            form.fields.push_back({field.name, its, field.offset, field.count, field.access});
-            if (form.fields.back().isReadOnly()) continue;
-            least += its->least * (field.count ? field.count : 1);
-            hasFixedSize = hasFixedSize && its->hasFixedSize;
+            FormField its{field.name, nullptr, field.offset, field.count, field.access};
+            if (readOnly_ == ReadOnly::LeftOut && its.isReadOnly()) continue;
+            its.form = formOf(field.type, "." + field.name);
+            if (!its.form) return;
+            if (its.access && !hasTemporary(*its.form, "." + field.name)) return;
+            form.fields.push_back(its);
+            if (its.isReadOnly()) continue;
+            least += its.form->least * (its.count ? its.count : 1);
+            hasFixedSize = hasFixedSize && its.form->hasFixedSize;
         }
         layOut(form, rules_);
         form.least = form.steps.empty() && rules_.emptyStructHasByte ? 1 : least;

@@ -66,7 +66,7 @@ private:
             isOpen_ = true;
         }
         open_.bytes = numbers.offset + numbers.count * numbers.size - open_.offset;
-        open_.align = std::max(open_.align, alignmentOf(numbers));
+        open_.align = std::max(open_.align, rules_.alignmentOf(numbers.size));
         open_.hasBool = open_.hasBool || numbers.isBool;
         FormNumbers* const last = open_.numbers.empty() ? nullptr : &open_.numbers.back();
         if (last && last->size == numbers.size && last->isBool == numbers.isBool)
@@ -76,9 +76,9 @@ private:
     }
     /** They continue the open step: no gap before them, neither in memory nor in the encoding. */
     bool follow(const FormNumbers& numbers) const {
-        return isOpen_ && numbers.offset == open_.offset + open_.bytes && open_.bytes % alignmentOf(numbers) == 0;
+        return isOpen_ && numbers.offset == open_.offset + open_.bytes &&
+               open_.bytes % rules_.alignmentOf(numbers.size) == 0;
     }
-    std::uint8_t alignmentOf(const FormNumbers& numbers) const { return std::min(numbers.size, rules_.mostAligned); }
     void finish() {
         if (isOpen_) form_.steps.push_back(std::move(open_));
         open_ = FormStep();

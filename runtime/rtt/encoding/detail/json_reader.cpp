@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/encoding/detail/json_reader.hpp>
 
-#include <rtt/encoding/Plan.hpp>
 #include <rtt/encoding/detail/temporary.hpp>
+#include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/VariantTable.hpp>
@@ -42,11 +42,8 @@ bool JsonReader::within(const std::string& part, Get get) {
 
 template <class Get>
 bool JsonReader::nested(Get get) {
-    if (depth_ == Plan::kDeepest) return fail("the value nests too deeply");
-    ++depth_;
-    const bool isSet = get();
-    --depth_;
-    return isSet;
+    const Deeper deeper(depth_);
+    return deeper ? get() : fail("the value nests too deeply");
 }
 
 bool JsonReader::get(const Form& form, const Json& from, void* value) {
@@ -228,23 +225,12 @@ bool JsonReader::getSequence(const Form& form, const Json& from, void* value) {
 
 /** For a container in which an element is found by counting. */
 bool JsonReader::getLinked(const Form& form, const Json& from, void* value) {
-    struct Visit {
-        JsonReader& reader;
-        const Form& element;
-        const Json& from;
-        std::size_t index;
-        bool isSet;
-        void one(void* at) {
-            const std::string part = "[" + std::to_string(index) + "]";
-            isSet = isSet && reader.within(part, [&] { return reader.get(element, from[index], at); });
-            ++index;
-        }
-    } visit{*this, *form.element, from, 0, true};
-    form.shape.elements->visit(
-        value,
-        [](void* context, const void* element) { static_cast<Visit*>(context)->one(const_cast<void*>(element)); },
-        &visit);
-    return visit.isSet;
+    std::size_t index = 0;
+    return visitWhile(*form.shape.elements, value, [&](const void* element) {
+        const Json& part = from[index];
+        return within("[" + std::to_string(index++) + "]",
+                      [&] { return get(*form.element, part, const_cast<void*>(element)); });
+    });
 }
 
 bool JsonReader::getElement(const Form& form, const Json& from, void* value, std::size_t index) {

@@ -2,8 +2,8 @@
 // Copyright Oroforge contributors
 #include <rtt/encoding/detail/json_writer.hpp>
 
-#include <rtt/encoding/Plan.hpp>
 #include <rtt/encoding/detail/temporary.hpp>
+#include <rtt/encoding/detail/walk.hpp>
 #include <rtt/types/ShownTable.hpp>
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/VariantTable.hpp>
@@ -58,12 +58,10 @@ void JsonWriter::put(const Form& form, const void* value) {
 
 template <class Put>
 void JsonWriter::putNested(Put put) {
-    ++depth_;
-    if (depth_ <= Plan::kDeepest)
+    if (const Deeper deeper(depth_); deeper)
         put();
     else
         out_ += "null";
-    --depth_;
 }
 
 void JsonWriter::putNumber(Shape::Number number, const void* value) {
@@ -157,30 +155,26 @@ void JsonWriter::putPart(const Form& form, const types::SequenceOps& ops, const 
 }
 
 void JsonWriter::putSequence(const Form& form, const void* value) {
-    struct Visit {
-        JsonWriter& writer;
-        const Form& element;
-        bool isFirst;
-        void one(const void* at) {
-            if (!isFirst) writer.out_ += ',';
-            isFirst = false;
-            writer.put(element, at);
-        }
-    } visit{*this, *form.element, true};
     const types::SequenceOps& ops = *form.shape.elements;
+    bool isFirst = true;
+    const auto separate = [&] {
+        if (!isFirst) out_ += ',';
+        isFirst = false;
+    };
     out_ += '[';
     if (ops.visit) {
-        ops.visit(
-            value, [](void* context, const void* element) { static_cast<Visit*>(context)->one(element); }, &visit);
+        visitWhile(ops, value, [&](const void* element) {
+            separate();
+            put(*form.element, element);
+            return true;
+        });
     } else {
         for (std::size_t i = 0, count = ops.size(value); i != count; ++i) {
-            if (ops.at) {
-                visit.one(ops.at(const_cast<void*>(value), i));
-                continue;
-            }
-            const Temporary part(*form.element->shape.ops);
-            ops.load(value, i, part.at());
-            visit.one(part.at());
+            separate();
+            if (ops.at)
+                put(*form.element, ops.at(const_cast<void*>(value), i));
+            else
+                putPart(*form.element, ops, value, i);
         }
     }
     out_ += ']';
