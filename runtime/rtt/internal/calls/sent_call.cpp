@@ -103,8 +103,7 @@ void SentCall::dispose() { finish(Disposed); }
 
 namespace {
 
-constexpr std::int64_t kPatience = 100000000, kLook = 1000000;  // in ns
-constexpr unsigned kPause = 100;                                // in us, for a thread that does not execute a component
+constexpr std::int64_t kPatience = 100000000;  // in ns
 
 /** Takes an exception, thrown in another thread, to the engine of the operation's component. */
 class Thrown final : public SentCall {
@@ -142,16 +141,7 @@ bool executedHere(const EngineGate& owner, SentCall& thrown) {
 void blame(const EngineGate& owner, CalleeBase* callee, const char* what) {
     try {
         const SentCall::shared_ptr thrown(new Thrown(callee, what));
-        if (executedHere(owner, *thrown)) return;
-        const std::int64_t end = rtos_get_time_ns() + kPatience;
-        const auto done = [&] { return thrown->state() != SentCall::Waiting; };
-        const EngineGate* const own = EngineGate::ofThisThread();
-        while (!done() && rtos_get_time_ns() < end) {
-            if (own)
-                own->engine()->waitForMessages(done, rtos_get_time_ns() + kLook);
-            else
-                usleep(kPause);
-        }
+        if (!executedHere(owner, *thrown)) (void)thrown->endsBefore(rtos_get_time_ns() + kPatience);
     } catch (const std::bad_alloc&) {
         // The caller learns of the exception anyway.
     }
@@ -177,21 +167,27 @@ SendStatus SentCall::collect() {
                        << endlog();
             return CollectFailure;
         }
-        const auto done = [this] { return state() != Waiting; };
         const EngineGate* const own = EngineGate::ofThisThread();
         if (own && own != waiting_.get()) {
-            // Another component sent it, so the end does not notify this thread's engine: wait for the state as well.
-            std::uint32_t waiting = Waiting;
-            state_.compare_exchange_strong(waiting, Waiting | kParked);
-            own->engine()->waitForMessages(done, os::detail::kForever, &state_);
+            // Another component sent it, so the end does not notify this thread's engine.
+            (void)endsBefore(os::detail::kForever);
         } else if (own || waiting_->isSelf()) {
-            waiting_->engine()->waitForMessages(done);
+            waiting_->engine()->waitForMessages([this] { return state() != Waiting; });
         } else {
             park();
         }
     }
     checkError();
     return status();
+}
+
+bool SentCall::endsBefore(std::int64_t deadline) {
+    for (;;) {
+        std::uint32_t seen = Waiting;
+        if (!state_.compare_exchange_strong(seen, Waiting | kParked) && seen != (Waiting | kParked)) return true;
+        EngineGate::sleepOn(state_, Waiting | kParked, deadline);
+        if (state() == Waiting && deadline != os::detail::kForever && rtos_get_time_ns() >= deadline) return false;
+    }
 }
 
 // Waits on the call itself, so that threads that execute no component do not wake each other.

@@ -67,6 +67,9 @@ public:
     SendStatus collect();
     /** The same without waiting. */
     SendStatus collectIfDone();
+    /** For a thread that did not send it: waits for the end, at most until the monotonic time `deadline` (ns), and
+        executes the messages of the components that it is executing. False if the end has not come. */
+    bool endsBefore(std::int64_t deadline);
     /** If the operation threw: throws std::runtime_error with the text of that exception. */
     void checkError() const;
 

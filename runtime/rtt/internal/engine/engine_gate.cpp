@@ -29,12 +29,12 @@ void EngineGate::Step::fail() const {
     if (!gone()) engine()->enterException();
 }
 
-void EngineGate::sleepOn(const Presence::Word& word, std::uint32_t seen) {
+void EngineGate::sleepOn(const Presence::Word& word, std::uint32_t seen, std::int64_t deadline) {
     const EngineGate* const gate = ofThisThread();
     if (gate && gate->engine())
-        gate->engine()->waitForMessages([&] { return word != seen; }, os::detail::kForever, &word);
+        gate->engine()->waitForMessages([&] { return word != seen; }, deadline, &word);
     else
-        os::detail::futexWait(word, seen, os::detail::kForever);
+        os::detail::futexWait(word, seen, deadline);
 }
 
 bool EngineGate::Stand::enter(const EngineGate& gate, As as) {

@@ -107,9 +107,9 @@ public:
 
     /** The gate of the engine that this thread is executing; null if there is none. */
     static const EngineGate* ofThisThread() noexcept;
-    /** Sleeps while the futex `word` holds `seen`, and executes the messages of the components that this thread is
-        executing. May return early. */
-    static void sleepOn(const Presence::Word& word, std::uint32_t seen);
+    /** Sleeps while the futex `word` holds `seen`, at most until the monotonic time `deadline` (ns), and executes the
+        messages of the components that this thread is executing. May return early. */
+    static void sleepOn(const Presence::Word& word, std::uint32_t seen, std::int64_t deadline = INT64_MAX);
 
     /** The engine was destroyed, or retired by another thread. This and the following functions may be called by any
         thread and are real-time safe, unless they say otherwise. */

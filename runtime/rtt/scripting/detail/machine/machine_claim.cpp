@@ -2,18 +2,12 @@
 // Copyright Oroforge contributors
 #include <rtt/scripting/detail/machine/machine_claim.hpp>
 
-#include <rtt/ExecutionEngine.hpp>
 #include <rtt/internal/engine/engine_gate.hpp>
 #include <rtt/os/fosi.h>
-
-#include <unistd.h>
 
 namespace RTT::scripting::detail {
 
 namespace {
-// Between two attempts: a component's thread, in ns, and others, in µs.
-constexpr std::int64_t kSlice = 1000000;
-constexpr useconds_t kSleep = 100;
 constexpr unsigned kTries = 1000;  // some microseconds
 }  // namespace
 
@@ -23,14 +17,11 @@ void MachineClaim::wait(std::int64_t patience) {
         if (take()) return;
     if (patience < 0) return;
     const std::int64_t end = rtos_get_time_ns() + patience;
-    const internal::EngineGate* const own = internal::EngineGate::ofThisThread();
-    ExecutionEngine* const engine = own ? own->engine() : nullptr;
     while (!take() && rtos_get_time_ns() < end) {
-        if (engine)
-            engine->waitForMessages([this] { return owner_.load(std::memory_order_relaxed) == 0; },
-                                    rtos_get_time_ns() + kSlice);
-        else
-            usleep(kSleep);
+        std::uint32_t seen = owner_.load(std::memory_order_relaxed);
+        if (seen == 0) continue;
+        if ((seen & kAwaited) || owner_.compare_exchange_strong(seen, seen | kAwaited, std::memory_order_relaxed))
+            internal::EngineGate::sleepOn(owner_, seen | kAwaited, end);
     }
 }
 
