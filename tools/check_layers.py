@@ -8,6 +8,7 @@ LAY02  a header of another project outside its one folder
 LAY03  a header in detail/ included from outside the part it belongs to
 LAY04  an installed header includes one that is not installed
 LAY05  a source file that belongs to no layer
+LAY06  headers that include each other
 """
 import posixpath
 import re
@@ -92,11 +93,31 @@ def check_table():
         visit(layer, [])
 
 
+def check_circles(report, includes):
+    """Headers must not include each other, except for those in layers.CIRCLES."""
+    finished, trail = set(), []
+
+    def visit(path):
+        if path in trail:
+            circle = trail[trail.index(path):]
+            if not any(allowed.issuperset(circle) for allowed in layers.CIRCLES):
+                report.error(circle[-1], 1, "LAY06", "headers include each other: " + " -> ".join([*circle, path]))
+        elif path not in finished:
+            trail.append(path)
+            for target in includes.get(path, ()):
+                visit(target)
+            finished.add(trail.pop())
+
+    for path in includes:
+        visit(path)
+
+
 def main():
     check_table()
     tree = open_tree(__doc__.splitlines()[0])
     report = Report()
     checked = 0
+    includes = {}
     for path in tree.files:
         if not path.endswith(SOURCES) or path.startswith("tests/golden/"):
             continue
@@ -107,8 +128,10 @@ def main():
             target = resolve(tree, path, name, quoted)
             if target:
                 check_own(report, path, line, target)
+                includes.setdefault(path, []).append(target)
             else:
                 check_foreign(report, path, line, name)
+    check_circles(report, includes)
     return report.finish("check_layers", checked)
 
 

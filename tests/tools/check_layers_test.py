@@ -85,6 +85,11 @@ class CheckLayers(unittest.TestCase):
     def test_every_source_has_a_layer(self):
         check_one(self, SCRIPT, {"generator/misc/helper.cpp": ""}, "generator/misc/helper.cpp:1: error: [LAY05]")
 
+    def test_headers_do_not_include_each_other(self):
+        check_one(self, SCRIPT, {"runtime/rtt/os/Mutex.hpp": "#include <rtt/os/Lock.hpp>\n",
+                                 "runtime/rtt/os/Lock.hpp": "#include <rtt/os/Mutex.hpp>\n"},
+                  "runtime/rtt/os/Mutex.hpp:1: error: [LAY06]")
+
     def test_includes_in_comments_do_not_count(self):
         check_none(self, SCRIPT, {"runtime/rtt/os/Timer.hpp": "/* like this:\n#include <rtt/Port.hpp>\n*/\n"
                                                               "// #include <rtt/Port.hpp>\n",

@@ -9,7 +9,7 @@
  * os::Mutex, os::Condition and os::Semaphore are easier. Functions return 0 or a POSIX error number; those for
  * semaphores return -1 and set errno. Times are those of rtos_get_time_ns(). Mutexes inherit priorities.
  */
-#include <rtt/os/fosi.h>
+#include <rtt/os/fosi_base.h>
 
 #include <errno.h>
 #include <pthread.h>

@@ -19,9 +19,14 @@ RTT_API bool propertyDecomposition(base::PropertyBase* source, PropertyBag& targ
     if `target` has a property of one of these names. */
 RTT_API bool decomposePropertyBag(const PropertyBag& source, PropertyBag& target);
 
+/**
+ * Adds a copy of each item of `source` to `target`; a bag whose type is registered becomes a value of it. Logs errors
+ * and returns false for unknown types and for types that cannot be composed from the given members; also, without
+ * adding anything, if `target` has a property of one of these names.
+ */
+RTT_API bool composePropertyBag(const PropertyBag& source, PropertyBag& target);
+
 }  // namespace types
 }  // namespace RTT
-
-#include <rtt/types/PropertyComposition.hpp>  // users get both from here
 
 #endif

@@ -47,6 +47,6 @@ TypeConstructor* newConstructor(F function, bool automatic = false) {
 }  // namespace types
 }  // namespace RTT
 
-#include <rtt/types/typekit_includes.hpp>
+#include <rtt/types/typekit_basics.hpp>
 
 #endif

@@ -4,19 +4,7 @@
 #ifndef ORO_TYPEKIT_INCLUDES_HPP
 #define ORO_TYPEKIT_INCLUDES_HPP
 
-#include <rtt/Logger.hpp>
-#include <rtt/PropertyBag.hpp>
-#include <rtt/internal/DataSourceGenerator.hpp>
-#include <rtt/internal/FusedFunctorDataSource.hpp>
-#include <rtt/internal/mystd.hpp>
-#include <rtt/os/MutexLock.hpp>
-#include <rtt/types/MemberFactory.hpp>
-#include <rtt/types/PropertyComposition.hpp>
-#include <rtt/types/PropertyDecomposition.hpp>
 #include <rtt/types/TemplateConstructor.hpp>
-#include <rtt/types/Types.hpp>
-#include <rtt/types/carray.hpp>
-
-#include <boost/lexical_cast.hpp>
+#include <rtt/types/typekit_basics.hpp>
 
 #endif
