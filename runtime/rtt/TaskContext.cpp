@@ -8,7 +8,7 @@
 #include <rtt/internal/GlobalEngine.hpp>
 #include <rtt/internal/calls/failed.hpp>
 #include <rtt/internal/engine/deferred_activity.hpp>
-#include <rtt/internal/service_loader.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 #include <rtt/os/ThreadInterface.hpp>
 #include <rtt/os/TimeService.hpp>
 

@@ -31,7 +31,7 @@ target_sources(orocos-rtt PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/internal/calls/remote_operation.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SendHandleC.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/calls/sent_call.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/internal/service_loader.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/internal/plugin_loading.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/SignalBase.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/engine/wait_point.cpp
   ${CMAKE_CURRENT_LIST_DIR}/internal/calls/detail/action_slot.cpp

@@ -3,7 +3,7 @@
 // Loads the toolchain's own plugins and typekits when the runtime starts, and releases the loaders when it ends.
 #include "ComponentLoader.hpp"
 
-#include <rtt/internal/service_loader.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 #include <rtt/os/StartStopManager.hpp>
 #include <rtt/plugin/PluginLoader.hpp>
 
@@ -11,10 +11,8 @@ namespace RTT::plugin {
 namespace {
 
 int loadInstalledPlugins() {
-    const PluginLoader::shared_ptr loader = PluginLoader::Instance();
     // The loader reports a broken plugin; the program starts without it.
-    loader->loadPlugins(loader->getPluginPath());
-    loader->loadTypekits(loader->getPluginPath());
+    PluginLoader::Instance()->loadInstalled();
     return 0;
 }
 
@@ -27,12 +25,14 @@ bool loadService(const std::string& service, TaskContext* component) {
     return PluginLoader::Instance()->loadService(service, component);
 }
 
+bool loadTransport(int protocol) { return PluginLoader::Instance()->loadTransport(protocol); }
+
 /** Installed by a static object, because components may ask for services in programs that have not started the
     runtime. */
-const struct ServiceLoading {
-    ServiceLoading() { internal::setServiceLoader(&loadService); }
-    ~ServiceLoading() { internal::setServiceLoader(nullptr); }
-} serviceLoading;
+const struct PluginLoading {
+    PluginLoading() { internal::setPluginLoader(&loadService, &loadTransport); }
+    ~PluginLoading() { internal::setPluginLoader(nullptr, nullptr); }
+} pluginLoading;
 
 const os::InitFunction atStart(&loadInstalledPlugins, os::StartPlugins);
 const os::CleanupFunction atExit(&releaseLoaders, os::StopPlugins);

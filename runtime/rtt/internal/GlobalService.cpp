@@ -3,7 +3,7 @@
 #include <rtt/internal/GlobalService.hpp>
 
 #include <rtt/internal/calls/failed.hpp>
-#include <rtt/internal/service_loader.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 
 #include <mutex>
 

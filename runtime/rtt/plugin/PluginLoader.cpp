@@ -9,11 +9,26 @@
 #include "detail/plugin_table.hpp"
 #include <rtt/plugin/search_path.hpp>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <mutex>
 
 namespace RTT::plugin {
 namespace {
+
+/** The transports that are loaded when they are first used, because their libraries are large. */
+struct OwnTransport {
+    int protocol;
+    const char* library;
+};
+constexpr OwnTransport kOwnTransports[] = {{1, "rtt-transport-corba"}, {2, "rtt-transport-mqueue"}};
+
+bool isOwnTransport(const std::string& file) {
+    const std::string name = shortName(file);
+    return std::any_of(std::begin(kOwnTransports), std::end(kOwnTransports),
+                       [&](const OwnTransport& one) { return name == one.library; });
+}
 
 const char* directoryOf(Kind kind) { return kind == Kind::Typekit ? "types" : "plugins"; }
 
@@ -64,19 +79,23 @@ struct PluginLoader::Impl {
     mutable std::mutex pathMutex;
     std::string path = defaultSearchPath();
 
-    void scan(const std::string& directory, Kind kind, Scan& sum) {
+    enum class Transports { All, Others };
+
+    void scan(const std::string& directory, Kind kind, Scan& sum, Transports transports = Transports::All) {
         std::string error;
         for (const std::string& file : librariesIn(directory)) {
+            if (transports == Transports::Others && isOwnTransport(file)) continue;
             ++sum.found;
             if (!table.load(file, kind, error)) sum.errors.push_back(file + ": " + error);
         }
     }
 
-    bool scanAll(const std::string& pathList, Kind kind) {
+    bool scanAll(const std::string& pathList, Kind kind, Transports transports = Transports::All) {
         const Logger::In in("PluginLoader");
         Scan sum;
         for (const std::string& path : splitPathList(pathList))
-            for (const std::string& base : withTargetDirectory(path)) scan(base + "/" + directoryOf(kind), kind, sum);
+            for (const std::string& base : withTargetDirectory(path))
+                scan(base + "/" + directoryOf(kind), kind, sum, transports);
         for (const std::string& error : sum.errors) log(Error) << "could not load " << error << endlog();
         return sum.found > 0 && sum.errors.empty();
     }
@@ -135,6 +154,18 @@ PluginLoader::shared_ptr PluginLoader::Instance() {
 void PluginLoader::Release() {
     const std::lock_guard<std::mutex> lock(instanceMutex());
     instance().reset();
+}
+
+void PluginLoader::loadInstalled() {
+    const std::string path = getPluginPath();
+    (void)impl_->scanAll(path, Kind::Plugin);
+    (void)impl_->scanAll(path, Kind::Typekit, Impl::Transports::Others);
+}
+
+bool PluginLoader::loadTransport(int protocol) {
+    for (const OwnTransport& one : kOwnTransports)
+        if (one.protocol == protocol) return !impl_->table.contains(one.library) && loadTypekit(one.library);
+    return false;
 }
 
 bool PluginLoader::loadTypekits(const std::string& path_list) { return impl_->scanAll(path_list, Kind::Typekit); }

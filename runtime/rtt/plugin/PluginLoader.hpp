@@ -48,6 +48,11 @@ public:
     PluginLoader(const PluginLoader&) = delete;
     PluginLoader& operator=(const PluginLoader&) = delete;
 
+    /** What the runtime loads when it starts: all plugins and typekits of getPluginPath(), except for the toolchain's
+        own transports, which loadTransport() loads when they are first used. */
+    void loadInstalled();
+    /** Loads the toolchain's own transport for a protocol. False if it has none, or if that is loaded already. */
+    bool loadTransport(int protocol);
     /** Loads all typekits and transports below each directory. True if there were any and all could be loaded. */
     bool loadTypekits(const std::string& path_list);
     /**

@@ -4,6 +4,7 @@
 #include "TypeInfo.hpp"
 
 #include <rtt/Logger.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 #include "TypeInfoRepository.hpp"
 #include <rtt/types/detail/type_info_state.hpp>
 #include <algorithm>
@@ -81,22 +82,32 @@ void TypeInfo::addConstructor(TypeConstructor* constructor) {
 bool TypeInfo::addProtocol(int protocol, TypeTransporter* transporter) {
     std::unique_ptr<TypeTransporter> owned(transporter);
     if (!owned) return false;
-    const bool added = state_->locked([&] { return state_->transporters.emplace(protocol, std::move(owned)).second; });
+    const bool isGeneric = owned->isGeneric();
+    const bool added = state_->locked([&] {
+        std::unique_ptr<TypeTransporter>& present = state_->transporters[protocol];
+        if (present && (isGeneric || !present->isGeneric())) return false;
+        if (present) state_->replaced.push_back(std::move(present));
+        present = std::move(owned);
+        return true;
+    });
     if (!added)
         log(Debug) << "protocol " << protocol << " of type " << getTypeName() << " is registered already" << endlog();
     return added;
 }
 
-bool TypeInfo::hasProtocol(int protocol) const {
-    return state_->locked([&] { return state_->transporters.count(protocol) != 0; });
+TypeTransporter* TypeInfo::State::transporter(int protocol) const {
+    const auto registered = [&]() -> TypeTransporter* {
+        const auto it = transporters.find(protocol);
+        return it == transporters.end() ? nullptr : it->second.get();
+    };
+    TypeTransporter* const found = locked(registered);
+    return found || !internal::loadTransportPlugin(protocol) ? found : locked(registered);
 }
 
+bool TypeInfo::hasProtocol(int protocol) const { return state_->transporter(protocol) != nullptr; }
+
 TypeTransporter* TypeInfo::getProtocol(int protocol) const {
-    auto* found = state_->locked([&]() -> TypeTransporter* {
-        const auto it = state_->transporters.find(protocol);
-        return it == state_->transporters.end() ? nullptr : it->second.get();
-    });
-    if (found) return found;
+    if (TypeTransporter* const found = state_->transporter(protocol)) return found;
     TypeInfo* unknown = Types()->unknownType();
     if (unknown != this && unknown->hasProtocol(protocol)) return unknown->getProtocol(protocol);
     log(Warning) << "type " << getTypeName() << " has no transport for protocol " << protocol

@@ -145,10 +145,11 @@ public:
                                                                      const ConnPolicy& policy) const;
 
     // -- Transports -----------------------------------------------------------------------------------------
-    /** Takes ownership, even if it returns false because there is a transporter for that protocol already. */
+    /** Takes ownership, even if it returns false because there is a transporter for that protocol already. One that is
+        not generic replaces a generic one. */
     bool addProtocol(int protocol, TypeTransporter* transporter);
     /** The transporter of this type, or of unknown_t if it has none. Logs a warning and returns null if neither has
-        one. */
+        one. This and hasProtocol() load the toolchain's own transport for that protocol, if nobody has yet. */
     TypeTransporter* getProtocol(int protocol) const;
     bool hasProtocol(int protocol) const;
     std::vector<int> getTransportNames() const;

@@ -21,6 +21,9 @@ public:
      */
     virtual base::ChannelElementBase::shared_ptr createStream(base::PortInterface* port, const ConnPolicy& policy,
                                                               bool is_sender) const = 0;
+
+    /** True for one that knows the type by its shape only: one that was written for the type takes its place. */
+    virtual bool isGeneric() const;
 };
 
 }  // namespace types

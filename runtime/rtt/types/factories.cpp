@@ -25,6 +25,7 @@ ValueFactory::~ValueFactory() = default;
 CompositionFactory::~CompositionFactory() = default;
 Enumeration::~Enumeration() = default;
 TypeTransporter::~TypeTransporter() = default;
+bool TypeTransporter::isGeneric() const { return false; }
 TypekitPlugin::~TypekitPlugin() = default;
 TransportPlugin::~TransportPlugin() = default;
 TypeInfoGenerator::~TypeInfoGenerator() = default;

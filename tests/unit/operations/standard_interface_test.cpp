@@ -7,7 +7,7 @@
 #include <rtt/Activity.hpp>
 #include <rtt/OperationCaller.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
-#include <rtt/internal/service_loader.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,7 @@
 #include <rtt/extras/SequentialActivity.hpp>
 #include <rtt/extras/SlaveActivity.hpp>
 #include <rtt/internal/GlobalService.hpp>
-#include <rtt/internal/service_loader.hpp>
+#include <rtt/internal/plugin_loading.hpp>
 
 #include <gmock/gmock.h>
 
@@ -194,9 +194,9 @@ bool fakeLoader(const std::string& service, TaskContext* component) {
 struct LoadedServices : testing::Test {
     LoadedServices() {
         loads = 0;
-        internal::setServiceLoader(&fakeLoader);
+        internal::setPluginLoader(&fakeLoader, nullptr);
     }
-    ~LoadedServices() override { internal::setServiceLoader(nullptr); }
+    ~LoadedServices() override { internal::setPluginLoader(nullptr, nullptr); }
 };
 
 TEST_F(LoadedServices, AreLoadedOnce) {

@@ -13,6 +13,8 @@
 #include <rtt/types/TypeMarshaller.hpp>
 #include <rtt/types/TypeThunkTable.hpp>
 
+#include <algorithm>
+
 namespace RTT::internal {
 
 namespace {
@@ -79,7 +81,8 @@ base::ChannelElementBase::shared_ptr transportElement(base::PortInterface& port,
     if (!isSeenAlike(port, *type)) return nullptr;
     const types::TypeMarshaller* marshaller = dynamic_cast<types::TypeMarshaller*>(transport);
     if (sender && marshaller)
-        policy.data_size = marshalledSize(static_cast<base::OutputPortInterface&>(port), *marshaller);
+        policy.data_size =
+            std::max(policy.data_size, marshalledSize(static_cast<base::OutputPortInterface&>(port), *marshaller));
     base::ChannelElementBase::shared_ptr element = transport->createStream(&port, policy, sender);
     if (!element)
         log(Error) << "transport " << policy.transport << " failed to create a remote channel for " << describe(port)

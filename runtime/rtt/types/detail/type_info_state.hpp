@@ -36,6 +36,7 @@ struct TypeInfo::State {
     std::string description;
     std::vector<std::shared_ptr<TypeConstructor>> constructors;
     std::map<int, std::unique_ptr<TypeTransporter>> transporters;
+    std::vector<std::unique_ptr<TypeTransporter>> replaced;  // others may be using them
     ValueFactoryPtr values;
     MemberFactoryPtr members;
     CompositionFactoryPtr compositions;
@@ -47,6 +48,8 @@ struct TypeInfo::State {
         std::lock_guard<std::mutex> lock(mutex);
         return read();
     }
+    /** May load a plugin. */
+    TypeTransporter* transporter(int protocol) const;
     std::vector<std::shared_ptr<TypeConstructor>> currentConstructors() const {
         return locked([this] { return constructors; });
     }
