@@ -4,6 +4,7 @@
 
 #include <rtt/encoding/detail/decoder.hpp>
 #include <rtt/encoding/detail/encoder.hpp>
+#include <rtt/encoding/detail/fingerprint.hpp>
 #include <rtt/encoding/detail/form_builder.hpp>
 
 #include <exception>
@@ -18,7 +19,8 @@ std::shared_ptr<const Plan> Plan::make(const types::TypeInfo& type, const Rules&
     return form ? std::shared_ptr<const Plan>(new Plan(std::move(form), rules)) : nullptr;
 }
 
-Plan::Plan(std::shared_ptr<const detail::Form> form, const Rules& rules) : form_(std::move(form)), rules_(rules) {}
+Plan::Plan(std::shared_ptr<const detail::Form> form, const Rules& rules)
+    : form_(std::move(form)), rules_(rules), fingerprint_(detail::fingerprintOf(*form_)) {}
 Plan::~Plan() = default;
 
 std::size_t Plan::sizeOf(const void* value) const {

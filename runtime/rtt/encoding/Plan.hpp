@@ -6,6 +6,7 @@
 #include <rtt/encoding/Rules.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -62,6 +63,9 @@ public:
 
     /** The number of bytes of all values if it is the same for all; otherwise 0. */
     std::size_t fixedSize() const;
+    /** Equal for types of equal parts, by name, kind and order, so that both ends of a transport can compare what they
+        know of a type. Computed once, by make(). */
+    std::uint64_t fingerprint() const { return fingerprint_; }
 
 private:
     template <class Out>
@@ -70,6 +74,7 @@ private:
 
     const std::shared_ptr<const detail::Form> form_;
     const Rules rules_;
+    const std::uint64_t fingerprint_;
 };
 
 }  // namespace encoding

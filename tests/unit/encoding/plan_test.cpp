@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <set>
 
 using namespace RTT::encoding;
 using encoded::EncodedTypes;
@@ -204,4 +205,22 @@ TEST_F(EncodedTypes, NeitherWayAllocatesOnceContainersAreLargeEnough) {
     const bool isDecoded = !plan->decode(bytes, size, kNativeOrder, &to);
     EXPECT_EQ(allocations, before);
     EXPECT_TRUE(isDecoded && size != 0);
+}
+
+TEST_F(EncodedTypes, FingerprintsTellTypesApart) {
+    EXPECT_EQ(planOf<Tank>()->fingerprint(), planOf<Tank>()->fingerprint());
+    EXPECT_EQ(planOf<std::vector<int>>()->fingerprint(), planOf<std::list<int>>()->fingerprint()) << "equal bytes";
+    const std::set<std::uint64_t> all{planOf<Mixed>()->fingerprint(),
+                                      planOf<Tree>()->fingerprint(),
+                                      planOf<Tank>()->fingerprint(),
+                                      planOf<Point>()->fingerprint(),
+                                      planOf<int>()->fingerprint(),
+                                      planOf<unsigned>()->fingerprint(),
+                                      planOf<float>()->fingerprint(),
+                                      planOf<std::string>()->fingerprint(),
+                                      planOf<std::vector<int>>()->fingerprint(),
+                                      planOf<std::vector<Point>>()->fingerprint(),
+                                      planOf<sample::Mode>()->fingerprint(),
+                                      planOf<encoded::Switch>()->fingerprint()};
+    EXPECT_EQ(all.size(), 12U);
 }
