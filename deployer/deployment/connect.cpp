@@ -85,26 +85,36 @@ void connectSameNames(Session& session, int group, diag::Sink& sink) {
     }
 }
 
+namespace {
+
+void createStream(const Connection& connection, PortInterface& port, diag::Sink& sink) {
+    const Connection::Member& member = connection.members.front();
+    const std::string name = member.record->name + "." + member.plan->port.value;
+    if (connection.policy.transport == 0)
+        sink.warning(member.plan->port.where, "DEP057",
+                     "port '" + name + "' is the only one of connection '" + connection.name +
+                         "', and the connection names no transport; it stays unconnected");
+    else if (const std::string missing = missingTransport(port, connection.policy.transport); !missing.empty())
+        sink.warning(member.plan->port.where, "DEP057",
+                     "port '" + name + "' gets no stream '" + connection.policy.name_id + "': " + missing);
+    else if (port.createStream(connection.policy))
+        RTT::log(RTT::Info) << "port '" << name << "' streams to " << connection.policy.name_id << RTT::endlog();
+    else
+        sink.warning(member.plan->port.where, "DEP057",
+                     "could not create stream '" + connection.policy.name_id + "' for port '" + name + "'");
+}
+
+}  // namespace
+
+// Those of outputs first, because an input may wait for what its output sends at once.
 void createStreams(Session& session, diag::Sink& sink) {
-    for (const Connection& connection : session.records.connections()) {
-        if (connection.members.size() != 1) continue;
-        const Connection::Member& member = connection.members.front();
-        PortInterface* port = portOf(member);
-        if (!port || port->connected()) continue;
-        const std::string name = member.record->name + "." + member.plan->port.value;
-        if (connection.policy.transport == 0)
-            sink.warning(member.plan->port.where, "DEP057",
-                         "port '" + name + "' is the only one of connection '" + connection.name +
-                             "', and the connection names no transport; it stays unconnected");
-        else if (const std::string missing = missingTransport(*port, connection.policy.transport); !missing.empty())
-            sink.warning(member.plan->port.where, "DEP057",
-                         "port '" + name + "' gets no stream '" + connection.policy.name_id + "': " + missing);
-        else if (port->createStream(connection.policy))
-            RTT::log(RTT::Info) << "port '" << name << "' streams to " << connection.policy.name_id << RTT::endlog();
-        else
-            sink.warning(member.plan->port.where, "DEP057",
-                         "could not create stream '" + connection.policy.name_id + "' for port '" + name + "'");
-    }
+    for (const bool isOutput : {true, false})
+        for (const Connection& connection : session.records.connections()) {
+            if (connection.members.size() != 1) continue;
+            PortInterface* const port = portOf(connection.members.front());
+            if (port && !port->connected() && (port->asOutput() != nullptr) == isOutput)
+                createStream(connection, *port, sink);
+        }
 }
 
 }  // namespace OCL::deploy
