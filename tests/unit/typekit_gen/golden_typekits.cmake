@@ -110,11 +110,11 @@ endforeach()
 list(JOIN golden_cases " " golden_cases)
 
 oroforge_add_test(golden_typekit_test
-  SOURCES adapted_types_test.cpp encoded_values_test.cpp ../encoding/reference_cdr.cpp enum_names_test.cpp golden_typekit.cpp golden_typekit_test.cpp other_names_test.cpp typekit_values_test.cpp value_filler.cpp
+  SOURCES adapted_types_test.cpp encoded_values_test.cpp ../encoding/reference_cdr.cpp enum_names_test.cpp golden_typekit.cpp golden_typekit_test.cpp other_names_test.cpp queued_values_test.cpp typekit_values_test.cpp value_filler.cpp
   LABELS unit golden
   LIBS oroforge_typekit_gen oroforge_test_support orocos-rtt orocos-rtt-encoding rtt-scripting rtt-marshalling
   DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
-  DEPENDS rtt-typekit ${golden_typekits})
+  DEPENDS rtt-typekit rtt-transport-mqueue ${golden_typekits})
 
 # Together with the C++ types themselves, as a component uses them.
 set(restricted ${golden}/typekit/restricted)

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright Oroforge contributors
+// What every transport does, for every policy: one set of tests, to which a new transport adds its protocol.
+#include "transport_fixture.hpp"
+
+#include <rtt/TaskContext.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace RTT;
+using transport_test::readSoon;
+using transport_test::soon;
+
+namespace {
+
+constexpr int kLocal = 0, kQueues = 2;
+typedef std::tuple<int, int, bool, int> Parameters;  // protocol, kind of storage, pull, lock
+
+class Writer : public TaskContext {
+public:
+    explicit Writer(const std::string& name) : TaskContext(name) {
+        ports()->addPort("number", number);
+        ports()->addPort("text", text);
+    }
+    OutputPort<double> number;
+    OutputPort<std::string> text;
+};
+
+class Reader : public TaskContext {
+public:
+    explicit Reader(const std::string& name) : TaskContext(name) {
+        ports()->addEventPort("number", number, [this](base::PortInterface*) { ++events; });
+        ports()->addPort("text", text);
+    }
+    ~Reader() override { stop(); }
+    InputPort<double> number;
+    InputPort<std::string> text;
+    std::atomic<int> events{0};
+};
+
+class Conformance : public testing::WithParamInterface<Parameters>, public transport_test::WithTypes {
+protected:
+    static constexpr int kSize = 8;
+
+    ConnPolicy policy(bool init = false) const {
+        ConnPolicy made = ConnPolicy::data(std::get<3>(GetParam()), init, std::get<2>(GetParam()));
+        made.transport = std::get<0>(GetParam());
+        made.type = kind();
+        made.size = kind() == ConnPolicy::DATA ? 0 : kSize;
+        return made;
+    }
+    static int kind() { return std::get<1>(GetParam()); }
+
+    Writer writer{"writer"};
+    Reader reader{"reader"};
+    double got = 0;
+};
+
+std::string nameOf(const testing::TestParamInfo<Parameters>& info) {
+    const char* const kinds[] = {"data", "buffer", "circular"};
+    const char* const locks[] = {"unsync", "locked", "lock_free"};
+    return std::string(std::get<0>(info.param) == kLocal ? "local_" : "mqueue_") + kinds[std::get<1>(info.param)] +
+           (std::get<2>(info.param) ? "_pull_" : "_push_") + locks[std::get<3>(info.param)];
+}
+
+}  // namespace
+
+TEST(Transports, AreLoadedWhenTheyAreFirstUsed) {
+    const plugin::PluginLoader::shared_ptr loader = plugin::PluginLoader::Instance();
+    loader->loadInstalled();
+    ASSERT_TRUE(loader->isLoaded("rtt-typekit"));
+    EXPECT_FALSE(loader->isLoaded("rtt-transport-mqueue"));
+    EXPECT_FALSE(types::Types()->type("double")->hasProtocol(17));
+    EXPECT_FALSE(loader->isLoaded("rtt-transport-mqueue"));
+    EXPECT_TRUE(types::Types()->type("double")->hasProtocol(kQueues));
+    EXPECT_TRUE(loader->isLoaded("rtt-transport-mqueue"));
+    EXPECT_TRUE(types::Types()->type("string")->hasProtocol(kQueues));
+}
+
+TEST_P(Conformance, DeliversSamplesInTheirOrder) {
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    EXPECT_TRUE(writer.number.connected() && reader.number.connected());
+    EXPECT_EQ(reader.number.read(got), NoData) << "the sample that sizes the connection is no data";
+    for (int i = 1; i <= kSize; ++i) ASSERT_EQ(writer.number.write(i), WriteSuccess);
+    if (kind() == ConnPolicy::DATA) {
+        EXPECT_TRUE(soon([&] { return reader.number.read(got) != NoData && got == kSize; }));
+    } else {
+        for (int i = 1; i <= kSize; ++i) {
+            ASSERT_TRUE(readSoon(reader.number, got)) << i;
+            EXPECT_EQ(got, i);
+        }
+    }
+    EXPECT_EQ(reader.number.read(got), OldData);
+}
+
+TEST_P(Conformance, DeliversTheLastSample) {
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    for (int i = 1; i <= 200; ++i) {
+        EXPECT_EQ(writer.number.write(i), WriteSuccess);
+        ASSERT_TRUE(soon([&] { return reader.number.read(got) == NewData && got == i; })) << i;
+    }
+}
+
+TEST_P(Conformance, TakesTheLastWrittenValueIfThePolicySaysSo) {
+    writer.number.write(7);
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy(true)));
+    ASSERT_TRUE(readSoon(reader.number, got));
+    EXPECT_EQ(got, 7);
+}
+
+TEST_P(Conformance, KeepsTheNewestSamplesOfAnythingButABuffer) {
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    for (int i = 1; i <= 1000; ++i) (void)writer.number.write(i);
+    double last = 0;
+    if (kind() == ConnPolicy::BUFFER) {
+        ASSERT_TRUE(readSoon(reader.number, got));
+        EXPECT_EQ(got, 1);
+    } else {
+        EXPECT_TRUE(soon([&] {
+            if (reader.number.read(got, false) == NewData) {
+                EXPECT_GT(got, last);
+                last = got;
+            }
+            return last == 1000;
+        })) << last;
+    }
+}
+
+TEST_P(Conformance, CarriesTexts) {
+    ASSERT_TRUE(writer.text.connectTo(&reader.text, policy()));
+    std::string text;
+    for (const std::string& sent : {std::string(), std::string("a"), std::string(500, 'x'), std::string("b\0c", 3)}) {
+        ASSERT_EQ(writer.text.write(sent), WriteSuccess);
+        ASSERT_TRUE(readSoon(reader.text, text));
+        EXPECT_EQ(text, sent);
+    }
+}
+
+TEST_P(Conformance, TriggersTheComponent) {
+    ASSERT_TRUE(reader.start());
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    for (int i = 1; i <= 20; ++i) {
+        const int before = reader.events;
+        ASSERT_EQ(writer.number.write(i), WriteSuccess);
+        ASSERT_TRUE(soon([&] { return reader.events > before; })) << i;
+        ASSERT_TRUE(readSoon(reader.number, got));
+    }
+}
+
+TEST_P(Conformance, EndsAtEitherSideAndBeginsAgain) {
+    for (int round = 1; round <= 5; ++round) {
+        ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+        ASSERT_EQ(writer.number.write(round), WriteSuccess);
+        ASSERT_TRUE(soon([&] { return reader.number.read(got) == NewData && got == round; })) << round;
+        writer.number.disconnect();
+        reader.number.disconnect();
+        EXPECT_FALSE(writer.number.connected() || reader.number.connected());
+        EXPECT_EQ(writer.number.write(round), NotConnected);
+    }
+}
+
+TEST_P(Conformance, DoesNotMixConnections) {
+    Reader other("other");
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    ASSERT_TRUE(writer.number.connectTo(&other.number, policy()));
+    ASSERT_EQ(writer.number.write(3), WriteSuccess);
+    ASSERT_TRUE(readSoon(reader.number, got));
+    ASSERT_TRUE(readSoon(other.number, got));
+    reader.number.disconnect();
+    ASSERT_EQ(writer.number.write(4), WriteSuccess);
+    ASSERT_TRUE(readSoon(other.number, got));
+    EXPECT_EQ(got, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Transports, Conformance,
+                         testing::Combine(testing::Values(kLocal, kQueues),
+                                          testing::Values(ConnPolicy::DATA, ConnPolicy::BUFFER,
+                                                          ConnPolicy::CIRCULAR_BUFFER),
+                                          testing::Bool(), testing::Values(ConnPolicy::LOCKED, ConnPolicy::LOCK_FREE)),
+                         nameOf);
