@@ -51,8 +51,8 @@ public:
     Plan& operator=(const Plan&) = delete;
 
     /** The number of bytes that encode() writes for this value; 0 if it cannot be encoded: it nests too deeply, has a
-        container of more than 2^32-1 elements, a variant without a value or an enumerator that needs more than 4 bytes
-        where there are no more, or a function of the type throws. As fast as encode(). */
+        container of more than 2^32-1 elements, a variant without a value or a value of an enumeration that has no name
+        where names are needed, or a function of the type throws. As fast as encode(). */
     std::size_t sizeOf(const void* value) const;
     /** Writes the value in this machine's byte order and returns the number of bytes; 0, with an undefined content of
         the buffer, if it has no room for them or the value cannot be encoded. */

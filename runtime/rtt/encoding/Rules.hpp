@@ -27,8 +27,11 @@ struct Rules {
     std::uint8_t mostAligned;
     /** A text ends with a zero byte, which its length includes. */
     bool textEndsWithZero;
-    /** Enumerators have 4 bytes; otherwise as many as the enum. */
-    bool enumsHaveFourBytes;
+    /** An enumerator is its place in the list of all names in byte order, 4 bytes; otherwise, and if the enum has no
+        names, its value, with as many bytes as the enum. */
+    bool enumsByRank;
+    /** A text has no zero bytes: it ends at the first one. */
+    bool textEndsAtZero;
     /** A struct without fields has one byte. */
     bool emptyStructHasByte;
 
@@ -40,11 +43,11 @@ struct Rules {
 
 /** Common Data Representation as in DDS and ROS 2 (XCDR version 1), without the header of 4 bytes and without the
     padding that some add at the end. */
-constexpr Rules cdrRules() { return {8, true, false, true}; }
-/** As in CORBA. */
-constexpr Rules corbaRules() { return {8, true, true, false}; }
+constexpr Rules cdrRules() { return {8, true, false, false, true}; }
+/** As in CORBA. A struct without fields, which IDL does not have, is one with an octet. */
+constexpr Rules corbaRules() { return {8, true, true, true, true}; }
 /** Messages of ROS 1. */
-constexpr Rules ros1Rules() { return {1, false, false, false}; }
+constexpr Rules ros1Rules() { return {1, false, false, false, false}; }
 
 }  // namespace encoding
 }  // namespace RTT

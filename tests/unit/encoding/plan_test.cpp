@@ -77,12 +77,22 @@ TEST_F(EncodedTypes, TextsEndWithAZeroByte) {
     EXPECT_EQ(bytesOf(std::string("a\0b", 3)), hex("04 00 00 00 61 00 62 00"));
 }
 
-TEST_F(EncodedTypes, EnumeratorsHaveTheSizeOfTheirTypeOrFourBytes) {
+TEST_F(EncodedTypes, EnumeratorsAreTheirValueOrTheirRankAmongTheNames) {
     EXPECT_EQ(bytesOf(sample::Mode::Draining), hex("07"));
-    EXPECT_EQ(bytesOf(sample::Mode::Draining, corbaRules()), hex("07 00 00 00"));
+    EXPECT_EQ(bytesOf(sample::Mode::Draining, corbaRules()), hex("00 00 00 00"));
+    EXPECT_EQ(bytesOf(sample::Mode::Idle, corbaRules()).substr(1), hex("00 00 00"));
     sample::Mode mode{};
-    EXPECT_FALSE(decode(hex("00 00 00 07"), mode, ByteOrder::Big, corbaRules()));
+    const std::string idle = bytesOf(sample::Mode::Idle, corbaRules());
+    EXPECT_FALSE(decode(idle, mode, ByteOrder::Little, corbaRules()));
+    EXPECT_EQ(mode, sample::Mode::Idle);
+    EXPECT_FALSE(decode(hex("00 00 00 00"), mode, ByteOrder::Big, corbaRules()));
     EXPECT_EQ(mode, sample::Mode::Draining);
+    const auto unnamed = static_cast<sample::Mode>(99);
+    EXPECT_EQ(planOf<sample::Mode>(corbaRules())->sizeOf(&unnamed), 0U);
+}
+
+TEST_F(EncodedTypes, TextsMayEndAtTheirFirstZero) {
+    EXPECT_EQ(bytesOf(std::string("a\0b", 3), corbaRules()), hex("02 00 00 00 61 00"));
 }
 
 TEST_F(EncodedTypes, AStructWithoutFieldsHasOneByte) {
@@ -144,7 +154,7 @@ TEST_F(EncodedTypes, ValuesNestToALimit) {
 TEST_F(EncodedTypes, NumbersThatAnEnumerationCannotHaveAreRefused) {
     sample::Mode mode{};
     EXPECT_EQ(decode(hex("01 01 00 00"), mode, ByteOrder::Little, corbaRules()).text(),
-              "byte 4: an enumeration cannot have this number");
+              "byte 4: an enumeration has fewer names");
     encoded::Switch onOff{};
     EXPECT_TRUE(decode(hex("02"), onOff));
     EXPECT_FALSE(decode(hex("01"), onOff));

@@ -74,12 +74,11 @@ bool Decoder::get(const Form& form, void* value) {
 
 bool Decoder::getEnumerator(const Form& form, void* value) {
     if (form.isSolid) return getNumbers(value, 1, form.size(), form.hasBool);
-    std::uint32_t bits = 0;
-    if (!getNumbers(&bits, 1, sizeof bits, false)) return false;
-    const types::EnumOps& ops = *form.shape.numbers;
-    const long long number = ops.isUnsigned ? static_cast<long long>(bits) : static_cast<std::int32_t>(bits);
-    ops.set(value, number);
-    return ops.get(value) == number || fail("an enumeration cannot have this number");
+    std::uint32_t rank = 0;
+    if (!getNumbers(&rank, 1, sizeof rank, false)) return false;
+    if (rank >= form.byRank.size()) return fail("an enumeration has fewer names");
+    form.shape.numbers->set(value, form.byRank[rank]);
+    return true;
 }
 
 bool Decoder::getText(const Form& form, void* value) {

@@ -12,6 +12,7 @@
 #include <rtt/types/StructTable.hpp>
 #include <rtt/types/VariantTable.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -96,13 +97,13 @@ private:
     }
     bool putEnumerator(const Form& form, const void* value) {
         if (form.isSolid) return putNumbers(value, 1, form.size());
-        const long long number = form.shape.numbers->get(value);
-        const auto bits = static_cast<std::uint32_t>(number);
-        const bool fits = form.shape.numbers->isUnsigned ? static_cast<long long>(bits) == number
-                                                         : static_cast<std::int32_t>(bits) == number;
-        return fits && putNumbers(&bits, 1, sizeof bits);
+        const std::vector<long long>& all = form.byRank;
+        const auto found = std::find(all.begin(), all.end(), form.shape.numbers->get(value));
+        const auto rank = static_cast<std::uint32_t>(found - all.begin());
+        return found != all.end() && putNumbers(&rank, 1, sizeof rank);
     }
     bool putText(std::string_view text) {
+        if (rules_.textEndsAtZero) text = text.substr(0, text.find('\0'));
         if (!rules_.textEndsWithZero) return putCount(text.size()) && out_.bytes(text.data(), text.size());
         return putCount(text.size() + 1) && out_.bytes(text.data(), text.size()) && out_.bytes("", 1);
     }

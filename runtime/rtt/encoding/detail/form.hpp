@@ -59,6 +59,7 @@ struct Form {
     std::size_t fixedCount = 0;  // of a sequence without resize()
     bool hasRows = false;        // of a matrix: sequences of one length, which the first one decides
     const Form* shown = nullptr;
+    std::vector<long long> byRank;  // the values of enumerators, if these are encoded by their rank
 
     std::uint8_t numberSize = 0;  // bytes of a number or an enumerator in the encoding
     /** Numbers, and structs of nothing but numbers without gaps: the encoding has the bytes of memory where it is at a

@@ -11,6 +11,7 @@
 
 #include <boost/core/demangle.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <typeinfo>
@@ -106,11 +107,14 @@ private:
         form.least = size;
     }
     void makeEnumeration(Form& form) {
-        if (!rules_.enumsHaveFourBytes || form.size() == 4) {
+        if (!rules_.enumsByRank || form.shape.enumerators.empty()) {
             makeNumber(form, form.size());
             form.hasBool = isOfBool(form);
             return;
         }
+        std::vector<Shape::Enumerator> all = form.shape.enumerators;
+        std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+        for (const Shape::Enumerator& one : all) form.byRank.push_back(one.value);
         form.numberSize = 4;
         form.align = rules_.alignmentOf(4);
         form.least = 4;
