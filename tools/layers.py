@@ -139,7 +139,7 @@ INCLUDE_ROOTS = ["runtime/", "deployer/", "generator/", "typekit_gen/"]
 # header name (regular expression, from the start) -> folders that alone may include it
 FOREIGN = {
     r"(clang|llvm|clang-c|llvm-c)/": ["generator/clang/", "tests/fuzz/typegen/"],
-    r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/"],
+    r"(omniORB4/|omniORB\.h|omnithread\.h|omniOR|CORBA\.h)": ["runtime/rtt/transports/corba/", "tests/unit/corba/"],
     r"mqueue\.h": ["runtime/rtt/transports/mqueue/", "deployer/rt_check/", "tests/unit/transports/", "bench/"],
     r"(lua5\.\d/)?(lua|lauxlib|lualib)\.h(pp)?": ["deployer/lua/"],
     r"(histedit\.h|editline/|readline/)": ["deployer/console/"],

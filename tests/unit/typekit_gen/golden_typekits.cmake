@@ -115,6 +115,10 @@ oroforge_add_test(golden_typekit_test
   LIBS oroforge_typekit_gen oroforge_test_support orocos-rtt orocos-rtt-encoding rtt-scripting rtt-marshalling
   DEFINITIONS GOLDEN_TYPEKIT_DIR="${PROJECT_BINARY_DIR}/tests/lib" GOLDEN_TYPEKITS="${golden_cases}" RTT_TYPEKIT_FILE="$<TARGET_FILE:rtt-typekit>"
   DEPENDS rtt-typekit rtt-transport-mqueue ${golden_typekits})
+if(TARGET orocos-rtt-corba)
+  target_sources(golden_typekit_test PRIVATE any_values_test.cpp)
+  target_link_libraries(golden_typekit_test PRIVATE orocos-rtt-corba)
+endif()
 
 # Together with the C++ types themselves, as a component uses them.
 set(restricted ${golden}/typekit/restricted)
