@@ -105,10 +105,13 @@ std::vector<Connection> ComponentRecords::connections() const {
                 const auto policy = policies.find(name);
                 result.push_back(
                     Connection{name, policy == policies.end() ? RTT::ConnPolicy() : policy->second.policy, {}});
-                if (result.back().policy.name_id.empty()) result.back().policy.name_id = name;
             }
             result[known.first->second].members.push_back(Connection::Member{&record, &port});
         }
+    // Where transports connect several ports, each pair gets a name of its own.
+    for (Connection& one : result)
+        if (one.policy.name_id.empty() && (one.policy.transport == 0 || one.members.size() == 1))
+            one.policy.name_id = one.name;
     return result;
 }
 

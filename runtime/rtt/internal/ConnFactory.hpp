@@ -59,9 +59,12 @@ public:
     /** Connects two ports; see OutputPort::createConnection for the rules. */
     static bool createConnection(base::OutputPortInterface& output, base::InputPortInterface& input,
                                  ConnPolicy const& policy);
-    /** Joins a transport's stream; fills in `policy.name_id` and `policy.data_size`. */
-    static bool createStream(base::OutputPortInterface& output, ConnPolicy const& policy);
-    static bool createStream(base::InputPortInterface& input, ConnPolicy const& policy);
+    /** Joins a transport's stream; fills in `policy.name_id` and `policy.data_size`. `partner`: the port at the other
+        end, if it is in this process. */
+    static bool createStream(base::OutputPortInterface& output, ConnPolicy const& policy,
+                             base::InputPortInterface* partner = nullptr);
+    static bool createStream(base::InputPortInterface& input, ConnPolicy const& policy,
+                             base::OutputPortInterface* partner = nullptr);
     static bool createSharedConnection(base::OutputPortInterface* output, base::InputPortInterface* input,
                                        boost::intrusive_ptr<SharedConnectionBase> connection, ConnPolicy const& policy);
 

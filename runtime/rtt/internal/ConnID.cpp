@@ -24,6 +24,8 @@ bool StreamConnID::isSameID(ConnID const& id) const {
 StreamConnID* StreamConnID::clone() const { return new StreamConnID(name_id); }
 std::string StreamConnID::toString() const { return name_id; }
 
+OutOfBandConnID* OutOfBandConnID::clone() const { return new OutOfBandConnID(name_id, partner_); }
+
 bool SharedConnID::isSameID(ConnID const& id) const {
     return dynamic_cast<const SharedConnID*>(&id) && StreamConnID::isSameID(id);
 }

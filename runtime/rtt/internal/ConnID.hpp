@@ -23,6 +23,8 @@ public:
     virtual std::string toString() const = 0;
     /** The port at the other end, if it is in this process. */
     virtual base::PortInterface* peer() const { return nullptr; }
+    /** The same, if each of the two ports has a channel of its own, which leads to a transport. */
+    virtual base::PortInterface* partner() const { return nullptr; }
 };
 
 /** The other end is a port of this process. */
@@ -46,6 +48,17 @@ public:
     std::string toString() const override;
 
     const std::string name_id;
+};
+
+/** The other end is a port of this process, by way of a transport's stream. */
+class RTT_API OutOfBandConnID : public StreamConnID {
+public:
+    OutOfBandConnID(std::string const& name, base::PortInterface& partner) : StreamConnID(name), partner_(partner) {}
+    OutOfBandConnID* clone() const override;
+    base::PortInterface* partner() const override { return &partner_; }
+
+private:
+    base::PortInterface& partner_;
 };
 
 /** The other end is a shared connection. */

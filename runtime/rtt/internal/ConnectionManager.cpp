@@ -23,7 +23,7 @@ bool ConnectionManager::isInput(const PortInterface& port) { return port.asInput
 
 /** Ports of the same direction in one shared connection are not connected with each other. */
 bool ConnectionManager::leadsTo(const Connection& connection, const PortInterface& port) const {
-    if (connection.id->peer() == &port) return true;
+    if (connection.id->peer() == &port || connection.id->partner() == &port) return true;
     return connection.shared && isInput(port) != isInput(*port_) && port.manager_->uses(connection.channel.get());
 }
 
@@ -77,7 +77,7 @@ void ConnectionManager::disconnect() {
 
 template <class Which>
 bool ConnectionManager::removeIf(Which which) {
-    List gone;
+    List gone, partners;
     {
         const GraphLock lock;
         const auto end = std::stable_partition(connections_.begin(), connections_.end(),
@@ -87,11 +87,14 @@ bool ConnectionManager::removeIf(Which which) {
         connections_.erase(end, connections_.end());
         publish();
         for (const Connection& c : gone) unlink(c);
+        takeFromPartners(gone, partners);
     }
     // Transports end their part without the lock: towards the reader from an output port, and vice versa.
     for (const Connection& c : gone)
         if (!c.id->peer() && !c.shared) c.channel->disconnect(nullptr, !isInput(*port_));
+    for (const Connection& c : partners) c.channel->disconnect(nullptr, isInput(*port_));
     gone.clear();
+    partners.clear();
     Reclaimer::collect();
     return true;
 }
@@ -125,6 +128,21 @@ void ConnectionManager::unlink(const Connection& connection) {
     if (!peer) return;
     for (const Connection& c : peer->manager_->connections_)
         if (c.channel.get() == channel && c.id->peer()) linkTo(*channel, *c.id->peer(), input);
+}
+
+/** The other ends of out-of-band connections, which leave their ports' lists, too. */
+void ConnectionManager::takeFromPartners(const List& gone, List& theirs) {
+    for (const Connection& mine : gone) {
+        PortInterface* const partner = mine.id->partner();
+        if (!partner) continue;
+        List& all = partner->manager_->connections_;
+        const auto end = std::stable_partition(all.begin(), all.end(), [&](const Connection& c) {
+            return c.id->partner() != port_ || !c.id->isSameID(*mine.id);
+        });
+        theirs.insert(theirs.end(), std::make_move_iterator(end), std::make_move_iterator(all.end()));
+        all.erase(end, all.end());
+        partner->manager_->publish();
+    }
 }
 
 /** Keeps a port at both ends of a storage, whichever of its ports have left, for code that follows the links. */

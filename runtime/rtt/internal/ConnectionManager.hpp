@@ -83,6 +83,7 @@ private:
     base::ChannelElementBase* findShared(const ConnPolicy& policy, ConnPolicy* existing) const;
     void publish();
     void unlink(const Connection& connection);
+    void takeFromPartners(const List& gone, List& theirs);
 
     List connections_;
     base::PortInterface* port_;

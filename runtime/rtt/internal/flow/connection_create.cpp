@@ -98,10 +98,9 @@ bool outOfBand(OutputPortInterface& output, InputPortInterface& input, const Con
     // The first stream fills in the name and the size of samples; the second one joins it. The sender comes first,
     // because a receiver may wait for the sample that sizes it.
     const ConnPolicy both = policy;
-    if (!ConnFactory::createStream(output, both)) return false;
-    if (ConnFactory::createStream(input, both)) return true;
-    const StreamConnID id(both.name_id);
-    (void)output.getManager()->removeConnection(&id);
+    if (!ConnFactory::createStream(output, both, &input)) return false;
+    if (ConnFactory::createStream(input, both, &output)) return true;
+    (void)output.getManager()->disconnect(&input);
     return false;
 }
 
@@ -123,8 +122,8 @@ bool connected(const OutputPortInterface& output, const InputPortInterface& inpu
 bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted) {
     if (output.isLocal() && output.connectedTo(&input)) return connected(output, input, "already");
     if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
-    if (output.isLocal() && input.isLocal() && wanted.transport != 0) return outOfBand(output, input, wanted);
     if (!checkEnds(output, input)) return false;
+    if (wanted.transport != 0) return outOfBand(output, input, wanted);
 
     for (;;) {
         ElementPtr storage = input.buildStorage(wanted);  // also checks and completes the policy

@@ -8,6 +8,7 @@
 #include <rtt/base/InputPortInterface.hpp>
 #include <rtt/base/OutputPortInterface.hpp>
 #include <rtt/internal/ConnID.hpp>
+#include <rtt/internal/flow/storage_core.hpp>
 #include <rtt/types/Schema.hpp>
 #include <rtt/types/TypeInfo.hpp>
 #include <rtt/types/TypeMarshaller.hpp>
@@ -95,22 +96,32 @@ bool created(const base::PortInterface& port, ConnPolicy const& policy) {
     return true;
 }
 
+ConnID* newId(const ConnPolicy& policy, base::PortInterface* partner) {
+    return partner ? new OutOfBandConnID(policy.name_id, *partner) : new StreamConnID(policy.name_id);
+}
+
 }  // namespace
 
-bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy) {
+bool ConnFactory::createStream(base::OutputPortInterface& output, ConnPolicy const& policy,
+                               base::InputPortInterface* partner) {
     const ElementPtr element = transportElement(output, policy, true);
     if (!element) return false;
-    if (output.addConnection(new StreamConnID(policy.name_id), element, policy)) return created(output, policy);
+    if (output.addConnection(newId(policy, partner), element, policy)) return created(output, policy);
     element->disconnect(nullptr, true);
     return false;
 }
 
-bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy) {
+bool ConnFactory::createStream(base::InputPortInterface& input, ConnPolicy const& policy,
+                               base::OutputPortInterface* partner) {
     const ElementPtr element = transportElement(input, policy, false);
     if (!element) return false;
     const ElementPtr storage = makeChannelOutput(input, policy);
-    if (storage && element->connectTo(storage) && input.channelReady(storage, policy, new StreamConnID(policy.name_id)))
+    if (storage && element->connectTo(storage) && input.channelReady(storage, policy, newId(policy, partner))) {
+        // A sample that came before the port knew the storage has signalled a port that could not read it.
+        const StorageCore* const core = storage->storageCore();
+        if (core && core->store().size() != 0) (void)input.getEndpoint()->signal();
         return created(input, policy);
+    }
     log(Error) << describe(input) << " could not read from the stream '" << policy.name_id << "'" << endlog();
     element->disconnect(nullptr, true);
     return false;
