@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <map>
 #include <mutex>
 
 namespace RTT::plugin {
@@ -78,6 +79,7 @@ struct PluginLoader::Impl {
     PluginTable table;
     mutable std::mutex pathMutex;
     std::string path = defaultSearchPath();
+    std::map<std::string, std::string> missing;  // transports, with the path in which they were not found
 
     enum class Transports { All, Others };
 
@@ -163,8 +165,17 @@ void PluginLoader::loadInstalled() {
 }
 
 bool PluginLoader::loadTransport(int protocol) {
-    for (const OwnTransport& one : kOwnTransports)
-        if (one.protocol == protocol) return !impl_->table.contains(one.library) && loadTypekit(one.library);
+    for (const OwnTransport& one : kOwnTransports) {
+        if (one.protocol != protocol || impl_->table.contains(one.library)) continue;
+        const std::string path = getPluginPath();
+        {
+            const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+            if (impl_->missing[one.library] == path) return false;  // reported already
+        }
+        if (loadTypekit(one.library, path)) return true;
+        const std::lock_guard<std::mutex> lock(impl_->pathMutex);
+        impl_->missing[one.library] = path;
+    }
     return false;
 }
 

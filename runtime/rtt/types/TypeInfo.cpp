@@ -100,8 +100,9 @@ TypeTransporter* TypeInfo::State::transporter(int protocol) const {
         const auto it = transporters.find(protocol);
         return it == transporters.end() ? nullptr : it->second.get();
     };
-    TypeTransporter* const found = locked(registered);
-    return found || !internal::loadTransportPlugin(protocol) ? found : locked(registered);
+    if (TypeTransporter* const found = locked(registered)) return found;
+    (void)internal::loadTransportPlugin(protocol);  // another thread may have loaded it by now
+    return locked(registered);
 }
 
 bool TypeInfo::hasProtocol(int protocol) const { return state_->transporter(protocol) != nullptr; }

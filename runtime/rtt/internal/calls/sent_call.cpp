@@ -16,8 +16,6 @@
 #include <rtt/os/fosi.h>
 #include <rtt/os/futex.hpp>
 
-#include <unistd.h>
-
 #include <exception>
 #include <new>
 #include <optional>
