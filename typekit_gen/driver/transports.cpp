@@ -36,7 +36,7 @@ const std::vector<std::string>& knownTransports() {
 }
 
 const std::vector<std::string>& installedTransports() {
-    static const std::vector<std::string> names;
+    static const std::vector<std::string> names = {"corba", "mqueue"};
     return names;
 }
 
@@ -51,7 +51,7 @@ std::vector<std::string> chooseTransports(const std::vector<std::string>& wanted
         sink.error({"typegen"}, "TK068",
                    "transport '" + name + "' is not part of this toolchain's installation; installed: " +
                        listed(installedTransports()) + ", known: " + listed(knownTransports()))
-            .hint("leave '" + name + "' out of -t: ports within one process need no transport");
+            .hint("leave '" + name + "' out of -t");
     }
     return chosen;
 }

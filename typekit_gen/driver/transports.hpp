@@ -14,8 +14,7 @@ namespace oroforge::typekit {
 /// Returns every name that packages use with -t and -n.
 const std::vector<std::string>& knownTransports();
 
-/// Returns the transports that this toolchain can generate, and generates by default. None yet, because no part of it
-/// sends between processes. Code that adds a transport lists it here.
+/// Returns the transports of this toolchain. They read the tables of typekits, so nothing is generated for them.
 const std::vector<std::string>& installedTransports();
 
 /// Returns wanted transports without unwanted ones. Errors: TK003 for unknown names, TK068 for ones not installed.
