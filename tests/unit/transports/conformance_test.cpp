@@ -163,6 +163,42 @@ TEST_P(Conformance, EndsAtEitherSideAndBeginsAgain) {
     }
 }
 
+TEST_P(Conformance, ConnectsTwoPortsOnce) {
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));
+    EXPECT_TRUE(writer.number.connectedTo(&reader.number) && reader.number.connectedTo(&writer.number));
+    ASSERT_EQ(writer.number.write(3), WriteSuccess);
+    ASSERT_TRUE(readSoon(reader.number, got));
+    EXPECT_EQ(reader.number.read(got), OldData) << "it comes once";
+    Reader other("other");
+    ASSERT_TRUE(writer.number.connectTo(&other.number, policy()));
+    EXPECT_TRUE(writer.number.disconnect(&reader.number));
+    EXPECT_FALSE(reader.number.connected());
+    EXPECT_TRUE(writer.number.connected() && other.number.connected());
+    EXPECT_TRUE(other.number.disconnect(&writer.number));
+    EXPECT_FALSE(writer.number.connected() || other.number.connected());
+}
+
+TEST_P(Conformance, RefusesOtherTypes) {
+    OutputPort<long long> other("other");
+    writer.ports()->addPort(other);
+    EXPECT_FALSE(other.connectTo(&reader.number, policy()));
+    EXPECT_FALSE(other.connected() || reader.number.connected());
+}
+
+TEST_P(Conformance, EndsWithEitherPort) {
+    {
+        Reader passing("passing");
+        ASSERT_TRUE(writer.number.connectTo(&passing.number, policy()));
+    }
+    EXPECT_FALSE(writer.number.connected());
+    {
+        Writer passing("passing");
+        ASSERT_TRUE(passing.number.connectTo(&reader.number, policy()));
+    }
+    EXPECT_FALSE(reader.number.connected());
+}
+
 TEST_P(Conformance, DoesNotMixConnections) {
     Reader other("other");
     ASSERT_TRUE(writer.number.connectTo(&reader.number, policy()));

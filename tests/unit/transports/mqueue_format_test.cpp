@@ -172,6 +172,16 @@ TEST_F(MqueueFormats, AMessageThatEndsTooEarlyIsRefused) {
         EXPECT_FALSE(protocol.updateFromBlob(bytes.data(), static_cast<int>(bytes.size()), target, nullptr));
 }
 
+TEST_F(MqueueFormats, AnyByteButZeroIsTrue) {
+    const unsigned char seven = 7;
+    bool value = false;
+    mqueue::MessageReader(&seven, 1) >> value;
+    EXPECT_TRUE(value);
+    bool received = false;
+    (void)message(true, received);
+    EXPECT_TRUE(received);
+}
+
 TEST_F(MqueueFormats, AMarshallerDefinesThem) {
     auto& types = *types::Types();
     types.addType(new types::TemplateTypeInfo<sent::Plain>("Plain"));

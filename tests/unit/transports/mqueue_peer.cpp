@@ -25,7 +25,7 @@ int write(const RTT::ConnPolicy& policy) {
 
 int read(const RTT::ConnPolicy& policy) {
     RTT::InputPort<int> port("in");
-    while (!port.createStream(policy)) pause();
+    if (!port.createStream(policy)) return 1;
     std::cout << "ready" << std::endl;
     int sample = 0, last = 0;
     for (int count = 0;; pause()) {

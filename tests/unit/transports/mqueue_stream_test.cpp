@@ -38,8 +38,9 @@ TEST_F(MqueueStreams, NeedTheOutputFirst) {
     LogCapture log;
     EXPECT_FALSE(in.createStream(policy));
     EXPECT_FALSE(in.connected());
-    EXPECT_TRUE(log.contains("no message came through queue '" + policy.name_id + "' within 500 ms")) << log.text();
-    EXPECT_FALSE(RawQueue::exists(policy.name_id)) << "what nobody uses is removed";
+    EXPECT_TRUE(log.contains("queue '" + policy.name_id + "' cannot be used: there is none within 500 ms"))
+        << log.text();
+    EXPECT_FALSE(RawQueue::exists(policy.name_id)) << "receivers make none";
     ASSERT_TRUE(out.createStream(policy));
     ASSERT_TRUE(in.createStream(policy));
     EXPECT_EQ(out.write(1.5), WriteSuccess);
@@ -52,8 +53,9 @@ TEST_F(MqueueStreams, RefuseNamesThatNoQueueHas) {
         LogCapture log;
         policy.name_id = name;
         EXPECT_FALSE(out.createStream(policy));
-        EXPECT_TRUE(log.contains("the names of message queues begin with '/' and have no other '/', found '" + name))
+        EXPECT_TRUE(log.contains("queue '" + name + "' cannot be used: the names of message queues begin with '/'"))
             << log.text();
+        EXPECT_FALSE(in.createStream(policy));
     }
     LogCapture log;
     policy.name_id = "/" + std::string(300, 'x');
@@ -163,6 +165,82 @@ TEST_F(MqueueStreams, KeepALargerSizeThanTheSample) {
     policy.data_size = 0;
     ASSERT_TRUE(array.createStream(policy));
     EXPECT_EQ(policy.data_size, 88) << "as the original: 8 bytes, and ten numbers";
+}
+
+TEST_F(MqueueStreams, BeginWithAQueueWhoseSenderWaits) {
+    ASSERT_TRUE(out.createStream(policy));
+    (void)RawQueue(policy.name_id).receive();  // as an earlier receiver has
+    ASSERT_TRUE(in.createStream(policy));
+    EXPECT_EQ(in.read(got), NoData);
+    EXPECT_EQ(out.write(5), WriteSuccess);
+    ASSERT_TRUE(readSoon(in, got));
+}
+
+TEST_F(MqueueStreams, PassOverMessagesThatAreNoSamples) {
+    RawQueue old(policy.name_id, {10, 16});
+    ASSERT_TRUE(old.send("of another type"));
+    ASSERT_TRUE(out.createStream(policy));
+    LogCapture log;
+    ASSERT_TRUE(in.createStream(policy));
+    EXPECT_EQ(out.write(5), WriteSuccess);
+    ASSERT_TRUE(readSoon(in, got));
+    EXPECT_EQ(got, 5);
+}
+
+TEST_F(MqueueStreams, KeepTheNewestSampleOfAQueueForTwo) {
+    policy = ConnPolicy::data();
+    policy.transport = ORO_MQUEUE_PROTOCOL_ID;
+    policy.name_id = queueName("two");
+    policy.size = 1;
+    ASSERT_TRUE(out.createStream(policy));
+    for (int i = 1; i <= 5; ++i) EXPECT_EQ(out.write(i), WriteSuccess);
+    ASSERT_TRUE(in.createStream(policy));
+    EXPECT_TRUE(transport_test::soon([&] { return in.read(got) == NewData && got == 5; })) << got;
+}
+
+TEST_F(MqueueStreams, DoNotLoseSamplesToALaterDataSample) {
+    ASSERT_TRUE(out.createStream(policy));
+    for (int i = 1; i <= 3; ++i) ASSERT_EQ(out.write(i), WriteSuccess);
+    out.setDataSample(7);
+    ASSERT_TRUE(in.createStream(policy));
+    for (int i = 1; i <= 3; ++i) {
+        ASSERT_TRUE(readSoon(in, got)) << i;
+        EXPECT_EQ(got, i);
+    }
+}
+
+TEST_F(MqueueStreams, LeaveSamplesInTheQueueWhileTheBufferIsFull) {
+    ConnPolicy small = policy;
+    small.size = 2;
+    ASSERT_TRUE(out.createStream(policy));
+    ASSERT_TRUE(in.createStream(small));
+    int accepted = 0;
+    EXPECT_TRUE(transport_test::soon([&] {
+        if (out.write(accepted + 1) == WriteSuccess) ++accepted;
+        return accepted >= 7;  // two in the buffer, one on its way, four in the queue
+    }));
+    EXPECT_TRUE(transport_test::soon([&] { return out.write(99) == WriteFailure; })) << "the sender learns of it";
+    for (int i = 1; i <= 7; ++i) {
+        ASSERT_TRUE(readSoon(in, got)) << i;
+        EXPECT_EQ(got, i);
+    }
+}
+
+TEST_F(MqueueStreams, KeepAQueueThatSomebodyElseHasMade) {
+    ASSERT_TRUE(out.createStream(policy));
+    mq_unlink(policy.name_id.c_str());
+    RawQueue other(policy.name_id, {10, 8});
+    out.disconnect();
+    EXPECT_TRUE(RawQueue::exists(policy.name_id));
+}
+
+TEST_F(MqueueStreams, RefuseAQueueThatIsTooSmallForWhatThePolicySays) {
+    RawQueue small(policy.name_id, {10, 1024});
+    OutputPort<std::string> text("text");
+    policy.data_size = 4000;
+    LogCapture log;
+    EXPECT_FALSE(text.createStream(policy));
+    EXPECT_TRUE(log.contains("with messages of 1024 bytes, and a sample needs 4000")) << log.text();
 }
 
 TEST_F(MqueueStreams, FollowASenderThatMadeTheQueueAnew) {

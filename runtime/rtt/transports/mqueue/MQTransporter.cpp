@@ -30,38 +30,46 @@ std::string describe(const base::PortInterface& port, bool isSender) {
            port.getTypeInfo()->getTypeName();
 }
 
-/** Makes a name if there is none. False, with the reason in `why`, if it cannot be that of a queue. */
-bool completeName(const base::PortInterface& port, std::string& name, std::string& why) {
-    if (!name.empty()) {
-        why = "the names of message queues begin with '/' and have no other '/', found '" + name + "'";
-        return name[0] == '/' && name.size() > 1 && name.find('/', 1) == std::string::npos;
-    }
+bool isQueueName(const std::string& name) {
+    return name.size() > 1 && name[0] == '/' && name.find('/', 1) == std::string::npos;
+}
+
+/** A name that this process has not made before; empty if the port belongs to no component. */
+std::string newName(const base::PortInterface& port) {
     const DataFlowInterface* const interface = port.getInterface();
-    if (!interface || !interface->getOwner()) {
-        why =
-            "policy.name_id is empty, and the name of a queue is made from that of the component, but the port belongs "
-            "to none";
-        return false;
-    }
+    if (!interface || !interface->getOwner()) return {};
     static std::atomic<unsigned> made{0};  // one port may have several streams
-    name = port.getFullName() + '.' + std::to_string(++made) + '@' + std::to_string(getpid());
+    std::string name = port.getFullName() + '.' + std::to_string(++made) + '@' + std::to_string(getpid());
     std::replace(name.begin(), name.end(), '/', '_');
-    name.insert(0, 1, '/');
-    return true;
+    return '/' + name;
 }
 
-/** The bytes of a message: as many as a sample has, or as the policy says. */
-long bytesFor(const MessageFormat& format, const void* sample, int wanted) {
-    const auto least = static_cast<long>(format.sizeOf(sample));
-    if (format.hasFixedSize()) return std::max<long>(least, wanted);
-    if (format.isOfOriginal() && wanted > least) return wanted;
-    return std::max<long>({least, wanted, kLeastRoom});
+/** The bytes of a message. A program of the original counts on those of the largest sample, if that is known. */
+long bytesFor(const MessageFormat& format, long sampleSize, long wanted) {
+    if (format.hasFixedSize() || (format.isOfOriginal() && wanted > sampleSize)) return std::max(sampleSize, wanted);
+    return std::max({sampleSize, wanted, kLeastRoom});
 }
 
-/** Null, with the reason in `why`, if samples do not get through the queue. */
-std::unique_ptr<Queue> openQueue(const std::string& name, bool isSender, Queue::Size size, long least,
+/** A queue of a new name. */
+std::unique_ptr<Queue> makeQueue(const base::PortInterface& port, std::string& name, Queue::Size size,
                                  std::string& why) {
-    auto queue = Queue::open(name, isSender ? Queue::Role::Sender : Queue::Role::Receiver, size, why);
+    for (;;) {
+        name = newName(port);
+        if (name.empty()) {
+            why =
+                "policy.name_id is empty, and the name of a queue is made from that of the component, but the port "
+                "belongs to none";
+            return nullptr;
+        }
+        auto queue = Queue::make(name, size, why);
+        if (queue || !why.empty()) return queue;
+        // A process of the same number has left it.
+    }
+}
+
+/** The queue of that name. Null, with the reason in `why`, if samples do not get through it. */
+std::unique_ptr<Queue> openQueue(const std::string& name, Queue::Size size, long least, std::string& why) {
+    auto queue = Queue::open(name, size, why);
     if (!queue || queue->size().bytes >= least) return queue;
     why = "it exists already, with messages of " + std::to_string(queue->size().bytes) + " bytes, and a sample needs " +
           std::to_string(least) + "; choose another name, or remove /dev/mqueue" + name + " if nobody uses it";
@@ -77,20 +85,29 @@ ElementPtr MQTransporter::createStream(base::PortInterface* port, const ConnPoli
         log(Error) << described << ": queue '" << policy.name_id << "' cannot be used: " << why << endlog();
         return nullptr;
     };
+    if (!isQueueName(policy.name_id) && !(is_sender && policy.name_id.empty()))
+        return refused("the names of message queues begin with '/' and have no other '/'");
     std::string why;
-    if (!completeName(*port, policy.name_id, why)) return refused(why);
     std::unique_ptr<MessageFormat> format = makeFormat(*port->getTypeInfo(), why);
     if (!format) return refused(why);
     const base::DataSourceBase::shared_ptr sample = port->getTypeInfo()->buildValue();
     if (!sample || !sample->getRawPointer()) return refused("its type has no default value");
 
-    const long bytes = bytesFor(*format, sample->getRawConstPointer(), policy.data_size);
-    const long least = format->hasFixedSize() ? static_cast<long>(format->sizeOf(sample->getRawConstPointer())) : 1;
-    auto queue = openQueue(policy.name_id, is_sender, {policy.size > 0 ? policy.size : kMessages, bytes}, least, why);
+    const bool isBuffer = policy.type == ConnPolicy::BUFFER;
+    if (!is_sender)
+        return new detail::ReceiveChannel(policy.name_id, std::move(format), sample, isBuffer && policy.size > 0,
+                                          described);
+
+    const auto sampleSize = static_cast<long>(format->sizeOf(sample->getRawConstPointer()));
+    const long messages = policy.size > 0 ? policy.size : kMessages;
+    const Queue::Size size{isBuffer ? messages : std::max(messages, 2L),
+                           bytesFor(*format, sampleSize, policy.data_size)};
+    auto queue = policy.name_id.empty()
+                     ? makeQueue(*port, policy.name_id, size, why)
+                     : openQueue(policy.name_id, size, std::max<long>(sampleSize, policy.data_size), why);
     if (!queue) return refused(why);
     policy.data_size = static_cast<int>(queue->size().bytes);
-    if (!is_sender) return new detail::ReceiveChannel(std::move(queue), std::move(format), sample, described);
-    return new detail::SendChannel(std::move(queue), std::move(format), policy.type == ConnPolicy::BUFFER, described);
+    return new detail::SendChannel(std::move(queue), std::move(format), isBuffer, described);
 }
 
 }  // namespace RTT::mqueue

@@ -40,7 +40,9 @@ protected:
 
     template <class T>
     void pass(T& value) {
-        if constexpr (std::is_arithmetic<T>::value || std::is_enum<T>::value)
+        if constexpr (std::is_same<T, bool>::value)
+            self().boolean(value);
+        else if constexpr (std::is_arithmetic<T>::value || std::is_enum<T>::value)
             self().bytes(&value, sizeof value);
         else
             boost::serialization::serialize_adl(self(), value,
@@ -64,8 +66,8 @@ protected:
         if constexpr (std::is_same<T, bool>::value) {
             for (std::size_t i = 0; i != elements.size(); ++i) {
                 bool element = elements[i];
-                self().pass(element);
-                elements[i] = element;
+                self().boolean(element);
+                if constexpr (Derived::is_loading::value) elements[i] = element;
             }
         } else if constexpr (std::is_arithmetic<T>::value) {
             self().bytes(elements.data(), elements.size() * sizeof(T));
@@ -114,6 +116,10 @@ public:
 
 private:
     friend class MessageArchive<MessageWriter>;
+    void boolean(bool value) {
+        const unsigned char byte = value ? 1 : 0;
+        bytes(&byte, 1);
+    }
     void bytes(const void* from, std::size_t size) {
         if (to_ && size != 0 && size_ <= room_ && size <= room_ - size_) std::memcpy(to_ + size_, from, size);
         size_ += size;
@@ -163,6 +169,12 @@ public:
 
 private:
     friend class MessageArchive<MessageReader>;
+    /** Any byte but 0 is true. */
+    void boolean(bool& value) {
+        unsigned char byte = 0;
+        bytes(&byte, 1);
+        value = byte != 0;
+    }
     void bytes(void* to, std::size_t size) {
         if (size > left_) throw std::runtime_error("it ends too early");
         if (size != 0) std::memcpy(to, from_, size);

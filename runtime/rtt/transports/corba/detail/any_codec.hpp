@@ -27,8 +27,8 @@ public:
     CORBA::TypeCode_ptr typeCode() const { return typeCode_.in(); }
     /** False, with the Any unchanged, if the value cannot be encoded. Allocates. */
     bool put(const void* value, CORBA::Any& any) const;
-    /** False, with the reason in `why`, if the Any has another type, or bytes that are no value of it; the value is then
-        some valid value. */
+    /** False, with the reason in `why`, if the Any has another type, or bytes that are no value of it; the value is
+        then some valid value. */
     bool get(const CORBA::Any& any, void* value, std::string& why) const;
 
 private:

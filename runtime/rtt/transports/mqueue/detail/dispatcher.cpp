@@ -20,28 +20,33 @@ namespace RTT::mqueue::detail {
 namespace {
 
 constexpr std::size_t kFirstQueue = 2;  // in polled_
+constexpr int kRetry = 5;               // ms, while a buffer is full
+constexpr useconds_t kPause = 10000;    // us, after an error of poll()
 
 /** Reports when a queue is made; -1 if nobody has mounted the file system of the queues. */
 int watchQueues() {
     const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     if (watch != -1 && inotify_add_watch(watch, "/dev/mqueue", IN_CREATE) != -1) return watch;
+    log(Info) << "receivers do not notice when a sender makes its queue anew: " << std::strerror(errno)
+              << " (/dev/mqueue, inotify)" << endlog();
     if (watch != -1) close(watch);
     return -1;
 }
 
-/** The names of the queues that were made since the last call. */
-std::set<std::string> newNames(int watch) {
-    std::set<std::string> names;
+/** The names of the queues that were made since the last call. False if there were more than the system keeps. */
+bool takeNames(int watch, std::set<std::string>& names) {
     alignas(inotify_event) char buffer[4096];
+    bool isComplete = true;
     ssize_t size = 0;
     while ((size = read(watch, buffer, sizeof buffer)) > 0) {
         for (const char* at = buffer; at < buffer + size;) {
             const auto* const event = reinterpret_cast<const inotify_event*>(at);
             if (event->len != 0) names.insert(std::string("/") + event->name);
+            isComplete = isComplete && (event->mask & IN_Q_OVERFLOW) == 0;
             at += sizeof *event + event->len;
         }
     }
-    return names;
+    return isComplete;
 }
 
 }  // namespace
@@ -55,7 +60,8 @@ Dispatcher::Dispatcher()
     : Activity(ORO_SCHED_RT, os::HighestPriority, 0.0, nullptr, "MQueueDispatch"),
       changes_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
       newQueues_(watchQueues()) {
-    (void)start();
+    if (changes_ == -1 || !start())
+        log(Critical) << "no messages of queues can be received: " << std::strerror(errno) << endlog();
 }
 
 void Dispatcher::wake() const {
@@ -65,6 +71,10 @@ void Dispatcher::wake() const {
 
 void Dispatcher::add(ReceiveChannel& channel) {
     const os::MutexLock lock(mutex_);
+    for (const ReceiveChannel::Pointer& other : channels_)
+        if (other->queueName() == channel.queueName())
+            log(Warning) << "queue '" << channel.queueName()
+                         << "' has several receivers in this process: each message gets to one of them" << endlog();
     channels_.emplace_back(&channel);
     wake();
 }
@@ -72,12 +82,17 @@ void Dispatcher::add(ReceiveChannel& channel) {
 void Dispatcher::remove(const ReceiveChannel& channel) {
     ReceiveChannel::Pointer last;  // released without the lock
     const os::MutexLock lock(mutex_);
-    const auto found =
-        std::find(channels_.begin(), channels_.end(), ReceiveChannel::Pointer(const_cast<ReceiveChannel*>(&channel)));
+    const auto found = std::find_if(channels_.begin(), channels_.end(),
+                                    [&](const ReceiveChannel::Pointer& one) { return one.get() == &channel; });
     if (found == channels_.end()) return;
     last.swap(*found);
     channels_.erase(found);
     wake();
+}
+
+void Dispatcher::watch(std::size_t index) {
+    const ReceiveChannel& channel = *served_[index];
+    polled_[kFirstQueue + index] = {channel.isHeldUp() ? -1 : channel.queue().descriptor(), POLLIN, 0};
 }
 
 void Dispatcher::lookAgain() {
@@ -89,40 +104,57 @@ void Dispatcher::lookAgain() {
         before.swap(served_);
         served_ = channels_;
     }
-    polled_ = {{changes_, POLLIN, 0}, {newQueues_, POLLIN, 0}};
-    for (const ReceiveChannel::Pointer& channel : served_)
-        polled_.push_back({channel->queue().descriptor(), POLLIN, 0});
+    polled_.assign(kFirstQueue + served_.size(), {-1, POLLIN, 0});
+    polled_[0].fd = changes_;
+    polled_[1].fd = newQueues_;
+    for (std::size_t i = 0; i != served_.size(); ++i) {
+        // Its sender may have made the queue anew before this thread knew it.
+        if (std::find(before.begin(), before.end(), served_[i]) == before.end()) (void)served_[i]->followQueue();
+        watch(i);
+    }
 }
 
 // poll() wakes a thread faster than epoll does; a process has few queues.
 void Dispatcher::loop() {
     lookAgain();
     for (;;) {
-        const int ready = poll(polled_.data(), polled_.size(), -1);
-        if (ready == -1 && errno != EINTR) {
-            log(Critical) << "no messages of queues can be received any more: " << std::strerror(errno) << endlog();
-            return;
+        if (poll(polled_.data(), polled_.size(), patience()) != -1 || errno == EINTR) {
+            complained_ = false;
+            serve();
+            continue;
         }
-        for (std::size_t i = kFirstQueue; ready > 0 && i != polled_.size(); ++i)
-            if (polled_[i].revents != 0) served_[i - kFirstQueue]->receive();
-        if (ready > 0 && polled_[1].revents != 0) renewQueues();
-        if (ready > 0 && polled_[0].revents != 0) lookAgain();
+        if (!std::exchange(complained_, true))
+            log(Error) << "messages of queues cannot be received now: " << std::strerror(errno) << endlog();
+        usleep(kPause);
+        lookAgain();
+    }
+}
+
+int Dispatcher::patience() const {
+    const bool isHeldUp =
+        std::any_of(served_.begin(), served_.end(), [](const ReceiveChannel::Pointer& one) { return one->isHeldUp(); });
+    return isHeldUp ? kRetry : -1;
+}
+
+void Dispatcher::serve() {
+    if (polled_[0].revents != 0) lookAgain();
+    if (polled_[1].revents != 0) renewQueues();
+    for (std::size_t i = 0; i != served_.size(); ++i) {
+        ReceiveChannel& channel = *served_[i];
+        if (polled_[kFirstQueue + i].revents == 0 && !channel.isHeldUp()) continue;
+        const bool wasHeldUp = channel.isHeldUp();
+        channel.receive();
+        if (wasHeldUp != channel.isHeldUp()) watch(i);
+        polled_[kFirstQueue + i].revents = 0;
     }
 }
 
 // A sender removes its queue when it ends. When it comes back, it makes a new one.
 void Dispatcher::renewQueues() {
-    const std::set<std::string> names = newNames(newQueues_);
-    for (std::size_t i = 0; i != served_.size(); ++i) {
-        ReceiveChannel& channel = *served_[i];
-        std::unique_ptr<Queue> made =
-            names.count(channel.queueName()) != 0 ? Queue::openForReceiving(channel.queueName()) : nullptr;
-        if (!made || made->isSame(channel.queue())) continue;
-        polled_[kFirstQueue + i].fd = made->descriptor();
-        channel.exchangeQueue(std::move(made));
-        log(Info) << "queue '" << channel.queueName() << "' was made anew; its messages are received from now on"
-                  << endlog();
-    }
+    std::set<std::string> names;
+    const bool isComplete = takeNames(newQueues_, names);
+    for (std::size_t i = 0; i != served_.size(); ++i)
+        if ((!isComplete || names.count(served_[i]->queueName()) != 0) && served_[i]->followQueue()) watch(i);
 }
 
 }  // namespace RTT::mqueue::detail

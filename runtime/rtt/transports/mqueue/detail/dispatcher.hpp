@@ -16,14 +16,14 @@ namespace mqueue {
 namespace detail {
 
 /** The thread that receives the messages of all input streams of the process, "MQueueDispatch". It sleeps until there
-    is one. Any thread may add and remove channels. */
+    is one; only while a buffer is full does it look from time to time. Any thread may add and remove channels. */
 class Dispatcher final : public Activity {
 public:
     /** Made at the first call, and never destroyed. */
     static Dispatcher& instance();
 
+    /** Logs a warning if another channel of this process receives from the same queue. */
     void add(ReceiveChannel& channel);
-    /** The thread may be delivering a last message when this returns. */
     void remove(const ReceiveChannel& channel);
 
 protected:
@@ -35,8 +35,11 @@ private:
 
     Dispatcher();
     void wake() const;
+    void serve();
     void lookAgain();
     void renewQueues();
+    void watch(std::size_t index);
+    int patience() const;
 
     const int changes_;    // an eventfd: channels_ has changed
     const int newQueues_;  // inotify; -1 if this system does not show the queues as files
@@ -45,6 +48,7 @@ private:
     // Used only by the thread.
     Channels served_;
     std::vector<pollfd> polled_;  // changes_, newQueues_ and the queues of served_
+    bool complained_ = false;
 };
 
 }  // namespace detail

@@ -15,8 +15,8 @@ std::pair<void const*, int> GenericTransporter::fillBlob(base::DataSourceBase::s
                                                          void*) const {
     std::string why;
     const auto format = source && source->evaluate() && size >= 0 ? makeFormat(*source->getTypeInfo(), why) : nullptr;
-    const void* const sample = source->getRawConstPointer();
-    const std::size_t written = format && sample ? format->write(sample, blob, static_cast<std::size_t>(size)) : 0;
+    const void* const sample = format ? source->getRawConstPointer() : nullptr;
+    const std::size_t written = sample ? format->write(sample, blob, static_cast<std::size_t>(size)) : 0;
     return {written ? blob : nullptr, static_cast<int>(written)};
 }
 

@@ -16,6 +16,10 @@ namespace RTT::mqueue::detail {
 
 namespace {
 
+constexpr int kMode = O_NONBLOCK | O_CLOEXEC;
+// A sender also takes the oldest message out of a full queue, see SendChannel.
+constexpr int kSender = O_RDWR | O_CREAT | kMode;
+
 std::string limit(const char* name) {
     std::ifstream file(std::string("/proc/sys/fs/mqueue/") + name);
     std::string value;
@@ -31,12 +35,21 @@ std::string explain(int error, Queue::Size size) {
         case EMFILE:
         case ENOMEM:
             return "a queue of " + wanted +
-                   " needs more memory than the queues of this user may have together (ulimit -q): give a smaller "
-                   "policy.size or policy.data_size, or remove queues that nobody uses from /dev/mqueue";
-        case EACCES: return "it belongs to another user, or its name has a second '/'";
+                   " needs more memory than the queues of this user may have together (ulimit -q), or this process has "
+                   "no descriptors left (ulimit -n): give a smaller policy.size or policy.data_size, or remove queues "
+                   "that nobody uses from /dev/mqueue";
+        case ENOSPC: return "this system has as many queues as it allows (queues_max in /proc/sys/fs/mqueue)";
+        case EACCES: return "it belongs to another user";
         case ENAMETOOLONG: return "its name is too long";
         default: return std::strerror(error);
     }
+}
+
+mq_attr attributesOf(Queue::Size size) {
+    mq_attr attributes{};
+    attributes.mq_maxmsg = size.messages;
+    attributes.mq_msgsize = size.bytes;
+    return attributes;
 }
 
 Queue::Size sizeOf(mqd_t queue) {
@@ -45,30 +58,41 @@ Queue::Size sizeOf(mqd_t queue) {
     return {attributes.mq_maxmsg, attributes.mq_msgsize};
 }
 
+std::int64_t nowInMs() {
+    timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * 1000LL + now.tv_nsec / 1000000;
+}
+
 }  // namespace
 
-Queue::Queue(std::string name, mqd_t descriptor, bool isNew)
-    : name_(std::move(name)), descriptor_(descriptor), size_(sizeOf(descriptor)), isNew_(isNew) {}
+Queue::Queue(std::string name, mqd_t descriptor)
+    : name_(std::move(name)), descriptor_(descriptor), size_(sizeOf(descriptor)) {}
 
 Queue::~Queue() { (void)mq_close(descriptor_); }
 
-std::unique_ptr<Queue> Queue::open(const std::string& name, Role role, Size size, std::string& why) {
-    mq_attr attributes{};
-    attributes.mq_maxmsg = size.messages;
-    attributes.mq_msgsize = size.bytes;
-    // A sender also takes the oldest message out of a full queue, see SendChannel.
-    const int how = (role == Role::Sender ? O_RDWR : O_RDONLY) | O_CREAT | O_NONBLOCK | O_CLOEXEC;
-    const mqd_t made = mq_open(name.c_str(), how | O_EXCL, S_IRUSR | S_IWUSR, &attributes);
-    const bool exists = made == -1 && errno == EEXIST;
-    const mqd_t opened = exists ? mq_open(name.c_str(), how, S_IRUSR | S_IWUSR, &attributes) : made;
-    if (opened != -1) return std::unique_ptr<Queue>(new Queue(name, opened, !exists));
-    why = explain(errno, size);
-    return nullptr;
+std::unique_ptr<Queue> Queue::opened(const std::string& name, mqd_t descriptor) {
+    return descriptor == -1 ? nullptr : std::unique_ptr<Queue>(new Queue(name, descriptor));
 }
 
-std::unique_ptr<Queue> Queue::openForReceiving(const std::string& name) {
-    const mqd_t opened = mq_open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    return opened == -1 ? nullptr : std::unique_ptr<Queue>(new Queue(name, opened, false));
+std::unique_ptr<Queue> Queue::open(const std::string& name, Size size, std::string& why) {
+    mq_attr attributes = attributesOf(size);
+    auto queue = opened(name, mq_open(name.c_str(), kSender, S_IRUSR | S_IWUSR, &attributes));
+    if (!queue) why = explain(errno, size);
+    return queue;
+}
+
+std::unique_ptr<Queue> Queue::make(const std::string& name, Size size, std::string& why) {
+    mq_attr attributes = attributesOf(size);
+    auto queue = opened(name, mq_open(name.c_str(), kSender | O_EXCL, S_IRUSR | S_IWUSR, &attributes));
+    if (!queue && errno != EEXIST) why = explain(errno, size);
+    return queue;
+}
+
+std::unique_ptr<Queue> Queue::find(const std::string& name, std::string& why) {
+    auto queue = opened(name, mq_open(name.c_str(), O_RDONLY | kMode));
+    if (!queue && errno != ENOENT) why = explain(errno, {0, 0});
+    return queue;
 }
 
 bool Queue::isSame(const Queue& other) const {
@@ -92,20 +116,20 @@ long Queue::receive(void* to, unsigned& priority) const {
 }
 
 bool Queue::waitForMessage(int milliseconds) const {
-    timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    const std::int64_t end = now.tv_sec * 1000LL + now.tv_nsec / 1000000 + milliseconds;
-    for (;;) {
+    for (const std::int64_t end = nowInMs() + milliseconds;;) {
         pollfd one{descriptor_, POLLIN, 0};
         const int ready = poll(&one, 1, milliseconds);
         if (ready != -1) return ready == 1;
         if (errno != EINTR) return false;
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        const std::int64_t left = end - (now.tv_sec * 1000LL + now.tv_nsec / 1000000);
+        const std::int64_t left = end - nowInMs();
         milliseconds = left > 0 ? static_cast<int>(left) : 0;
     }
 }
 
-void Queue::unlink() const { (void)mq_unlink(name_.c_str()); }
+void Queue::unlink() const {
+    std::string why;
+    const std::unique_ptr<Queue> named = find(name_, why);
+    if (named && named->isSame(*this)) (void)mq_unlink(name_.c_str());
+}
 
 }  // namespace RTT::mqueue::detail

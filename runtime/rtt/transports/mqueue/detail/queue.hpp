@@ -20,24 +20,23 @@ constexpr unsigned kFirstPriority = 1;
 /** A POSIX message queue that this process has open. No function blocks, except waitForMessage(). */
 class Queue {
 public:
-    enum class Role { Sender, Receiver };
     struct Size {
         long messages, bytes;
     };
 
-    /** Opens the queue, which has its own size if it exists already; otherwise makes one of that size. Null, with the
-        reason in `why`, if that fails. */
-    static std::unique_ptr<Queue> open(const std::string& name, Role role, Size size, std::string& why);
-    /** Null if there is none. */
-    static std::unique_ptr<Queue> openForReceiving(const std::string& name);
+    /** For a sender. Opens the queue, which has its own size if it exists already; otherwise makes one of that size.
+        Null, with the reason in `why`, if that fails. */
+    static std::unique_ptr<Queue> open(const std::string& name, Size size, std::string& why);
+    /** The same for a name that must be new: null, with an empty reason, if there is such a queue already. */
+    static std::unique_ptr<Queue> make(const std::string& name, Size size, std::string& why);
+    /** For a receiver, which makes no queue. Null, with an empty reason, if there is none. */
+    static std::unique_ptr<Queue> find(const std::string& name, std::string& why);
     ~Queue();
     Queue(const Queue&) = delete;
     Queue& operator=(const Queue&) = delete;
 
     const std::string& name() const { return name_; }
     Size size() const { return size_; }
-    /** open() has made it. */
-    bool isNew() const { return isNew_; }
     int descriptor() const { return descriptor_; }
     /** Both are the same queue, not two of the same name. */
     bool isSame(const Queue& other) const;
@@ -48,16 +47,17 @@ public:
     long receive(void* to, unsigned& priority) const;
     /** False if none has come within that time. */
     bool waitForMessage(int milliseconds) const;
-    /** Removes the name, so that others make a new queue. Those that have this one open keep it. */
+    /** Removes the name, unless another queue has it by now, so that others make a new queue. Those that have this one
+        open keep it. */
     void unlink() const;
 
 private:
-    Queue(std::string name, mqd_t descriptor, bool isNew);
+    Queue(std::string name, mqd_t descriptor);
+    static std::unique_ptr<Queue> opened(const std::string& name, mqd_t descriptor);
 
     const std::string name_;
     const mqd_t descriptor_;
     const Size size_;
-    const bool isNew_;
 };
 
 }  // namespace detail

@@ -11,6 +11,8 @@
 
 namespace RTT::mqueue::detail {
 
+using os::detail::PriorityLock;
+
 SendChannel::SendChannel(std::unique_ptr<Queue> queue, std::unique_ptr<MessageFormat> format, bool keepsOldest,
                          std::string described)
     : queue_(std::move(queue)),
@@ -18,16 +20,21 @@ SendChannel::SendChannel(std::unique_ptr<Queue> queue, std::unique_ptr<MessageFo
       keepsOldest_(keepsOldest),
       described_(std::move(described)),
       message_(static_cast<std::size_t>(queue_->size().bytes)),
-      oldest_(message_.size()) {}
+      first_(message_.size()),
+      dropped_(message_.size()) {}
 
 SendChannel::~SendChannel() { unlink(); }
 
+// What a process that has ended left in the queue must not keep receivers from the first message of a stream. Later,
+// when the port is given another sample of the largest size, samples that wait for the receiver are worth more.
 WriteStatus SendChannel::sampleErased(const void* sample, bool) {
-    // What a process that has ended left in the queue must not keep receivers from this.
-    const std::size_t size = format_->sizeOf(sample);
-    const os::detail::PriorityLock lock(busy_);
-    if (size == 0 || format_->write(sample, message_.data(), message_.size()) == 0) return refuse(sample);
-    return postInsteadOfOldest(message_.data(), size, kFirstPriority);
+    const PriorityLock lock(busy_);
+    const std::size_t size = format_->write(sample, message_.data(), message_.size());
+    if (size == 0) return refuse(sample);
+    const Message message{message_.data(), size, kFirstPriority};
+    if (!std::exchange(begun_, true)) return postInsteadOfOldest(message);
+    (void)post(message);
+    return WriteSuccess;
 }
 
 bool SendChannel::disconnect(shared_ptr const& channel, bool forward) {
@@ -40,22 +47,23 @@ void SendChannel::unlink() {
     if (linked_.exchange(false)) queue_->unlink();
 }
 
-WriteStatus SendChannel::send(const void* sample, unsigned priority) {
+WriteStatus SendChannel::send(const void* sample) {
     if (format_->isMemory()) {
-        const std::size_t size = format_->sizeOf(sample);
-        const WriteStatus status = post(sample, size, priority);
+        const Message message{sample, format_->sizeOf(sample), 0};
+        const WriteStatus status = post(message);
         if (status == WriteSuccess || keepsOldest_) return status;
-        const os::detail::PriorityLock lock(busy_);
-        return postInsteadOfOldest(sample, size, priority);
+        const PriorityLock lock(busy_);
+        return postInsteadOfOldest(message);
     }
-    const os::detail::PriorityLock lock(busy_);
+    const PriorityLock lock(busy_);
     const std::size_t size = format_->write(sample, message_.data(), message_.size());
     if (size == 0) return refuse(sample);
-    return keepsOldest_ ? post(message_.data(), size, priority) : postInsteadOfOldest(message_.data(), size, priority);
+    const Message message{message_.data(), size, 0};
+    return keepsOldest_ ? post(message) : postInsteadOfOldest(message);
 }
 
-WriteStatus SendChannel::post(const void* message, std::size_t size, unsigned priority) {
-    const int error = queue_->send(message, size, priority);
+WriteStatus SendChannel::post(const Message& message) {
+    const int error = queue_->send(message.at, message.size, message.priority);
     if (error == 0 || error == EAGAIN) {
         reported_.store(0, std::memory_order_relaxed);
         return error == 0 ? WriteSuccess : WriteFailure;
@@ -67,15 +75,23 @@ WriteStatus SendChannel::post(const void* message, std::size_t size, unsigned pr
 }
 
 // A receiver may take messages at the same time, and other senders may add some, so that takes a few attempts.
-WriteStatus SendChannel::postInsteadOfOldest(const void* message, std::size_t size, unsigned priority) {
-    WriteStatus status = post(message, size, priority);
+WriteStatus SendChannel::postInsteadOfOldest(const Message& message) {
+    WriteStatus status = post(message);
     for (long attempt = queue_->size().messages; status == WriteFailure && attempt != 0; --attempt) {
-        unsigned taken = 0;
         if (reported_.load(std::memory_order_relaxed) != 0) break;
-        (void)queue_->receive(oldest_.data(), taken);
-        status = post(message, size, priority);
+        dropOldest();
+        status = post(message);
     }
     return status;
+}
+
+void SendChannel::dropOldest() {
+    unsigned priority = 0;
+    const long size = queue_->receive(first_.data(), priority);
+    if (size < 0 || priority < kFirstPriority) return;
+    // That was the first message, for which a receiver will wait.
+    (void)queue_->receive(dropped_.data(), priority);
+    (void)queue_->send(first_.data(), static_cast<std::size_t>(size), kFirstPriority);
 }
 
 WriteStatus SendChannel::refuse(const void* sample) {

@@ -22,7 +22,8 @@ namespace detail {
  * without memory from the heap. Several threads may write at once.
  *
  * When the queue is full, the sample of a buffer is refused; otherwise the oldest one makes room for it, as in other
- * connections of that kind.
+ * connections of that kind. A queue of such a connection has room for two messages at least, because the first one
+ * stays until a receiver takes it.
  */
 class SendChannel final : public base::ChannelElementBase {
 public:
@@ -30,8 +31,8 @@ public:
                 std::string described);
     ~SendChannel() override;
 
-    WriteStatus writeErased(const void* sample) override { return send(sample, 0); }
-    /** Sends the first message. */
+    WriteStatus writeErased(const void* sample) override { return send(sample); }
+    /** Sends a first message. */
     WriteStatus sampleErased(const void* sample, bool reset) override;
     using base::ChannelElementBase::disconnect;
     bool disconnect(shared_ptr const& channel, bool forward) override;
@@ -41,19 +42,26 @@ public:
     std::string getElementName() const override { return "MQSendChannel"; }
 
 private:
-    WriteStatus send(const void* sample, unsigned priority);
-    WriteStatus post(const void* message, std::size_t size, unsigned priority);
-    WriteStatus postInsteadOfOldest(const void* message, std::size_t size, unsigned priority);
+    struct Message {
+        const void* at;
+        std::size_t size;
+        unsigned priority;
+    };
+    WriteStatus send(const void* sample);
+    WriteStatus post(const Message& message);
+    WriteStatus postInsteadOfOldest(const Message& message);
+    void dropOldest();
     WriteStatus refuse(const void* sample);
     void unlink();
 
     const std::unique_ptr<Queue> queue_;
     const std::unique_ptr<MessageFormat> format_;
     const bool keepsOldest_;
-    const std::string described_;         // for messages: the port and its type
-    std::atomic<std::uint32_t> busy_{0};  // os::detail::PriorityLock of the buffers
-    std::vector<char> message_, oldest_;  // with room for a message
-    std::atomic<int> reported_{0};        // the error that was logged last; 0 after a success
+    const std::string described_;                  // for messages: the port and its type
+    std::atomic<std::uint32_t> busy_{0};           // os::detail::PriorityLock of the format and the buffers
+    std::vector<char> message_, first_, dropped_;  // with room for a message
+    bool begun_ = false;                           // the first message was sent
+    std::atomic<int> reported_{0};                 // the error that was logged last; 0 after a success
     std::atomic<bool> linked_{true};
 };
 
