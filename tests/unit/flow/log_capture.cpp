@@ -10,6 +10,12 @@ namespace flow_test {
 
 LogCapture::LogCapture() { RTT::Logger::Instance()->setStdStream(stream_); }
 
+std::string LogCapture::finish() {
+    RTT::Logger::Instance()->logflush();
+    RTT::Logger::Instance()->setStdStream(std::cerr);
+    return stream_.str();
+}
+
 LogCapture::~LogCapture() { RTT::Logger::Instance()->setStdStream(std::cerr); }
 
 }  // namespace flow_test

@@ -14,6 +14,8 @@ public:
     LogCapture();
     ~LogCapture();
     std::string text() const { return stream_.str(); }
+    /** The whole text, also of threads whose lines come later; ends the capture. */
+    std::string finish();
     bool contains(const std::string& part) const { return text().find(part) != std::string::npos; }
 
 private:
