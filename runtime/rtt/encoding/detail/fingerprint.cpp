@@ -2,9 +2,9 @@
 // Copyright Oroforge contributors
 #include <rtt/encoding/detail/fingerprint.hpp>
 
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <string>
-#include <vector>
 
 namespace RTT::encoding::detail {
 
@@ -14,12 +14,9 @@ namespace {
 class Fingerprint {
 public:
     void add(const Form& form) {
-        // A type that contains itself is named by its place among those that contain it.
-        const auto outer = std::find(path_.begin(), path_.end(), &form);
-        if (outer != path_.end()) return add(kAgain, static_cast<std::uint64_t>(path_.end() - outer));
-        path_.push_back(&form);
-        addParts(form);
-        path_.pop_back();
+        // A type that was there before, or contains itself, is named by its place, so each takes one turn.
+        const auto [place, isNew] = places_.emplace(&form, places_.size());
+        isNew ? addParts(form) : add(kAgain, place->second);
     }
     std::uint64_t value() const { return hash_; }
 
@@ -54,7 +51,7 @@ private:
     void addByte(unsigned char byte) { hash_ = (hash_ ^ byte) * 0x100000001b3U; }
 
     std::uint64_t hash_ = 0xcbf29ce484222325U;
-    std::vector<const Form*> path_;
+    std::map<const Form*, std::size_t> places_;
 };
 
 }  // namespace
