@@ -2,10 +2,11 @@
 // Copyright Oroforge contributors
 #include <rtt/transports/mqueue/detail/queue.hpp>
 
+#include <rtt/os/fosi.h>
+
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
@@ -58,11 +59,7 @@ Queue::Size sizeOf(mqd_t queue) {
     return {attributes.mq_maxmsg, attributes.mq_msgsize};
 }
 
-std::int64_t nowInMs() {
-    timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return now.tv_sec * 1000LL + now.tv_nsec / 1000000;
-}
+std::int64_t nowInMs() { return rtos_get_time_ns() / 1000000; }
 
 }  // namespace
 

@@ -21,8 +21,10 @@ namespace {
 constexpr int kPatience = 500;      // ms
 constexpr useconds_t kLook = 2000;  // us, between two looks for a queue that is not there
 
-/** Until a time that begins now. */
-class Patience {
+}  // namespace
+
+/** For some time that begins now. */
+class ReceiveChannel::Patience {
 public:
     int left() const {
         const std::int64_t ms = (end_ - rtos_get_time_ns()) / 1000000;
@@ -32,8 +34,6 @@ public:
 private:
     const std::int64_t end_ = rtos_get_time_ns() + kPatience * 1000000LL;
 };
-
-}  // namespace
 
 ReceiveChannel::ReceiveChannel(std::string queue, std::unique_ptr<MessageFormat> format,
                                base::DataSourceBase::shared_ptr sample, bool waits, std::string described)
@@ -55,7 +55,7 @@ bool ReceiveChannel::inputReady() {
         log(Error) << described_ << ": queue '" << name_ << "' cannot be used: " << why << endlog();
         return false;
     }
-    if (!waitForFirst(patience.left()))
+    if (!waitForFirst(patience))
         log(Info) << described_ << ": no message came through queue '" << name_ << "' within " << kPatience
                   << " ms; its sender may be waiting, or have ended" << endlog();
     {
@@ -81,9 +81,8 @@ bool ReceiveChannel::findQueue(std::string& why) {
 }
 
 /** The first message shows the size of samples, so the storage gets it. */
-bool ReceiveChannel::waitForFirst(int milliseconds) {
-    for (const std::int64_t end = rtos_get_time_ns() + milliseconds * 1000000LL;
-         queue_->waitForMessage(milliseconds);) {
+bool ReceiveChannel::waitForFirst(const Patience& patience) {
+    while (queue_->waitForMessage(patience.left())) {
         const Taken taken = take();
         if (taken == Taken::First || taken == Taken::Sample) {
             (void)base::ChannelElementBase::sampleErased(sample_->getRawConstPointer(), true);
@@ -92,9 +91,7 @@ bool ReceiveChannel::waitForFirst(int milliseconds) {
             return true;
         }
         // Another receiver was faster, or somebody has left a message that is no sample.
-        const std::int64_t left = (end - rtos_get_time_ns()) / 1000000;
-        milliseconds = left > 0 ? static_cast<int>(left) : 0;
-        if (milliseconds == 0) return false;
+        if (patience.left() == 0) return false;
     }
     return false;
 }

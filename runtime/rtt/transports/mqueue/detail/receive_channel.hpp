@@ -54,7 +54,8 @@ public:
 private:
     enum class Taken { None, Sample, First, Bad };
     bool findQueue(std::string& why);
-    bool waitForFirst(int milliseconds);
+    class Patience;
+    bool waitForFirst(const Patience& patience);
     Taken take();
     void deliver();
     void refuse(const std::string& why);
