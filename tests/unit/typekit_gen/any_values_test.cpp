@@ -41,10 +41,7 @@ protected:
 };
 
 TEST_P(AnyValues, ComeBack) {
-    for (const auto& type : model.structs)
-        if (type.assignable && type.make.empty()) crosses(typeOf(type.name));
-    for (const auto& type : model.enums) crosses(typeOf(type.name));
-    for (const auto& type : model.library) crosses(typeOf(type.name));
+    forEachAssignable([this](const TypeInfo& type) { crosses(type); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, AnyValues, testing::ValuesIn(test::builtTypekits()), test::caseName);

@@ -76,12 +76,7 @@ private:
 };
 
 TEST_P(EncodedValues, ComeBack) {
-    for (const unsigned seed : {0U, 7U}) {
-        for (const auto& type : model.structs)
-            if (type.assignable && type.make.empty()) comesBack(typeOf(type.name), seed);
-        for (const auto& type : model.enums) comesBack(typeOf(type.name), seed);
-        for (const auto& type : model.library) comesBack(typeOf(type.name), seed);
-    }
+    for (const unsigned seed : {0U, 7U}) forEachAssignable([&](const TypeInfo& type) { comesBack(type, seed); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, EncodedValues, testing::ValuesIn(test::builtTypekits()), test::caseName);

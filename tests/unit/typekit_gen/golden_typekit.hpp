@@ -23,6 +23,14 @@ protected:
 
     /// Throws if there is none.
     static const RTT::types::TypeInfo& typeOf(const std::string& name);
+    /// Calls `each(type)` for all types whose values can be made and assigned.
+    template <class Each>
+    void forEachAssignable(Each each) const {
+        for (const auto& type : model.structs)
+            if (type.assignable && type.make.empty()) each(typeOf(type.name));
+        for (const auto& type : model.enums) each(typeOf(type.name));
+        for (const auto& type : model.library) each(typeOf(type.name));
+    }
 
     std::string name;
     model::TypeModel model;

@@ -67,10 +67,7 @@ private:
 };
 
 TEST_P(QueuedValues, ComeBack) {
-    for (const auto& type : model.structs)
-        if (type.assignable && type.make.empty()) crosses(typeOf(type.name));
-    for (const auto& type : model.enums) crosses(typeOf(type.name));
-    for (const auto& type : model.library) crosses(typeOf(type.name));
+    forEachAssignable([this](const TypeInfo& type) { crosses(type); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, QueuedValues, testing::ValuesIn(test::builtTypekits()), test::caseName);
