@@ -136,7 +136,8 @@ function(oroforge_add_user_test name)
   # ccache knows a package again only if its folder and the toolchain lie in the same way below CCACHE_BASEDIR (./dev).
   set(folder ${PROJECT_BINARY_DIR}/tests/tmp)
   file(MAKE_DIRECTORY ${folder})
-  set(environment TMPDIR=${folder} CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Debug)
+  # Else CMake does not install what was built again within a second, which ccache makes possible.
+  set(environment TMPDIR=${folder} CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Debug CMAKE_INSTALL_ALWAYS=1)
   if(CMAKE_CXX_COMPILER_LAUNCHER)
     list(APPEND environment CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER})
   endif()
