@@ -182,7 +182,8 @@ bool TaskContext::endExecution(Seconds limit) {
 
 bool TaskContext::stopForGood(Seconds limit) noexcept {
     try {
-        if (isRunning() && !engine()->gate()->retired()) stop();
+        // Its own state: what stands for a component of another process leaves that running.
+        if (TaskCore::isRunning() && !engine()->gate()->retired()) stop();
     } catch (const std::exception& thrown) {
         log(Error) << getName() << " is stopped for good, though stop() threw: " << thrown.what() << endlog();
     } catch (...) {

@@ -150,4 +150,11 @@ bool InputPortInterface::channelReady(ChannelElementBase::shared_ptr const& chan
     return addConnection(owned.release(), channel, policy);
 }
 
+bool InputPortInterface::connectFrom(OutputPortInterface&, ConnPolicy const&) {
+    log(Error) << "input port " << getFullName() << " lives in another process (protocol " << serverProtocol()
+               << "), and no transport for its type "
+               << (getTypeInfo() ? getTypeInfo()->getTypeName() : std::string("unknown_t")) << " is loaded" << endlog();
+    return false;
+}
+
 }  // namespace RTT::base

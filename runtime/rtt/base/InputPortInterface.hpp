@@ -47,6 +47,9 @@ public:
     virtual bool channelReady(ChannelElementBase::shared_ptr const& channel, ConnPolicy const& policy,
                               internal::ConnID* id = nullptr);
 
+    /** For a proxy: connects the port that it stands for. This one logs an error and returns false. */
+    virtual bool connectFrom(OutputPortInterface& output, ConnPolicy const& policy);
+
     /** Turns notification of the component by new samples on or off. */
     void signalInterface(bool on);
     bool signalsInterface() const;

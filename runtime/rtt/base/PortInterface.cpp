@@ -57,11 +57,17 @@ PortInterface& PortInterface::doc(const std::string& text) {
 
 bool PortInterface::connected() const { return channels_.load(std::memory_order_acquire) != nullptr; }
 
-bool PortInterface::connectedTo(PortInterface* port) const { return manager_->connectedTo(port); }
+bool PortInterface::connectedTo(PortInterface* port) const {
+    // What stands for a port of another process knows the connections with ports of this one.
+    if (port && isLocal() && !port->isLocal()) return port->connectedTo(const_cast<PortInterface*>(this));
+    return manager_->connectedTo(port);
+}
 
 void PortInterface::disconnect() { manager_->disconnect(); }
 
-bool PortInterface::disconnect(PortInterface* port) { return manager_->disconnect(port); }
+bool PortInterface::disconnect(PortInterface* port) {
+    return port && isLocal() && !port->isLocal() ? port->disconnect(this) : manager_->disconnect(port);
+}
 
 bool PortInterface::isLocal() const { return serverProtocol() == 0; }
 

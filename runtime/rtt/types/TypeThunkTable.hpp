@@ -22,6 +22,10 @@ class OutputPortInterface;
 class ChannelElementBase;
 }  // namespace base
 
+namespace internal {
+class ValuePlace;
+}
+
 namespace types {
 
 struct Schema;
@@ -35,6 +39,7 @@ struct TypeThunks {
     base::DataSourceBase* (*reference)(void* at);
     base::DataSourceBase* (*part)(void* at, std::size_t count, base::DataSourceBase* parent);
     base::DataSourceBase* (*element)(base::DataSourceBase* parent, base::DataSourceBase* index, const SequenceOps* ops);
+    base::DataSourceBase* (*placed)(internal::ValuePlace* place);  ///< takes ownership; null for views on arrays
     base::DataSourceBase* (*actionAlias)(base::ActionInterface* action, base::DataSourceBase* source);
     base::AttributeBase* (*constant)(const std::string& name, base::DataSourceBase* source);
     base::AttributeBase* (*variable)(const std::string& name, int sizehint);

@@ -86,6 +86,7 @@ struct Thunks {
         t.reference = &reference;
         t.part = &part;
         t.element = &element;
+        t.placed = &placed;
         t.actionAlias = &actionAlias;
         t.constant = &constant;
         t.variable = &variable;

@@ -81,10 +81,6 @@ bool checkEnds(OutputPortInterface& output, InputPortInterface& input) {
     if (!output.isLocal())
         log(Error) << "output port " << output.getFullName()
                    << " is a proxy for one in another process: connections start at a local output port" << endlog();
-    else if (!input.isLocal())
-        log(Error) << "input port " << input.getFullName() << " lives in another process (protocol "
-                   << input.serverProtocol() << "), and no transport for its type " << sampleTypeName(input)
-                   << " is loaded" << endlog();
     else if (!sameType(output.sampleOps(), input.sampleOps()))
         log(Error) << "output port " << output.getFullName() << " of type " << sampleTypeName(output)
                    << " is not compatible with input port " << input.getFullName() << " of type "
@@ -122,6 +118,7 @@ bool connected(const OutputPortInterface& output, const InputPortInterface& inpu
 bool ConnFactory::createConnection(OutputPortInterface& output, InputPortInterface& input, ConnPolicy const& wanted) {
     if (output.isLocal() && output.connectedTo(&input)) return connected(output, input, "already");
     if (wanted.buffer_policy == Shared) return createSharedConnection(&output, &input, nullptr, wanted);
+    if (output.isLocal() && !input.isLocal()) return input.connectFrom(output, wanted);
     if (!checkEnds(output, input)) return false;
     if (wanted.transport != 0) return outOfBand(output, input, wanted);
 
